@@ -1,0 +1,1 @@
+"""From a sentence about a dangerous traffic situation to scenes worth testing on."""

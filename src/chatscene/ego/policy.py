@@ -1,0 +1,78 @@
+"""Who drives: the one thing an ego must be able to do, and the table of those we know by name."""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+import math
+from collections.abc import Callable
+from typing import Any, Protocol, runtime_checkable
+
+from chatscene.ego.observation import Observation
+from chatscene.errors import EgoError
+
+
+@runtime_checkable
+class EgoPolicy(Protocol):
+    """An ego under test.
+
+    Input: the four numbers of `chatscene.ego.observation`.
+    Output: acceleration and steering, each in [-1, 1]; steering is right positive. They are mapped to pedals and
+    wheel as SafeBench maps them (see `controls`).
+    Determinism: the same observations since `reset` give the same actions.
+    """
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        """Decide for one step of 0.1 s."""
+        ...
+
+
+EGOS: dict[str, str] = {"rule-based": "chatscene.ego.rule_based:RuleBased"}
+
+
+def load_ego(name: str) -> EgoPolicy:
+    """An ego by its name in `EGOS` or as ``package.module:factory``.
+
+    Raises:
+        EgoError: Nothing of that name exists, or what the factory makes has no `act`.
+    """
+    target = EGOS.get(name, name)
+    module, colon, factory = target.partition(":")
+    if not colon:
+        near = difflib.get_close_matches(name, EGOS, n=1)
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        raise EgoError(
+            f"there is no ego {name!r}; {hint}known: {', '.join(sorted(EGOS))}; or give package.module:factory"
+        )
+    try:
+        make: Callable[[], Any] = getattr(importlib.import_module(module), factory)
+    except ImportError as error:
+        raise EgoError(f"ego {name!r}: cannot import {module!r}: {error}") from error
+    except AttributeError as error:
+        raise EgoError(f"ego {name!r}: module {module!r} has no {factory!r}") from error
+    ego = make()
+    if not isinstance(ego, EgoPolicy):
+        raise EgoError(f"ego {name!r} makes a {type(ego).__name__}, which has no method act(observation)")
+    return ego
+
+
+def controls(action: Any) -> tuple[float, float, float]:
+    """Throttle, brake and steering for an action, as SafeBench maps it.
+
+    Acceleration is three times the first number [m/s²]: throttle = a/3 when positive, else brake = -a/8, so that
+    the hardest brake an ego can command is 0.375. Steering is 0.3 times the second.
+
+    Raises:
+        EgoError: The action is not two finite numbers.
+    """
+    try:
+        acceleration, steering = (float(value) for value in action)
+    except (TypeError, ValueError) as error:
+        raise EgoError(f"an ego must return acceleration and steering, not {action!r}") from error
+    if not (math.isfinite(acceleration) and math.isfinite(steering)):
+        raise EgoError(f"an ego returned {action!r}; acceleration and steering must be finite")
+    acceleration = 3.0 * min(max(acceleration, -1.0), 1.0)
+    steer = 0.3 * min(max(steering, -1.0), 1.0)
+    if acceleration > 0.0:
+        return acceleration / 3.0, 0.0, steer
+    return 0.0, -acceleration / 8.0, steer

@@ -1,0 +1,23 @@
+"""A driver by rule: keeps to its route at a target speed and brakes for a vehicle ahead in its own lane."""
+
+from __future__ import annotations
+
+from chatscene.ego.observation import Observation
+
+TARGET_SPEED = 8.0  # [m/s], SafeBench's desired speed
+TURN_SPEED = 5.5  # [m/s], while the route ahead bends away
+BEND = 0.15  # [rad] of heading error at the preview point that counts as a bend
+
+
+class RuleBased:
+    """The surrogate ego of a first run. It sees four numbers, so it cannot see pedestrians or crossing traffic."""
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        """Acceleration and steering in [-1, 1] for one step."""
+        lateral, heading, speed, vehicle_ahead = observation.tolist()
+        wish = TARGET_SPEED if abs(heading) < BEND else TURN_SPEED
+        acceleration = 0.5 * (wish - speed)
+        if vehicle_ahead:
+            acceleration = -1.0
+        steering = 0.35 * lateral + 1.6 * heading
+        return max(-1.0, min(1.0, acceleration)), max(-1.0, min(1.0, steering))

@@ -1,0 +1,84 @@
+"""Every error chatscene raises, as one tree.
+
+::
+
+    ChatSceneError
+    ├ SettingsError            a setting or argument is out of range, or names nothing
+    ├ NothingFits              the sentence was understood; no triple of snippets serves it
+    ├ MapError                 a map is missing, broken, or lacks the geometry asked for
+    ├ SnippetError             a library file is malformed, or breaks its own contract
+    ├ ProgramError
+    │  ├ NamesNotClosed        a name is used that no part of the program defines
+    │  ├ DoesNotCompile        Scenic refuses the text
+    │  ├ Unsatisfiable         no scene could be sampled
+    │  └ MeansSomethingElse    it runs, but the tracks do not show what was said
+    ├ SimulationError
+    │  ├ StuckBehavior         a behavior never yields control
+    │  └ Diverged              a replay differs from what was stored
+    ├ EgoError                 an ego cannot be loaded, or acts out of contract
+    └ RunError                 a run folder cannot be written, read or continued
+
+A message says what happened, where, and what to do.
+"""
+
+from __future__ import annotations
+
+
+class ChatSceneError(Exception):
+    """Base of every error that is ours; the command line shows it without a traceback."""
+
+
+class SettingsError(ChatSceneError):
+    """A setting or an argument is out of range or names nothing known."""
+
+
+class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits
+    """The library holds no compatible triple of snippets that serves the sentence."""
+
+
+class MapError(ChatSceneError):
+    """A map is missing, broken, or has not the geometry that was asked for."""
+
+
+class SnippetError(ChatSceneError):
+    """A snippet file is malformed or its code does not keep the contract in its header."""
+
+
+class ProgramError(ChatSceneError):
+    """A Scenic program failed a rung of the validation ladder."""
+
+
+class NamesNotClosed(ProgramError):  # noqa: N818
+    """A name is used that neither the world model nor any part of the program defines."""
+
+
+class DoesNotCompile(ProgramError):  # noqa: N818
+    """Scenic refuses the text of the program."""
+
+
+class Unsatisfiable(ProgramError):  # noqa: N818
+    """No scene could be sampled within the tries allowed."""
+
+
+class MeansSomethingElse(ProgramError):  # noqa: N818
+    """The program runs, but its tracks do not show what the sentence says."""
+
+
+class SimulationError(ChatSceneError):
+    """A simulation could not be run to its end."""
+
+
+class StuckBehavior(SimulationError):  # noqa: N818
+    """A behavior computed for too long without yielding control to the simulator."""
+
+
+class Diverged(SimulationError):  # noqa: N818
+    """A replay differs from the stored tracks."""
+
+
+class EgoError(ChatSceneError):
+    """An ego could not be loaded, or returned something that is not an action."""
+
+
+class RunError(ChatSceneError):
+    """A run folder cannot be written, read or continued."""

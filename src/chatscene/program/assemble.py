@@ -1,0 +1,71 @@
+"""Step 4 of 9: join a triple of snippets into a Scenic program.
+
+Paper: section 3.3, step iii. The reference joins text and hopes; here the parts' contracts are checked first.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import textwrap
+
+from chatscene.errors import NamesNotClosed
+from chatscene.terms.scenario import AdversaryKind, Scenario
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import Snippet
+
+CLASSES: dict[AdversaryKind, str] = {
+    AdversaryKind.CAR: "Car",
+    AdversaryKind.TRUCK: "Truck",
+    AdversaryKind.BUS: "Bus",
+    AdversaryKind.MOTORCYCLE: "Motorcycle",
+    AdversaryKind.BICYCLE: "Bicycle",
+    AdversaryKind.PEDESTRIAN: "Pedestrian",
+}
+
+HEADER_PROVIDES = ("AdvClass", "ego")
+
+
+def assemble(
+    scenario: Scenario, behavior: Snippet, geometry: Snippet, spawn: Snippet, adversary: AdversaryKind
+) -> ScenicProgram:
+    """Join three snippets.
+
+    Args:
+        scenario: What the program expresses; its text becomes a comment.
+        behavior: Defines `AdvBehavior`.
+        geometry: Defines `egoRoute`, `egoSpawnPt` and what else the place offers.
+        spawn: Places `AdvAgent` and whatever stands beside it.
+        adversary: The class of the adversary.
+
+    Returns:
+        A program that `scenic` compiles as it stands.
+
+    Raises:
+        NamesNotClosed: A part needs a name that no other part provides.
+    """
+    parts = (behavior, geometry, spawn)
+    provided = {name for part in parts for name in part.provides} | set(HEADER_PROVIDES)
+    for part in parts:
+        missing = sorted(set(part.requires) - provided)
+        if missing:
+            raise NamesNotClosed(
+                f"snippet {part.id!r} needs {', '.join(missing)}, which none of {', '.join(p.id for p in parts)} provides"
+            )
+    said = "\n".join(textwrap.wrap(" ".join(scenario.text.split()), 100, initial_indent="# ", subsequent_indent="# "))
+    source = "\n\n".join(
+        (
+            said,
+            f"model chatscene.world.model\n\nAdvClass = {CLASSES[adversary]}",
+            f"## {behavior.id}\n{behavior.source.strip()}",
+            f"## {geometry.id}\n{geometry.source.strip()}",
+            "ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute",
+            f"## {spawn.id}\n{spawn.source.strip()}\n",
+        )
+    )
+    return ScenicProgram(
+        scenario_id=scenario.id,
+        source=source,
+        parameters=tuple(sorted((p for part in parts for p in part.parameters), key=lambda p: p.name)),
+        snippet_ids=tuple(part.id for part in parts),
+        digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
+    )

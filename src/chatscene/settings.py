@@ -1,0 +1,75 @@
+"""Every number a run depends on, with the paper's value as the default and its source beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from chatscene.errors import SettingsError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SearchSettings:
+    """How parameters are moved toward collision (paper, section 4.1; released code, ``scenic_utils.py``).
+
+    Attributes:
+        scenes: Simulations per scenario and route (paper: 50).
+        block: Scenes between two range updates (paper: 10).
+        keep: Scenes selected per scenario and route (paper: 2).
+        routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
+        tries: Draws allowed until one scene spawns without overlap.
+        seed: Everything random derives from it.
+    """
+
+    scenes: int = 50
+    block: int = 10
+    keep: int = 2
+    routes: int = 1
+    tries: int = 100
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        for name in ("scenes", "block", "keep", "routes", "tries"):
+            if getattr(self, name) < 1:
+                raise SettingsError(f"{name} must be at least 1, not {getattr(self, name)}")
+        if self.seed < 0:
+            raise SettingsError(f"seed must not be negative, not {self.seed}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SimulationSettings:
+    """How an episode is stepped and when it ends (SafeBench v1, ``carla_env.py``).
+
+    Attributes:
+        dt: Step [s] (0.1).
+        max_steps: Steps after which an episode is cut (300).
+        ego_speed: Initial speed of the ego [m/s]; the reference warms up from standstill.
+    """
+
+    dt: float = 0.1
+    max_steps: int = 300
+    ego_speed: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RetrievalSettings:
+    """How a triple of snippets is chosen.
+
+    Attributes:
+        similarity_weight: Weight of the embedding's cosine against agreement of slots, per component. Geometry
+            and spawn are mostly a matter of facts, which embeddings blur; behavior is mostly wording.
+        candidates: How many candidates per component are kept and shown (the released code looks at 3).
+        refuse_below: Confidence under which nothing is run.
+    """
+
+    similarity_weight: float = 0.5
+    candidates: int = 5
+    refuse_below: float = 0.35
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """All settings of a run."""
+
+    search: SearchSettings = field(default_factory=SearchSettings)
+    simulation: SimulationSettings = field(default_factory=SimulationSettings)
+    retrieval: RetrievalSettings = field(default_factory=RetrievalSettings)

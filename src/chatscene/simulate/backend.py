@@ -1,0 +1,63 @@
+"""Where scenes are run: one Protocol, one table of names."""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+from pathlib import Path
+from typing import Protocol
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import SettingsError
+from chatscene.settings import SimulationSettings
+from chatscene.terms.episode import Episode
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+
+class Backend(Protocol):
+    """Runs scenes of programs against egos.
+
+    Determinism: the same program, scene and ego give the same episode, bit for bit, whatever ran before.
+    Failure: a scene that cannot be placed is a `Rejected` value; a program that does not compile raises
+    `ProgramError`; a behavior that never yields raises `StuckBehavior`.
+    """
+
+    def run(
+        self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
+    ) -> Episode | Rejected:
+        """Run one scene.
+
+        Args:
+            program: What to run.
+            scene: The concrete values.
+            ego: Who drives.
+            through_collisions: Go on after a collision, to see whether the adversary does what was said.
+        """
+        ...
+
+    def route(self, program: ScenicProgram, index: int) -> Route:
+        """The route a program's geometry picks under this index."""
+        ...
+
+    def routes(self, program: ScenicProgram) -> int:
+        """How many routes the map has for a program's geometry, at most ten."""
+        ...
+
+
+BACKENDS: dict[str, str] = {"embedded": "chatscene.simulate.embedded.backend:EmbeddedBackend"}
+
+
+def load_backend(name: str, map_path: Path, settings: SimulationSettings) -> Backend:
+    """A backend by its name in `BACKENDS`, for one map.
+
+    Raises:
+        SettingsError: There is no backend of that name.
+    """
+    if name not in BACKENDS:
+        near = difflib.get_close_matches(name, BACKENDS, n=1)
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        raise SettingsError(f"there is no backend {name!r}; {hint}known: {', '.join(sorted(BACKENDS))}")
+    module, _, cls = BACKENDS[name].partition(":")
+    backend: Backend = getattr(importlib.import_module(module), cls)(map_path, settings)
+    return backend

@@ -1,0 +1,178 @@
+"""How bodies move: a kinematic bicycle for vehicles and two-wheelers, a point for walkers, nothing for things.
+
+Pedals and steering mean what they mean in CARLA: throttle and brake in [0, 1], steering in [-1, 1] with right
+positive, as a share of the largest wheel angle. No body can be asked to teleport or to change its velocity at
+once: every request is limited to what the kind of body can do (decision 0008).
+
+State is kept in plain Python floats: one step of one body costs about a microsecond, an array call costs more.
+"""
+
+from __future__ import annotations
+
+import math
+
+from chatscene.world.limits import LIMITS, Limits
+
+TAU = 2.0 * math.pi
+
+
+AIR_DRAG = 0.0008  # [1/m]; with `drag`, a car coasts from 15 to 10 m/s in about 15 s
+REVERSE_SPEED = 6.0  # [m/s], largest speed backwards
+LEAST_REVERSAL = 0.05  # [m/s], below which the gear may change
+
+class Body:
+    """A body that does not move, and the common state of those that do.
+
+    Attributes:
+        x, y: Centre [m], map frame.
+        heading: [rad, 0 = +x, counter-clockwise], never wrapped.
+        speed: [m/s] along the heading, negative backwards.
+        length, width: [m].
+    """
+
+    __slots__ = ("cos", "half_length", "half_width", "heading", "length", "radius", "sin", "speed", "width", "x", "y")
+
+    def __init__(self, x: float, y: float, heading: float, length: float, width: float) -> None:
+        self.x = x
+        self.y = y
+        self.heading = heading
+        self.speed = 0.0
+        self.length = length
+        self.width = width
+        self.half_length = length / 2
+        self.half_width = width / 2
+        self.radius = math.hypot(length, width) / 2
+        self.cos = math.cos(heading)
+        self.sin = math.sin(heading)
+
+    def step(self, dt: float) -> None:
+        """Advance by `dt` [s]; a thing stays where it is."""
+
+
+class VehicleBody(Body):
+    """A kinematic bicycle whose reference point is its centre.
+
+    Attributes:
+        throttle, brake: Pedals in [0, 1].
+        steer: In [-1, 1], right positive.
+        reverse: Whether the throttle pushes backwards.
+        target_speed: A speed asked for directly [m/s], reached within the pedals' limits; None obeys pedals.
+    """
+
+    __slots__ = ("brake", "limits", "reverse", "steer", "target_speed", "throttle", "wheel")
+
+    def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
+        super().__init__(x, y, heading, limits.length, limits.width)
+        self.limits = limits
+        self.speed = min(max(speed, -REVERSE_SPEED), limits.top_speed)
+        self.throttle = 0.0
+        self.brake = 0.0
+        self.steer = 0.0
+        self.wheel = 0.0
+        self.reverse = False
+        self.target_speed: float | None = None
+
+    def step(self, dt: float) -> None:
+        """Advance by `dt` [s]."""
+        limits = self.limits
+        old = self.speed
+        speed = self._next_speed(dt)
+        asked = -(1.0 if self.steer > 1.0 else -1.0 if self.steer < -1.0 else self.steer) * limits.wheel_angle
+        most = limits.wheel_rate * dt
+        turn = asked - self.wheel
+        self.wheel += most if turn > most else -most if turn < -most else turn
+        mean = 0.5 * (old + speed)
+        if mean != 0.0:
+            curvature = math.tan(self.wheel) / limits.wheelbase
+            grip = limits.lateral / (mean * mean)
+            curvature = grip if curvature > grip else -grip if curvature < -grip else curvature
+            # Slip of a centre half a wheelbase ahead of the rear axle, which follows the arc.
+            slip = math.atan(0.5 * limits.wheelbase * curvature)
+            turned = mean * curvature * math.cos(slip) * dt
+            course = self.heading + slip + 0.5 * turned
+            self.x += mean * math.cos(course) * dt
+            self.y += mean * math.sin(course) * dt
+            if turned != 0.0:
+                self.heading += turned
+                self.cos = math.cos(self.heading)
+                self.sin = math.sin(self.heading)
+        self.speed = speed
+
+    def _next_speed(self, dt: float) -> float:
+        """The speed [m/s] after `dt`: pedals, drag, and never through standstill within one step."""
+        limits, speed = self.limits, self.speed
+        if self.target_speed is not None:
+            wish = self.target_speed - speed
+            most = (limits.throttle if abs(self.target_speed) > abs(speed) else limits.brake) * dt
+            return speed + (most if wish > most else -most if wish < -most else wish)
+        fade = 1.0 - abs(speed) / limits.top_speed
+        push = limits.throttle * min(max(self.throttle, 0.0), 1.0) * (fade if fade > 0.0 else 0.0)
+        resist = limits.brake * min(max(self.brake, 0.0), 1.0) + limits.drag + AIR_DRAG * speed * speed
+        forward = speed > LEAST_REVERSAL or (speed >= -LEAST_REVERSAL and not self.reverse)
+        sign = 1.0 if forward else -1.0
+        if forward == self.reverse:  # gear against motion: the engine cannot push, the wheels brake
+            push, resist = 0.0, resist + push
+        rolling = sign * speed
+        rolling += (push - resist) * dt if rolling > 0.0 or push > resist else 0.0
+        rolling = 0.0 if rolling < 0.0 else rolling
+        return sign * (rolling if forward or rolling < REVERSE_SPEED else REVERSE_SPEED)
+
+
+class WalkerBody(Body):
+    """A point that moves in any direction and faces where it goes.
+
+    Attributes:
+        course: The direction it wants to walk [rad].
+        target_speed: The speed it wants to walk at [m/s].
+    """
+
+    __slots__ = ("course", "limits", "target_speed", "vx", "vy")
+
+    def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
+        super().__init__(x, y, heading, limits.length, limits.width)
+        self.limits = limits
+        self.speed = min(max(speed, 0.0), limits.top_speed)
+        self.course = heading
+        self.target_speed = self.speed
+        self.vx = self.speed * self.cos
+        self.vy = self.speed * self.sin
+
+    def step(self, dt: float) -> None:
+        """Advance by `dt` [s]: the velocity moves toward the wish, at most as fast as legs can."""
+        limits = self.limits
+        wish = min(max(self.target_speed, 0.0), limits.top_speed)
+        ax = wish * math.cos(self.course) - self.vx
+        ay = wish * math.sin(self.course) - self.vy
+        change = math.hypot(ax, ay)
+        most = (limits.throttle if wish >= self.speed else limits.brake) * dt
+        if change > most:
+            ax, ay = ax * most / change, ay * most / change
+        vx, vy = self.vx + ax, self.vy + ay
+        self.x += 0.5 * (self.vx + vx) * dt
+        self.y += 0.5 * (self.vy + vy) * dt
+        self.vx, self.vy = vx, vy
+        self.speed = math.hypot(vx, vy)
+        if self.speed > 0.05:
+            facing = math.atan2(vy, vx)
+            self.heading += (facing - self.heading + math.pi) % TAU - math.pi
+            self.cos = vx / self.speed
+            self.sin = vy / self.speed
+
+
+def make_body(kind: str, x: float, y: float, heading: float, *, size: tuple[float, float], speed: float) -> Body:
+    """The body for a class of the world model.
+
+    Args:
+        kind: Class name; one that moves (see `LIMITS`) or any other, which stays in place.
+        x: Centre [m].
+        y: Centre [m].
+        heading: [rad, 0 = +x, counter-clockwise].
+        size: (length, width) [m] of a thing; bodies that move have the size of their kind.
+        speed: Initial speed [m/s].
+    """
+    limits = LIMITS.get(kind)
+    if limits is None:
+        return Body(x, y, heading, *size)
+    if limits.wheelbase == 0.0:
+        return WalkerBody(x, y, heading, limits, speed)
+    return VehicleBody(x, y, heading, limits, speed)

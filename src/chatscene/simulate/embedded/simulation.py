@@ -1,0 +1,243 @@
+"""The embedded simulator: a Scenic simulator whose drives can be stepped from outside.
+
+Scenic runs a simulation to its end inside the constructor. `Drive` restates that loop as open, advance, close, so
+that a policy outside decides at each step, and leaves out what our programs do not use (sensors, recorders,
+replays). Objects are not copied back from the simulator at each step: their poses are properties that read the
+moving body when somebody asks, which takes most of the time out of a step.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import scenic.core.dynamics as scenic_dynamics
+from scenic.core.distributions import RejectionException
+from scenic.core.dynamics.actions import _EndScenarioAction, _EndSimulationAction
+from scenic.core.dynamics.guards import GuardViolation
+from scenic.core.dynamics.utils import RejectSimulationException
+from scenic.core.object_types import disableDynamicProxyFor, setDynamicProxyFor
+from scenic.core.vectors import Orientation, Vector
+from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulator
+from scenic.syntax import veneer
+
+from chatscene.simulate.embedded.dynamics import Body, make_body
+from chatscene.world.actors import QUARTER
+from chatscene.world.control import Pose
+
+_CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
+
+
+class LivePose:
+    """The dynamic properties of a Scenic object, read from its body at the moment they are asked for."""
+
+    body: Body
+
+    @property
+    def pose(self) -> Pose:
+        """x [m], y [m], heading [rad, 0 = +x], speed [m/s]."""
+        body = self.body
+        return body.x, body.y, body.heading, body.speed
+
+    @property
+    def position(self) -> Vector:
+        """Centre [m]."""
+        return Vector(self.body.x, self.body.y, 0.0)
+
+    @property
+    def heading(self) -> float:
+        """Scenic's heading [rad, 0 = +y]."""
+        return self.body.heading - QUARTER
+
+    @property
+    def yaw(self) -> float:
+        """The same as `heading`: in two dimensions our objects have no parent orientation."""
+        return self.body.heading - QUARTER
+
+    @property
+    def orientation(self) -> Orientation:
+        """Scenic's orientation."""
+        return Orientation.fromEuler(self.body.heading - QUARTER, 0.0, 0.0)
+
+    @property
+    def speed(self) -> float:
+        """[m/s] along the heading."""
+        return self.body.speed
+
+    @property
+    def velocity(self) -> Vector:
+        """[m/s]."""
+        body = self.body
+        return Vector(body.speed * body.cos, body.speed * body.sin, 0.0)
+
+    @property
+    def elevation(self) -> float:
+        """The world is flat."""
+        return 0.0
+
+
+def _live(obj: Any) -> Any:
+    """A stand-in for a Scenic object while it moves: same class and attributes, live pose."""
+    cls = type(obj)
+    live = cls.__dict__.get("_live_class")
+    if live is None:
+        # The two entries tell Scenic that the class needs no further work on its properties.
+        ready = {"_defaults": cls._defaults, "_props_transformed": str(cls)}
+        live = type(f"Live{cls.__name__}", (LivePose, cls), ready)
+        cls._live_class = live
+    proxy = object.__new__(live)
+    proxy.__dict__.update(obj.__dict__)
+    return proxy
+
+
+class EmbeddedSimulation(DrivingSimulation):
+    """Scenic's view of one drive; `scenic` itself can run it from start to end."""
+
+    bodies: list[Body]
+
+    def setup(self) -> None:
+        """Create every object of the scene, the ego first."""
+        self.bodies = []
+        self._proxies: list[tuple[Any, int]] = []
+        super().setup()
+
+    def createObjectInSimulator(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
+        """Give an object its body and its live pose."""
+        proxy = _live(obj)
+        setDynamicProxyFor(obj, proxy)
+        original = proxy.__dict__
+        position = original["position"]
+        proxy.body = make_body(
+            type(obj).__name__,
+            position.x,
+            position.y,
+            original["heading"] + QUARTER,
+            size=(original["length"], original["width"]),
+            speed=original["speed"],
+        )
+        self.bodies.append(proxy.body)
+        self._proxies.append((proxy, len(original)))
+
+    def step(self) -> None:
+        """Move every body by one step."""
+        dt = self.timestep
+        for body in self.bodies:
+            body.step(dt)
+
+    def updateObjects(self) -> None:  # noqa: N802
+        """Forget what Scenic computed from poses that are no longer true."""
+        for i, (proxy, size) in enumerate(self._proxies):
+            attributes = proxy.__dict__
+            if len(attributes) != size:
+                for name in [name for name in attributes if name.startswith(_CACHED)]:
+                    del attributes[name]
+                self._proxies[i] = (proxy, len(attributes))
+
+    def getProperties(self, obj: Any, properties: Any) -> dict[str, Any]:  # noqa: N802
+        """Poses are live (see `LivePose`); Scenic's own copying is not used."""
+        return {name: getattr(obj, name) for name in properties}
+
+
+class EmbeddedSimulator(DrivingSimulator):
+    """The simulator that programs get when nobody chooses another."""
+
+    def createSimulation(self, scene: Any, **kwargs: Any) -> EmbeddedSimulation:  # noqa: N802
+        """Run one scene to its end, with nobody at the ego's wheel."""
+        return EmbeddedSimulation(scene, **kwargs)
+
+
+class Drive(EmbeddedSimulation):
+    """One drive, stepped from outside. Use as a context manager: one drive at a time per process.
+
+    Args:
+        scene: A scene that Scenic generated.
+        dt: Step [s].
+
+    Attributes:
+        bodies: The body of each object of the scene, the ego's first.
+        done: Why the program ended the scenario, or None while it goes on.
+    """
+
+    REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation)
+
+    def __init__(self, scene: Any, dt: float) -> None:
+        self.scene = scene
+        self.timestep = dt
+        self.currentTime = 0
+        self.objects = []
+        self.agents = []
+        self.verbosity = 0
+        self.name = "drive"
+        self.replaying = False
+        self._replayOut = None
+        self.done: str | None = None
+
+    def __enter__(self) -> Drive:
+        # Our steps have no time limit of their own (a watchdog guards whole episodes), and signal handlers are dear.
+        scenic_dynamics.stuckBehaviorWarningTimeout = 0
+        veneer.beginSimulation(self)
+        try:
+            self.setup()
+            self._scenario = self.scene.dynamicScenario
+            self._scenario._start()
+        except BaseException:
+            self.__exit__()
+            raise
+        self._behaviors = [(agent, agent.behavior) for agent in self.agents]
+        scenario = self._scenario
+        self._has_conditions = bool(
+            scenario._requirementMonitors
+            or scenario._compose
+            or scenario._terminationConditions
+            or scenario._terminateSimulationConditions
+            or scenario._monitors
+            or scenario._timeLimitInSteps
+        )
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for agent in self.agents:
+            if agent.behavior and agent.behavior._isRunning:
+                agent.behavior._stop()
+        for obj in self.objects:
+            disableDynamicProxyFor(obj)
+        for scenario in tuple(reversed(veneer.runningScenarios)):
+            scenario._stop("drive closed", quiet=True)
+        veneer.endSimulation(self)
+
+    def advance(self) -> None:
+        """Let every agent act, move every body, check the program's own conditions.
+
+        Raises:
+            RejectionException: One of `REJECTIONS`: a requirement or guard of the program is violated.
+        """
+        if self._has_conditions:
+            self._check_conditions()
+        for agent, behavior in self._behaviors:
+            veneer.currentBehavior = behavior
+            try:
+                actions = behavior._runningIterator.send(None)
+            except StopIteration:
+                continue
+            if not isinstance(actions, tuple):
+                actions = (actions,)
+            elif len(actions) == 1 and isinstance(actions[0], list | tuple):
+                actions = actions[0]
+            for action in actions:
+                if isinstance(action, _EndSimulationAction | _EndScenarioAction):
+                    self.done = str(action)
+                else:
+                    action.applyTo(agent, self)
+        veneer.currentBehavior = None
+        dt = self.timestep
+        for body in self.bodies:
+            body.step(dt)
+        self.currentTime += 1
+        self.updateObjects()
+
+    def _check_conditions(self) -> None:
+        scenario = self._scenario
+        reason = (
+            scenario._step() or scenario._runMonitors() or scenario._checkSimulationTerminationConditions()
+        )
+        if reason is not None:
+            self.done = str(reason)

@@ -1,0 +1,1 @@
+"""The nouns everything shares: frozen, typed, without input or output of their own."""

@@ -1,0 +1,166 @@
+"""What happened in one drive: tracks, events, ending."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Role(StrEnum):
+    """The part an actor plays."""
+
+    EGO = "ego"
+    ADVERSARY = "adversary"
+    BACKGROUND = "background"
+    OCCLUDER = "occluder"
+
+
+class EventKind(StrEnum):
+    """Things that happen to the ego (SafeBench's criteria; paper, appendix C)."""
+
+    COLLISION = "collision"
+    RED_LIGHT = "red-light"
+    STOP_SIGN = "stop-sign"
+    OFF_ROAD = "off-road"
+    LANE_INVASION = "lane-invasion"
+
+
+class Ending(StrEnum):
+    """Why an episode ended."""
+
+    COLLISION = "collision"
+    ARRIVED = "arrived"
+    TIMEOUT = "timeout"
+    SCENARIO_DONE = "scenario-done"  # the Scenic program ended it
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Track:
+    """One actor's motion; T steps, row 0 is the state before the first step.
+
+    Attributes:
+        actor: Name unique in the episode: ``ego``, ``adversary``, ``leader``, ``blocker-1``, …
+        role: The part it plays.
+        kind: Class name in the world model, e.g. ``Car``, ``Pedestrian``, ``BusStop``.
+        length: Size along its heading [m].
+        width: Size across [m].
+        x: (T,) [m], map frame, centre of the actor.
+        y: (T,) [m].
+        heading: (T,) [rad, 0 = +x, counter-clockwise], unwrapped.
+        speed: (T,) [m/s], along the heading; negative when reversing.
+    """
+
+    actor: str
+    role: Role
+    kind: str
+    length: float
+    width: float
+    x: Array
+    y: Array
+    heading: Array
+    speed: Array
+
+    def acceleration(self, dt: float) -> Array:
+        """(T,) [m/s²] along the heading; 0 in row 0."""
+        return np.diff(self.speed, prepend=self.speed[:1]) / dt
+
+    def yaw_rate(self, dt: float) -> Array:
+        """(T,) [rad/s]; 0 in row 0."""
+        return np.diff(self.heading, prepend=self.heading[:1]) / dt
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Event:
+    """One event of the ego.
+
+    Attributes:
+        kind: What happened.
+        step: At which step it began.
+        other: With whom or what: an actor, a signal or a lane marking; empty where nothing.
+        side: For a collision, where on the ego: ``front``, ``rear``, ``left`` or ``right``; else empty.
+        impact_speed: For a collision, the speed of approach [m/s]; else 0.
+    """
+
+    kind: EventKind
+    step: int
+    other: str = ""
+    side: str = ""
+    impact_speed: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SignalTrack:
+    """The state of one traffic signal on the ego's way over time.
+
+    Attributes:
+        x0, y0, x1, y1: The ends of its stop line [m].
+        state: (T,) of "r", "y", "g", as one string.
+        role: ``ego`` if it is the ego's own, else ``other``.
+    """
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+    state: str
+    role: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Episode:
+    """One drive of one ego through one scene.
+
+    Attributes:
+        scene_id: Which scene.
+        ego: Name of the policy that drove.
+        dt: Step [s].
+        tracks: The ego's first, then the adversaries', then the rest.
+        events: In order of step.
+        signals: Traffic signals at the junction on the route, if any.
+        ending: Why it ended.
+        route_completion: Share of the route driven, in [0, 1].
+        distance_to_route: (T,) [m], lateral, unsigned.
+        off_road: (T,) bool: the ego's centre was off every driving lane.
+    """
+
+    scene_id: str
+    ego: str
+    dt: float
+    tracks: tuple[Track, ...]
+    events: tuple[Event, ...]
+    signals: tuple[SignalTrack, ...]
+    ending: Ending
+    route_completion: float
+    distance_to_route: Array
+    off_road: NDArray[np.bool_]
+
+    @property
+    def ego_track(self) -> Track:
+        """The ego's own track."""
+        return self.tracks[0]
+
+    @property
+    def adversaries(self) -> tuple[Track, ...]:
+        """The tracks of the adversaries."""
+        return tuple(track for track in self.tracks if track.role is Role.ADVERSARY)
+
+    @property
+    def collision(self) -> Event | None:
+        """The first collision, if there was one."""
+        return next((e for e in self.events if e.kind is EventKind.COLLISION), None)
+
+    @property
+    def duration(self) -> float:
+        """Simulated time [s]."""
+        return (len(self.ego_track.x) - 1) * self.dt
+
+    def __repr__(self) -> str:
+        return (
+            f"Episode({self.scene_id}, {self.ego}, {len(self.ego_track.x)} steps, "
+            f"{len(self.tracks)} actors, {self.ending})"
+        )

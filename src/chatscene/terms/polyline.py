@@ -1,0 +1,151 @@
+"""A line in the plane with arc length: centre lines, routes, planned paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.errors import SettingsError
+
+
+class Polyline:
+    """A sequence of points [m] in the map frame (right-handed, x east, y north), with arc length.
+
+    Immutable. Coordinates are kept both as an array, for work on whole tracks, and as plain lists, because
+    one look-up per simulated step on Python floats is several times faster than on numpy scalars.
+
+    Args:
+        points: (N, 2) [m], N >= 2; a point closer than 1 mm to its predecessor is dropped.
+
+    Raises:
+        SettingsError: Fewer than two distinct points.
+    """
+
+    __slots__ = ("_hx", "_hy", "_s", "_x", "_y", "length", "points")
+
+    def __init__(self, points: Iterable[Iterable[float]]) -> None:
+        kept: list[tuple[float, float]] = []
+        for x, y, *_ in points:
+            if not kept or math.hypot(x - kept[-1][0], y - kept[-1][1]) > 1e-3:
+                kept.append((float(x), float(y)))
+        if len(kept) < 2:
+            raise SettingsError("a polyline needs at least two distinct points")
+        self.points: NDArray[np.float64] = np.array(kept)
+        self.points.setflags(write=False)
+        self._x = [x for x, _ in kept]
+        self._y = [y for _, y in kept]
+        self._s = [0.0]
+        self._hx: list[float] = []
+        self._hy: list[float] = []
+        for (x0, y0), (x1, y1) in zip(kept, kept[1:], strict=False):
+            step = math.hypot(x1 - x0, y1 - y0)
+            self._hx.append((x1 - x0) / step)
+            self._hy.append((y1 - y0) / step)
+            self._s.append(self._s[-1] + step)
+        self.length: float = self._s[-1]
+
+    def __len__(self) -> int:
+        return len(self._x)
+
+    def __repr__(self) -> str:
+        return f"Polyline({len(self)} points, {self.length:.1f} m)"
+
+    def segment_at(self, s: float) -> int:
+        """Index of the segment that holds arc length `s` [m]; the ends hold everything beyond them."""
+        low, high = 0, len(self._hx) - 1
+        while low < high:
+            middle = (low + high + 1) // 2
+            if self._s[middle] <= s:
+                low = middle
+            else:
+                high = middle - 1
+        return low
+
+    def segment(self, i: int) -> tuple[float, float, float, float]:
+        """Start point [m] and unit direction of segment `i`; beyond the last, the last one's end."""
+        last = len(self._hx) - 1
+        if i > last:
+            return self._x[-1], self._y[-1], self._hx[last], self._hy[last]
+        return self._x[i], self._y[i], self._hx[i], self._hy[i]
+
+    def point_at(self, s: float) -> tuple[float, float]:
+        """The point [m] at arc length `s` [m]; beyond the ends the line goes straight on."""
+        i = self.segment_at(s)
+        d = s - self._s[i]
+        return self._x[i] + d * self._hx[i], self._y[i] + d * self._hy[i]
+
+    def heading_at(self, s: float) -> float:
+        """Direction [rad, 0 = +x, counter-clockwise] at arc length `s` [m]."""
+        i = self.segment_at(s)
+        return math.atan2(self._hy[i], self._hx[i])
+
+    def project(self, x: float, y: float, near: int | None = None) -> tuple[float, float, int]:
+        """Where a point lies relative to the line.
+
+        Args:
+            x: Map frame [m].
+            y: Map frame [m].
+            near: Segment to search outward from, for a point that moved little since the last call; the
+                search ends at the first local minimum. None searches the whole line.
+
+        Returns:
+            Arc length [m] of the nearest point, signed lateral offset [m, positive = left of the line], and
+            the segment's index, to pass as `near` next time.
+        """
+        if near is None:
+            p = self.points
+            d = p[1:] - p[:-1]
+            rel = np.array((x, y)) - p[:-1]
+            t = np.clip((rel * d).sum(1) / (d * d).sum(1), 0.0, 1.0)
+            near = int(np.argmin(((rel - t[:, None] * d) ** 2).sum(1)))
+        best = self._distance2(near, x, y)
+        last = len(self._hx) - 1
+        while near < last and (d2 := self._distance2(near + 1, x, y)) <= best:
+            near, best = near + 1, d2
+        while near > 0 and (d2 := self._distance2(near - 1, x, y)) < best:
+            near, best = near - 1, d2
+        rx, ry = x - self._x[near], y - self._y[near]
+        hx, hy = self._hx[near], self._hy[near]
+        along = rx * hx + ry * hy
+        length = self._s[near + 1] - self._s[near]
+        along = 0.0 if along < 0.0 else length if along > length else along
+        return self._s[near] + along, hx * ry - hy * rx, near
+
+    def _distance2(self, i: int, x: float, y: float) -> float:
+        rx, ry = x - self._x[i], y - self._y[i]
+        hx, hy = self._hx[i], self._hy[i]
+        along = rx * hx + ry * hy
+        length = self._s[i + 1] - self._s[i]
+        beyond = along if along < 0.0 else along - length if along > length else 0.0
+        across = hx * ry - hy * rx
+        return beyond * beyond + across * across
+
+    def resampled(self, spacing: float) -> Polyline:
+        """The same line with points `spacing` [m] apart (the last gap may be shorter)."""
+        stops = np.append(np.arange(0.0, self.length - 1e-6, spacing), self.length)
+        arc = np.array(self._s)
+        return Polyline(
+            np.column_stack(
+                (np.interp(stops, arc, self.points[:, 0]), np.interp(stops, arc, self.points[:, 1]))
+            )
+        )
+
+    def between(self, start: float, end: float) -> Polyline:
+        """The part from arc length `start` to `end` [m], both inside the line."""
+        inner = [(x, y) for x, y, s in zip(self._x, self._y, self._s, strict=True) if start < s < end]
+        return Polyline([self.point_at(start), *inner, self.point_at(end)])
+
+    def offset(self, left: float) -> Polyline:
+        """The line shifted sideways by `left` [m, positive = left], each point along its own normal."""
+        p = self.points
+        tangent = np.gradient(p, axis=0)
+        tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+        return Polyline(p + left * np.column_stack((-tangent[:, 1], tangent[:, 0])))
+
+    @staticmethod
+    def join(*lines: Polyline) -> Polyline:
+        """Several lines, end to end."""
+        return Polyline(np.concatenate([line.points for line in lines]))

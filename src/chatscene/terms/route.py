@@ -1,0 +1,71 @@
+"""Routes: what the ego must drive.
+
+Paper: section 3.1 ("Route"), section 4.1 (ten routes per base scenario).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.scenario import Control, Maneuver, Place
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RouteQuery:
+    """What a route must offer; a geometry snippet is such a query.
+
+    Attributes:
+        maneuver: What the ego does.
+        place: Where; None stands for anywhere the manoeuvre is possible.
+        control: How the junction is controlled; None for any.
+        lanes_same_way: At least this many lanes in the ego's direction.
+        opposite_lane: Whether a lane of the opposite direction must lie directly beside the ego's.
+        conflicting_from: Sides ("left", "right", "oncoming") from which another vehicle must be able to
+            cross the ego's way at the junction.
+    """
+
+    maneuver: Maneuver
+    place: Place | None = None
+    control: Control | None = None
+    lanes_same_way: int = 1
+    opposite_lane: bool | None = None
+    conflicting_from: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Route:
+    """A start pose and the waypoints the ego must pass.
+
+    Attributes:
+        id: Stable for a map and a query, e.g. ``left-turn-03``.
+        map_name: The map's file name without suffix.
+        maneuver: What it does.
+        place: Where its manoeuvre happens.
+        control: How the junction on it is controlled; NONE on open road.
+        line: The waypoints, about 1 m apart, (N, 2) [m], map frame, first one at the start pose.
+        lane_ids: Scenic's ids of the lanes it uses, in driving order.
+        event_at: Arc length [m] where the manoeuvre begins: the junction's entry, the start of the lane
+            change or, on open road, the middle.
+        junction: Scenic's id of the junction on it, or None.
+    """
+
+    id: str
+    map_name: str
+    maneuver: Maneuver
+    place: Place
+    control: Control
+    line: Polyline
+    lane_ids: tuple[str, ...]
+    event_at: float
+    junction: str | None = None
+
+    @property
+    def length(self) -> float:
+        """Length [m]."""
+        return self.line.length
+
+    @property
+    def start_heading(self) -> float:
+        """Heading [rad, 0 = +x, counter-clockwise] at the start pose."""
+        return self.line.heading_at(0.0)

@@ -1,0 +1,183 @@
+"""Base scenario, scenario, component, and the slots a sentence fills.
+
+Paper: section 3.1 (notations), appendix A (components).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from enum import StrEnum
+
+
+class BaseScenario(StrEnum):
+    """The eight base scenarios, in the column order of the paper's tables."""
+
+    STRAIGHT_OBSTACLE = "straight-obstacle"
+    TURNING_OBSTACLE = "turning-obstacle"
+    LANE_CHANGING = "lane-changing"
+    VEHICLE_PASSING = "vehicle-passing"
+    RED_LIGHT_RUNNING = "red-light-running"
+    UNPROTECTED_LEFT_TURN = "unprotected-left-turn"
+    RIGHT_TURN = "right-turn"
+    CROSSING_NEGOTIATION = "crossing-negotiation"
+
+
+class Component(StrEnum):
+    """The three parts of a scenario that are retrieved (paper, section 3.1)."""
+
+    BEHAVIOR = "behavior"
+    GEOMETRY = "geometry"
+    SPAWN = "spawn"
+
+
+class AdversaryKind(StrEnum):
+    """What kind of road user the adversary is."""
+
+    CAR = "car"
+    TRUCK = "truck"
+    BUS = "bus"
+    MOTORCYCLE = "motorcycle"
+    BICYCLE = "bicycle"
+    PEDESTRIAN = "pedestrian"
+
+
+class Action(StrEnum):
+    """One thing the adversary does; each has a test on the simulated tracks."""
+
+    CROSS = "cross"  # moves across the ego's path from one side
+    STOP = "stop"  # was moving, then stands still
+    BRAKE = "brake"  # loses speed hard
+    ACCELERATE = "accelerate"  # gains speed
+    SLOW = "slow"  # drives much slower than traffic
+    REVERSE = "reverse"  # moves backwards
+    CUT_IN = "cut-in"  # enters the ego's lane from beside
+    CHANGE_LANE = "change-lane"  # leaves its lane for a neighbouring one
+    WEAVE = "weave"  # swings from side to side
+    SWERVE = "swerve"  # leaves its line once, abruptly
+    PACE = "pace"  # keeps level with the ego
+    RUN_LIGHT = "run-light"  # enters a junction on red
+    TURN_LEFT = "turn-left"
+    TURN_RIGHT = "turn-right"
+    ONCOMING = "oncoming"  # approaches against the ego's direction
+    HESITATE = "hesitate"  # starts, pauses, goes on
+    DIAGONAL = "diagonal"  # crosses at a slant
+    TURN_BACK = "turn-back"  # crosses, then goes back where it came from
+    FOLLOW = "follow"  # drives on along its lane
+
+
+class Side(StrEnum):
+    """A side of the ego, in the ego's own frame at its start."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+
+class Position(StrEnum):
+    """Where the adversary starts, in the ego's frame."""
+
+    AHEAD = "ahead"  # in front, in the ego's own lane
+    ROADSIDE = "roadside"  # in front, beside the road
+    BESIDE = "beside"  # level with the ego, in a neighbouring lane
+    AHEAD_BESIDE = "ahead-beside"  # further on, in a neighbouring lane
+    BEHIND = "behind"
+    BEHIND_BESIDE = "behind-beside"
+    ONCOMING = "oncoming"  # facing the ego, in an opposing lane or the opposite arm
+    CROSSING = "crossing"  # on an arm to the side of a junction
+    FAR_CORNER = "far-corner"  # at the side of the road the ego turns into
+
+
+class Occluder(StrEnum):
+    """What hides the adversary at first."""
+
+    BUS_STOP = "bus-stop"
+    VENDING_MACHINE = "vending-machine"
+    PARKED_CAR = "parked-car"
+    PARKED_TRUCK = "parked-truck"
+    KIOSK = "kiosk"
+    CONTAINER = "container"
+
+
+class Maneuver(StrEnum):
+    """What the ego's route does."""
+
+    STRAIGHT = "straight"
+    LEFT_TURN = "left-turn"
+    RIGHT_TURN = "right-turn"
+    LANE_CHANGE_LEFT = "lane-change-left"
+    LANE_CHANGE_RIGHT = "lane-change-right"
+    BYPASS = "bypass"  # around a blocker through the opposite lane
+
+
+class Place(StrEnum):
+    """Where it happens."""
+
+    ROAD = "road"
+    CURVE = "curve"
+    THREE_WAY = "three-way"
+    FOUR_WAY = "four-way"
+    JUNCTION = "junction"  # any number of arms
+
+
+class Control(StrEnum):
+    """How a junction is controlled."""
+
+    SIGNAL = "signal"
+    STOP_SIGN = "stop-sign"
+    NONE = "none"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slots:
+    """Typed facts: of a sentence, what it says; of a snippet, what it does.
+
+    ``None`` and the empty tuple mean *not said*. Sides and positions are in the ego's frame at its start.
+    """
+
+    adversary: AdversaryKind | None = None
+    actions: tuple[Action, ...] = ()
+    side: Side | None = None
+    position: Position | None = None
+    occluder: Occluder | None = None
+    maneuver: Maneuver | None = None
+    place: Place | None = None
+    control: Control | None = None
+    leader: bool | None = None  # a slow vehicle leads the ego
+    blocker: bool | None = None  # a parked vehicle stands in the ego's lane
+
+    def said(self) -> dict[str, object]:
+        """The slots that are filled, by name."""
+        filled = {f.name: getattr(self, f.name) for f in fields(self)}
+        return {name: value for name, value in filled.items() if value not in (None, ())}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SubDescriptions:
+    """One text per component, cut from the sentence (paper, section 3.3, step ii)."""
+
+    behavior: str
+    geometry: str
+    spawn: str
+
+    def __getitem__(self, component: Component) -> str:
+        return getattr(self, component.value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scenario:
+    """A sentence about a dangerous situation, understood.
+
+    Attributes:
+        id: Readable and stable: derived from the sentence's text.
+        text: What the user wrote.
+        base: The base scenario it belongs to, or None where it fits none of the eight.
+        parts: A sub-description per component.
+        slots: The typed facts found in it.
+        notes: What the reader of the sentence was unsure about, in words for the user.
+    """
+
+    id: str
+    text: str
+    base: BaseScenario | None
+    parts: SubDescriptions
+    slots: Slots
+    notes: tuple[str, ...] = ()

@@ -1,0 +1,59 @@
+"""Programs, scenes and rejections.
+
+Paper: section 3.1 ("Scenario", "Scene").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from chatscene.terms.snippet import ParameterRange
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScenicProgram:
+    """A complete Scenic program, joined from a triple of snippets.
+
+    Attributes:
+        scenario_id: The scenario it expresses.
+        source: The text; `scenic` compiles it as it stands.
+        parameters: The declared ranges of everything that can be tuned in it.
+        snippet_ids: Behavior, geometry, spawn.
+        digest: Hash of `source`, hexadecimal.
+    """
+
+    scenario_id: str
+    source: str
+    parameters: tuple[ParameterRange, ...]
+    snippet_ids: tuple[str, ...]
+    digest: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """One concrete instance of a scenario: enough to replay it exactly.
+
+    Attributes:
+        id: ``<scenario>/route-<k>/scene-<n>``.
+        scenario_id: The scenario it belongs to.
+        route: Index of the route on the map, for the program's geometry.
+        block: Which of the blocks between two range updates it was drawn in.
+        seed: The seed its values were drawn with; they are stored, never drawn again.
+        values: The concrete value of each ``OPT_`` parameter, in the unit its range declares.
+    """
+
+    id: str
+    scenario_id: str
+    route: int
+    block: int
+    seed: int
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rejected:
+    """A scene that could not be run, with the reason; counted and shown, never dropped."""
+
+    scene: Scene
+    reason: str

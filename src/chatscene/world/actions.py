@@ -1,0 +1,49 @@
+"""Actions of the world model: one per step and agent, cheap, and the same on every backend."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from scenic.core.simulators import Action
+
+
+class DriveAction(Action):
+    """All pedals and the wheel at once.
+
+    Args:
+        throttle: In [0, 1].
+        brake: In [0, 1].
+        steer: In [-1, 1], right positive, as in CARLA.
+        reverse: Whether the throttle pushes backwards.
+    """
+
+    __slots__ = ("brake", "reverse", "steer", "throttle")
+
+    def __init__(self, throttle: float, brake: float, steer: float, reverse: bool = False) -> None:
+        self.throttle = throttle
+        self.brake = brake
+        self.steer = steer
+        self.reverse = reverse
+
+    def applyTo(self, obj: Any, sim: Any) -> None:  # noqa: N802, ARG002 - Scenic's name and signature
+        """Hand the controls to the agent."""
+        obj.setControls(self.throttle, self.brake, self.steer, self.reverse)
+
+
+class WalkAction(Action):
+    """Walk in a direction at a speed.
+
+    Args:
+        course: [rad, 0 = +x, counter-clockwise].
+        speed: [m/s].
+    """
+
+    __slots__ = ("course", "speed")
+
+    def __init__(self, course: float, speed: float) -> None:
+        self.course = course
+        self.speed = speed
+
+    def applyTo(self, obj: Any, sim: Any) -> None:  # noqa: N802, ARG002
+        """Hand the wish to the agent."""
+        obj.setWalk(self.course, self.speed)

@@ -1,0 +1,90 @@
+"""What the classes of the world model can do in the embedded simulator, as mix-ins of Scenic's protocols.
+
+During a simulation each object carries the `body` that moves for it; these methods set that body's controls.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from scenic.domains.driving.actions import Steers, Walks
+
+from chatscene.world.control import Pose
+
+QUARTER = math.pi / 2  # Scenic's headings start at +y, ours at +x
+
+
+class Placed:
+    """Anything with a pose, read the same way on every backend."""
+
+    @property
+    def pose(self: Any) -> Pose:
+        """x [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
+        return self.position.x, self.position.y, self.heading + QUARTER, self.speed
+
+
+class Driven(Placed, Steers):
+    """A vehicle or two-wheeler: Scenic's driving actions, limited to what its body can do."""
+
+    body: Any
+
+    def setControls(self, throttle: float, brake: float, steer: float, reverse: bool) -> None:  # noqa: N802
+        """All controls at once (see `chatscene.world.actions.DriveAction`)."""
+        body = self.body
+        body.throttle = throttle
+        body.brake = brake
+        body.steer = steer
+        body.reverse = reverse
+        body.target_speed = None
+
+    def setThrottle(self, throttle: float) -> None:  # noqa: N802
+        """Throttle in [0, 1]."""
+        self.body.throttle = throttle
+        self.body.target_speed = None
+
+    def setSteering(self, steering: float) -> None:  # noqa: N802
+        """Steering in [-1, 1], right positive."""
+        self.body.steer = steering
+
+    def setBraking(self, braking: float) -> None:  # noqa: N802
+        """Brake in [0, 1]."""
+        self.body.brake = braking
+        self.body.target_speed = None
+
+    def setHandbrake(self, handbrake: bool) -> None:  # noqa: N802
+        """The hand brake is a full brake."""
+        if handbrake:
+            self.setBraking(1.0)
+
+    def setReverse(self, reverse: bool) -> None:  # noqa: N802
+        """The gear."""
+        self.body.reverse = reverse
+
+    def setVelocity(self, velocity: Any) -> None:  # noqa: N802
+        """A velocity is reached within the pedals' limits and along the heading: nothing jumps."""
+        body = self.body
+        body.target_speed = velocity[0] * body.cos + velocity[1] * body.sin
+
+
+class Walking(Placed, Walks):
+    """A pedestrian."""
+
+    body: Any
+
+    def setWalk(self, course: float, speed: float) -> None:  # noqa: N802
+        """Walk in direction `course` [rad, 0 = +x] at `speed` [m/s]."""
+        self.body.course = course
+        self.body.target_speed = speed
+
+    def setWalkingDirection(self, heading: float) -> None:  # noqa: N802
+        """Direction in Scenic's frame [rad, 0 = +y]."""
+        self.body.course = heading + QUARTER
+
+    def setWalkingSpeed(self, speed: float) -> None:  # noqa: N802
+        """[m/s]."""
+        self.body.target_speed = speed
+
+    def setVelocity(self, velocity: Any) -> None:  # noqa: N802
+        """A velocity is a direction and a speed to be reached within a walker's limits."""
+        self.setWalk(math.atan2(velocity[1], velocity[0]), math.hypot(velocity[0], velocity[1]))

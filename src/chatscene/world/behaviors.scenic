@@ -1,0 +1,88 @@
+"""Behaviors every snippet may build on. None names a simulator; all act through `DriveAction` and `WalkAction`.
+
+Speeds are in m/s, distances in m, angles in rad. A `path` is a line in driving order (`egoRoute`,
+`advTrajectory`, `adjacentLane`, `oppositeLane`); beyond its end it goes straight on.
+"""
+
+import math
+
+from chatscene.world.actions import DriveAction, WalkAction
+from chatscene.world.control import pedals
+from chatscene.world.places import headingLine, progressOn, trackerFor
+
+## Vehicles and two-wheelers
+
+behavior DrivePath(path, speed, left=0):
+    """Follow a path at a speed, `left` beside it, slower in curves. Never ends."""
+    tracker = trackerFor(self, path, left)
+    while True:
+        take DriveAction(*tracker.controls(self.pose, speed))
+
+behavior BrakeOnPath(path, brake=1.0, left=0):
+    """Brake to a standstill along a path, and stay."""
+    tracker = trackerFor(self, path, left)
+    while True:
+        tracker.allowed(self.pose, 0)
+        take DriveAction(0, brake, tracker.steer(self.pose))
+
+behavior ThrottleOnPath(path, throttle, left=0):
+    """Follow a path with the pedal held down, heedless of curves. Never ends."""
+    tracker = trackerFor(self, path, left)
+    while True:
+        tracker.allowed(self.pose, 100)
+        take DriveAction(throttle, 0, tracker.steer(self.pose))
+
+behavior SwerveOnPath(path, speed, left):
+    """Leave the line of a path abruptly, to `left` beside it (negative: right), heedless of curves."""
+    tracker = trackerFor(self, path, left)
+    while True:
+        pose = self.pose
+        tracker.allowed(pose, speed)
+        take DriveAction(*pedals(pose[3], speed), tracker.steer(pose))
+
+behavior WeaveOnPath(path, speed, amplitude, period):
+    """Swing about a path from side to side."""
+    tracker = trackerFor(self, path, 0)
+    start = simulation().currentTime
+    while True:
+        time = (simulation().currentTime - start) * simulation().timestep
+        take DriveAction(*tracker.controls(self.pose, speed, amplitude * math.sin(2 * math.pi * time / period)))
+
+behavior PaceOnPath(path, other, ahead=0, top=25):
+    """Keep `ahead` in front of another actor, measured along a path beside it."""
+    tracker = trackerFor(self, path, 0)
+    near = None
+    while True:
+        at, near = progressOn(path, other, near)
+        tracker.allowed(self.pose, top)
+        wish = max(0, other.pose[3] + 0.8 * (at + ahead - tracker.at))
+        take DriveAction(*tracker.controls(self.pose, min(wish, top)))
+
+behavior ReverseStraight(speed):
+    """Drive straight backwards."""
+    while True:
+        take DriveAction(*pedals(-self.pose[3], speed), 0, True)
+
+behavior Park():
+    """Stand still with the brake on."""
+    while True:
+        take DriveAction(0, 1, 0)
+
+## Anyone: walkers and riders
+
+behavior MoveAhead(speed, turn=0):
+    """Go straight on, `turn` to the left of where the actor faces now. Never ends."""
+    x, y, heading, _ = self.pose
+    if self.isWalker:
+        while True:
+            take WalkAction(heading + turn, speed)
+    else:
+        do DrivePath(headingLine(x, y, heading + turn), speed)
+
+behavior Halt():
+    """Stop as fast as the actor can, and stay."""
+    if self.isWalker:
+        while True:
+            take WalkAction(self.pose[2], 0)
+    else:
+        do Park()

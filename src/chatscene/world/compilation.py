@@ -1,0 +1,84 @@
+"""Compiling a program: Scenic's compiler with a memory.
+
+Scenic parses the driving library anew for every program, which takes most of a second. Here the parsed code of
+each source text is kept for the life of the process, and the road network of each map likewise.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import scenic.syntax.translator as translator
+from scenic.core.errors import ScenicError
+from scenic.syntax import veneer
+
+from chatscene.errors import ChatSceneError, DoesNotCompile
+from chatscene.maps.network import install_network_memo
+
+MODEL = "chatscene.world.model"
+
+_code: dict[tuple[bytes, str], tuple[Any, Any, bytes]] = {}
+
+
+def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filename: str) -> tuple[Any, str]:
+    """`scenic.syntax.translator.compileStream`, with the code of a text it has seen taken from memory."""
+    veneer.activate(options, namespace)
+    try:
+        exec(compile(translator.preamble, "<veneer>", "exec"), namespace)  # noqa: S102 - Scenic's own preamble
+        namespace[translator.namespaceReference] = namespace
+        source = stream.read()
+        key = (hashlib.blake2b(source, digest_size=16).digest(), str(filename))
+        if key not in _code:
+            _code[key] = _translate(source.decode("utf-8"), filename)
+        code, requirements, digest = _code[key]
+        translator.executeCodeIn(code, namespace)
+        translator.storeScenarioStateIn(namespace, requirements, digest, options)
+    finally:
+        veneer.deactivate()
+    return code, ""
+
+
+def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
+    """Scenic text to Python code, its requirements, and the hash by which Scenic tells programs apart."""
+    tree, requirements = translator.compileScenicAST(
+        translator.parse_string(source, "exec", filename=filename), filename=filename
+    )
+    digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()
+    return translator.compileTranslatedTree(tree, filename), requirements, digest
+
+
+def compile_program(source: str, *, map_path: Path, route: int, filename: str = "<program>") -> Any:
+    """Compile a program for one route of one map.
+
+    Args:
+        source: Scenic text.
+        map_path: The map.
+        route: Which of the routes that its geometry asks for.
+        filename: Named in error messages.
+
+    Returns:
+        Scenic's scenario.
+
+    Raises:
+        DoesNotCompile: With Scenic's message and the line.
+        MapError: The map has no such route.
+    """
+    translator.compileStream = _compile_stream
+    install_network_memo()
+    parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
+    try:
+        return translator.scenarioFromString(
+            source, filename=filename, params=parameters, model=MODEL, mode2D=True
+        )
+    except ChatSceneError:
+        raise
+    except ScenicError as error:
+        line = getattr(error, "lineno", None)
+        where = f"line {line} of {filename}" if line else filename
+        raise DoesNotCompile(f"Scenic refuses {where}: {error}") from error
+    except (NameError, TypeError, ValueError, AttributeError, KeyError, IndexError, RuntimeError) as error:
+        raise DoesNotCompile(f"{filename} fails while it is set up: {type(error).__name__}: {error}") from error

@@ -1,0 +1,101 @@
+"""Driving along a line: steering by pure pursuit, speed by pedals, slower in curves.
+
+Source for pure pursuit: R. C. Coulter, "Implementation of the Pure Pursuit Path Tracking Algorithm", CMU 1992.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from chatscene.terms.polyline import Polyline
+
+Pose = tuple[float, float, float, float]  # x [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]
+
+LOOK_AHEAD = 4.0  # [m], least distance of the point aimed at
+LOOK_AHEAD_TIME = 0.6  # [s]
+CURVE_ACCELERATION = 4.0  # [m/s²], lateral, that a driver takes curves with
+CURVE_BRAKING = 3.0  # [m/s²], with which a driver slows for a curve ahead
+
+
+def curve_speeds(line: Polyline) -> list[float]:
+    """The speed [m/s] at which each segment can be driven with `CURVE_ACCELERATION`, slowing in time.
+
+    Args:
+        line: N points.
+
+    Returns:
+        N - 1 speeds, one per segment.
+    """
+    step = np.diff(line.points, axis=0)
+    length = np.hypot(step[:, 0], step[:, 1])
+    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    # Curvature over a window of segments, so that a kink between two straight pieces is not a hairpin.
+    turn = np.abs(np.gradient(np.convolve(np.pad(heading, 2, mode="edge"), np.ones(5) / 5, mode="valid"))) if len(
+        heading
+    ) > 1 else np.zeros(1)
+    cap = np.sqrt(CURVE_ACCELERATION * length / np.maximum(turn, 1e-6))
+    speeds: list[float] = cap.tolist()
+    for i in range(len(speeds) - 2, -1, -1):
+        reachable = math.sqrt(speeds[i + 1] ** 2 + 2 * CURVE_BRAKING * float(length[i]))
+        speeds[i] = min(speeds[i], reachable)
+    return speeds
+
+
+class Tracker:
+    """Follows a line with one vehicle; remembers where on it the vehicle was.
+
+    Args:
+        line: What to follow, in driving order.
+        wheelbase: Of the vehicle [m].
+        wheel_angle: Its largest wheel angle [rad].
+        left: Constant lateral offset from the line [m, positive = left].
+    """
+
+    __slots__ = ("_angle", "_caps", "_left", "_line", "_near", "_wheelbase", "at", "offset")
+
+    def __init__(self, line: Polyline, wheelbase: float, wheel_angle: float, left: float = 0.0) -> None:
+        self._line = line
+        self._caps = curve_speeds(line)
+        self._wheelbase = wheelbase
+        self._angle = wheel_angle
+        self._left = left
+        self._near: int | None = None
+        self.at = 0.0
+        self.offset = 0.0
+
+    def controls(self, pose: Pose, speed: float, left: float = 0.0) -> tuple[float, float, float]:
+        """Throttle, brake and steering that follow the line at `speed` [m/s], `left` [m] beside it."""
+        return (*pedals(pose[3], self.allowed(pose, speed)), self.steer(pose, left))
+
+    def allowed(self, pose: Pose, speed: float) -> float:
+        """`speed` [m/s], or less where the line curves; updates `at` and `offset`."""
+        self.at, self.offset, self._near = self._line.project(pose[0], pose[1], self._near)
+        cap = self._caps[self._near]
+        return cap if cap < speed else speed
+
+    def steer(self, pose: Pose, left: float = 0.0) -> float:
+        """Steering in [-1, 1], right positive, toward a point ahead on the line (call `allowed` first)."""
+        x, y, heading, speed = pose
+        ahead = self.at + max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
+        px, py = self._line.point_at(ahead)
+        left += self._left
+        if left:
+            direction = self._line.heading_at(ahead)
+            px -= left * math.sin(direction)
+            py += left * math.cos(direction)
+        dx, dy = px - x, py - y
+        bearing = math.atan2(dy, dx) - heading
+        curvature = 2.0 * math.sin(bearing) / max(math.hypot(dx, dy), 1e-3)
+        wheel = math.atan(self._wheelbase * curvature)
+        return max(-1.0, min(1.0, -wheel / self._angle))
+
+
+def pedals(speed: float, wish: float) -> tuple[float, float]:
+    """Throttle and brake in [0, 1] that bring `speed` to `wish` [m/s]."""
+    error = wish - speed
+    if error >= -0.1:
+        throttle = 0.06 + 0.5 * error
+        return (throttle if throttle < 1.0 else 1.0), 0.0
+    return 0.0, min(1.0, -0.3 * error)

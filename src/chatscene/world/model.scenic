@@ -1,0 +1,113 @@
+"""The world model: every name a snippet may use. A program says `model chatscene.world.model`, and no more.
+
+Nothing here names a simulator, except that objects carry what the embedded one needs. The only random values in a
+program are its `OPT_` parameters: classes fix what Scenic's driving domain would draw (colours, positions), so
+that a scene is exactly its parameter values.
+"""
+
+if 'map' not in globalParameters:
+    from chatscene.maps.network import resolve_map as _resolve_map
+    param map = str(_resolve_map('town'))
+
+from scenic.domains.driving.model import *
+
+from chatscene.world.actions import DriveAction, WalkAction
+from chatscene.world.actors import Driven, Placed, Walking
+from chatscene.world.behaviors import *
+from chatscene.world.places import (choose_route as _choose_route, crossingDirection, crossingPath, directionOn,
+    distanceLeft, gap, maximum, neighbourPath, offsetFrom, pointOn, progressOn)
+from chatscene.world.limits import LIMITS as _LIMITS
+
+if 'route' not in globalParameters:
+    param route = 0
+if 'signals' not in globalParameters:
+    param signals = 'clock'
+
+def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, crossed=()):
+    """The ego's route: number `globalParameters.route` of those the map has for this geometry."""
+    return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
+        place=place, control=control, lanes=lanes, opposite=opposite, crossed=crossed)
+
+def startOf(route):
+    """The ego's start pose."""
+    return new OrientedPoint at pointOn(route, 0), facing directionOn(route, 0)
+
+## Road users
+
+class Car(Car, Driven):
+    regionContainedIn: everywhere
+    position: (0, 0)
+    parentOrientation: 0
+    color: (0.75, 0.75, 0.78)
+    length: _LIMITS['Car'].length
+    width: _LIMITS['Car'].width
+    wheelbase: _LIMITS['Car'].wheelbase
+    wheelAngle: _LIMITS['Car'].wheel_angle
+    isWalker: False
+    label: ''
+    route: None
+
+class Truck(Car):
+    length: _LIMITS['Truck'].length
+    width: _LIMITS['Truck'].width
+    wheelbase: _LIMITS['Truck'].wheelbase
+    wheelAngle: _LIMITS['Truck'].wheel_angle
+
+class Bus(Car):
+    length: _LIMITS['Bus'].length
+    width: _LIMITS['Bus'].width
+    wheelbase: _LIMITS['Bus'].wheelbase
+    wheelAngle: _LIMITS['Bus'].wheel_angle
+
+class Motorcycle(Car):
+    length: _LIMITS['Motorcycle'].length
+    width: _LIMITS['Motorcycle'].width
+    wheelbase: _LIMITS['Motorcycle'].wheelbase
+    wheelAngle: _LIMITS['Motorcycle'].wheel_angle
+
+class Bicycle(Car):
+    length: _LIMITS['Bicycle'].length
+    width: _LIMITS['Bicycle'].width
+    wheelbase: _LIMITS['Bicycle'].wheelbase
+    wheelAngle: _LIMITS['Bicycle'].wheel_angle
+
+class Pedestrian(Pedestrian, Walking):
+    regionContainedIn: everywhere
+    position: (0, 0)
+    parentOrientation: 0
+    length: _LIMITS['Pedestrian'].length
+    width: _LIMITS['Pedestrian'].width
+    isWalker: True
+    label: ''
+
+## Things that stand in the way or in the line of sight
+
+class Prop(DrivingObject, Placed):
+    regionContainedIn: everywhere
+    position: (0, 0)
+    isWalker: False
+    label: ''
+
+class BusStop(Prop):
+    length: 3.6
+    width: 1.4
+
+class VendingMachine(Prop):
+    length: 1.2
+    width: 0.9
+
+class Kiosk(Prop):
+    length: 2.4
+    width: 2.0
+
+class Container(Prop):
+    length: 3.0
+    width: 1.8
+
+class Barrier(Prop):
+    length: 1.8
+    width: 0.5
+
+class Cone(Prop):
+    length: 0.4
+    width: 0.4

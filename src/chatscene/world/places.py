@@ -1,0 +1,201 @@
+"""Where things are, relative to the ego's route: the words in which snippets place and time an adversary.
+
+Functions that may be given a sampled value (an ``OPT_`` parameter) are marked so that Scenic defers them. Points
+are Scenic vectors; directions are Scenic headings [rad, 0 = +y, counter-clockwise], because they go straight into
+specifiers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, cast
+
+from scenic.core.distributions import distributionFunction
+from scenic.core.vectors import Vector
+
+from chatscene.errors import MapError
+from chatscene.maps.neighbours import neighbour_line
+from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.scenario import Control, Maneuver, Place
+from chatscene.world.control import Tracker
+
+QUARTER = math.pi / 2
+ROUTES = 10  # per geometry, as in the paper (section 4.1)
+
+_deferred = cast("Callable[[Callable[..., Any]], Callable[..., Any]]", distributionFunction)
+
+
+class EgoRoute:
+    """The ego's route in a program: the route, the map it lies on, and which signals hold for it.
+
+    Attributes:
+        route: The route itself.
+        network: Scenic's road network.
+    """
+
+    def __init__(self, route: Route, network: Any) -> None:
+        self.route = route
+        self.network = network
+        self.line = route.line
+        self.eventAt = route.event_at
+        self.maneuver = route.maneuver
+
+    def __repr__(self) -> str:
+        return f"EgoRoute({self.route.id})"
+
+
+def routes_for(
+    network: Any,
+    map_path: str,
+    maneuver: str,
+    place: str | None = None,
+    control: str | None = None,
+    lanes: int = 1,
+    opposite: bool | None = None,
+    crossed: tuple[str, ...] = (),
+) -> tuple[Route, ...]:
+    """The routes of a map that a geometry asks for, best spread first.
+
+    Args:
+        network: Scenic's road network.
+        map_path: The map's file; its stem names the routes.
+        maneuver: A `Maneuver`.
+        place: A `Place`, or None for any.
+        control: A `Control`, or None for any.
+        lanes: Least number of lanes in the ego's direction.
+        opposite: Whether an oncoming lane must lie beside the ego's.
+        crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
+
+    Raises:
+        MapError: The map has no such geometry.
+    """
+    query = RouteQuery(
+        maneuver=Maneuver(maneuver),
+        place=None if place is None else Place(place),
+        control=None if control is None else Control(control),
+        lanes_same_way=lanes,
+        opposite_lane=opposite,
+        conflicting_from=tuple(crossed),
+    )
+    return _routes(network, Path(map_path).stem, query)
+
+
+@lru_cache(maxsize=256)
+def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...]:
+    return find_routes(network, map_name, query, count=ROUTES)
+
+
+def choose_route(network: Any, map_path: str, index: int, **query: Any) -> EgoRoute:
+    """The `index`-th route that the geometry asks for.
+
+    Raises:
+        MapError: There are fewer routes than that.
+    """
+    routes = routes_for(network, map_path, **query)
+    if index >= len(routes):
+        raise MapError(
+            f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
+            f"ask for at most {len(routes)}"
+        )
+    return EgoRoute(routes[index], network)
+
+
+def line_of(path: EgoRoute | CrossingPath | Polyline) -> Polyline:
+    """The line of anything that has one."""
+    return path if isinstance(path, Polyline) else path.line
+
+
+@_deferred
+def pointOn(path: Any, ahead: float, left: float = 0.0) -> Vector:  # noqa: N802 - Scenic's naming
+    """The point `ahead` [m] along a path from its start, `left` [m] beside it (negative: to the right)."""
+    line = line_of(path)
+    x, y = line.point_at(ahead)
+    if left:
+        direction = line.heading_at(ahead)
+        x, y = x - left * math.sin(direction), y + left * math.cos(direction)
+    return Vector(x, y)
+
+
+@_deferred
+def directionOn(path: Any, ahead: float, turn: float = 0.0) -> float:  # noqa: N802
+    """Scenic heading [rad] of a path `ahead` [m] along it, turned left by `turn` [rad]."""
+    return line_of(path).heading_at(ahead) - QUARTER + turn
+
+
+@_deferred
+def crossingDirection(path: Any, ahead: float, side: str) -> float:  # noqa: N802
+    """Scenic heading [rad] of somebody standing on that `side` of a path and looking straight across it."""
+    return line_of(path).heading_at(ahead) - QUARTER + (QUARTER if side == "right" else -QUARTER)
+
+
+@_deferred
+def maximum(a: float, b: float) -> float:
+    """The larger of two numbers, of which either may be sampled."""
+    return max(a, b)
+
+
+def crossingPath(route: EgoRoute, side: str, turn: str = "straight") -> CrossingPath:  # noqa: N802
+    """The way of a vehicle that comes from a `side` of the ego's junction and does `turn` there.
+
+    Args:
+        route: The ego's.
+        side: ``left``, ``right`` or ``oncoming``.
+        turn: ``straight``, ``left-turn`` or ``right-turn``; if nobody can do that from there, the first
+            way from that side that meets the ego's.
+
+    Raises:
+        MapError: Nobody from that side meets the ego's route.
+    """
+    found = [path for path in conflicting_paths(route.network, route.route) if path.from_side == side]
+    if not found:
+        raise MapError(f"route {route.route.id!r} has no traffic from the {side} that meets it")
+    return next((path for path in found if path.turn.value == turn), found[0])
+
+
+def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
+    """The centre line of the lane beside the ego's, in its own driving order.
+
+    For a lane of the same direction, arc length 0 is level with the ego's start. For an opposing lane, the line
+    runs against the ego's.
+
+    Raises:
+        MapError: There is no such lane.
+    """
+    return neighbour_line(route.network, route.route, side)
+
+
+def headingLine(x: float, y: float, heading: float, length: float = 60.0) -> Polyline:  # noqa: N802
+    """A straight line from a point along a heading [rad, 0 = +x, counter-clockwise]."""
+    return Polyline([(x, y), (x + length * math.cos(heading), y + length * math.sin(heading))])
+
+
+def trackerFor(agent: Any, path: Any, left: float = 0.0) -> Tracker:  # noqa: N802
+    """A tracker of a path for an agent of the world model."""
+    return Tracker(line_of(path), agent.wheelbase, agent.wheelAngle, left)
+
+
+def progressOn(path: Any, agent: Any, near: int | None = None) -> tuple[float, int]:  # noqa: N802
+    """How far [m] along a path an agent is, and the segment to start from next time."""
+    at, _, near = line_of(path).project(agent.pose[0], agent.pose[1], near)
+    return at, near
+
+
+def offsetFrom(path: Any, agent: Any) -> float:  # noqa: N802
+    """How far [m] to the left of a path an agent is (negative: to the right)."""
+    return line_of(path).project(agent.pose[0], agent.pose[1])[1]
+
+
+def gap(a: Any, b: Any) -> float:
+    """Distance [m] between the centres of two actors."""
+    pa, pb = a.pose, b.pose
+    return math.hypot(pa[0] - pb[0], pa[1] - pb[1])
+
+
+def distanceLeft(path: Any, agent: Any, to: float) -> float:  # noqa: N802
+    """How far [m] an agent still has to go on a path until arc length `to`; negative when past it."""
+    return to - line_of(path).project(agent.pose[0], agent.pose[1])[0]
