@@ -34,16 +34,16 @@ class RouteView:
         line: The route, points about 1 m apart.
 
     Attributes:
-        at: Arc length of the ego on the route [m], after `observe`.
+        along: Arc length of the ego on the route [m], after `observe`.
         offset: Lateral offset of the ego from the route [m, positive = left], after `observe`.
     """
 
-    __slots__ = ("_line", "_near", "at", "offset")
+    __slots__ = ("_line", "_near", "along", "offset")
 
     def __init__(self, line: Polyline) -> None:
         self._line = line
         self._near = 0
-        self.at = 0.0
+        self.along = 0.0
         self.offset = 0.0
 
     def observe(self, x: float, y: float, heading: float, speed: float, vehicle_ahead: bool) -> Observation:
@@ -59,7 +59,7 @@ class RouteView:
         Returns:
             (4,) float64.
         """
-        self.at, self.offset, self._near = self._line.project(x, y, self._near)
+        self.along, self.offset, self._near = self._line.project(x, y, self._near)
         wx, wy, hx, hy = self._line.segment(self._near + PREVIEW)
         lateral = hx * (y - wy) - hy * (x - wx)
         cross = hx * math.sin(heading) - hy * math.cos(heading)

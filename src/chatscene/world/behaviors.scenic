@@ -53,9 +53,9 @@ behavior PaceOnPath(path, other, ahead=0, top=25):
     tracker = trackerFor(self, path, 0)
     near = None
     while True:
-        at, near = progressOn(path, other, near)
+        along, near = progressOn(path, other, near)
         tracker.allowed(self.pose, top)
-        wish = max(0, other.pose[3] + 0.8 * (at + ahead - tracker.at))
+        wish = max(0, other.pose[3] + 0.8 * (along + ahead - tracker.along))
         take DriveAction(*tracker.controls(self.pose, min(wish, top)))
 
 behavior ReverseStraight(speed):

@@ -78,7 +78,8 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
         raise
     except ScenicError as error:
         line = getattr(error, "lineno", None)
-        where = f"line {line} of {filename}" if line else filename
+        file = getattr(error, "filename", None) or filename
+        where = f"line {line} of {file}" if line else filename
         raise DoesNotCompile(f"Scenic refuses {where}: {error}") from error
     except (NameError, TypeError, ValueError, AttributeError, KeyError, IndexError, RuntimeError) as error:
         raise DoesNotCompile(f"{filename} fails while it is set up: {type(error).__name__}: {error}") from error

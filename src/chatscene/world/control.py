@@ -53,7 +53,7 @@ class Tracker:
         left: Constant lateral offset from the line [m, positive = left].
     """
 
-    __slots__ = ("_angle", "_caps", "_left", "_line", "_near", "_wheelbase", "at", "offset")
+    __slots__ = ("_angle", "_caps", "_left", "_line", "_near", "_wheelbase", "along", "offset")
 
     def __init__(self, line: Polyline, wheelbase: float, wheel_angle: float, left: float = 0.0) -> None:
         self._line = line
@@ -62,7 +62,7 @@ class Tracker:
         self._angle = wheel_angle
         self._left = left
         self._near: int | None = None
-        self.at = 0.0
+        self.along = 0.0
         self.offset = 0.0
 
     def controls(self, pose: Pose, speed: float, left: float = 0.0) -> tuple[float, float, float]:
@@ -70,15 +70,15 @@ class Tracker:
         return (*pedals(pose[3], self.allowed(pose, speed)), self.steer(pose, left))
 
     def allowed(self, pose: Pose, speed: float) -> float:
-        """`speed` [m/s], or less where the line curves; updates `at` and `offset`."""
-        self.at, self.offset, self._near = self._line.project(pose[0], pose[1], self._near)
+        """`speed` [m/s], or less where the line curves; updates `along` and `offset`."""
+        self.along, self.offset, self._near = self._line.project(pose[0], pose[1], self._near)
         cap = self._caps[self._near]
         return cap if cap < speed else speed
 
     def steer(self, pose: Pose, left: float = 0.0) -> float:
         """Steering in [-1, 1], right positive, toward a point ahead on the line (call `allowed` first)."""
         x, y, heading, speed = pose
-        ahead = self.at + max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
+        ahead = self.along + max(LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
         px, py = self._line.point_at(ahead)
         left += self._left
         if left:

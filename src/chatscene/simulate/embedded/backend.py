@@ -134,7 +134,7 @@ class _Run:
     def _ended(self, step: int, limit: int) -> Ending | None:
         if self._collides(step) and not self._through:
             return Ending.COLLISION
-        if self._view.at >= ARRIVAL * self._route.length:
+        if self._view.along >= ARRIVAL * self._route.length:
             return Ending.ARRIVED
         if self._drive.done is not None:
             return Ending.SCENARIO_DONE
@@ -188,7 +188,7 @@ class _Run:
             ending=self.ending,
             route_completion=1.0
             if self.ending is Ending.ARRIVED
-            else min(max(self._view.at / self._route.length, 0.0), 1.0),
+            else min(max(self._view.along / self._route.length, 0.0), 1.0),
             distance_to_route=np.abs(np.array(self._offsets)),
             off_road=off_road,
         )

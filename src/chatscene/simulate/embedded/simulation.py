@@ -85,7 +85,9 @@ def _live(obj: Any) -> Any:
         live = type(f"Live{cls.__name__}", (LivePose, cls), ready)
         cls._live_class = live
     proxy = object.__new__(live)
+    setDynamicProxyFor(proxy, proxy)  # first of all, since every look-up goes through it
     proxy.__dict__.update(obj.__dict__)
+    setDynamicProxyFor(proxy, proxy)
     return proxy
 
 

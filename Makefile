@@ -1,0 +1,37 @@
+# Two commands do everything on a bare Python 3.11 with pip:
+#   make demo   set up, turn one sentence into crash scenes, leave demo/report.html
+#   make test   set up what tests need, check style, types and architecture, run the tests
+PYTHON ?= python3
+PY := .venv/bin/python
+PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
+SENTENCE ?= A pedestrian steps out from behind a bus stop on the right and freezes in front of us.
+
+.PHONY: demo test check clean
+
+demo: .venv/core
+	rm -rf demo
+	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
+
+test: .venv/test check
+	$(PY) -m pytest -n auto
+
+check: .venv/test
+	$(PY) -m ruff format --check .
+	$(PY) -m ruff check .
+	$(PY) -m pyright --pythonpath $(PY)
+	$(PY) -c "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports())"
+
+.venv/bin/python:
+	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 13) else f'chatscene needs Python 3.11 or 3.12, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
+	$(PYTHON) -m venv .venv
+
+.venv/core: .venv/bin/python pyproject.toml constraints.txt
+	$(PIP) -e .
+	touch .venv/core
+
+.venv/test: .venv/bin/python pyproject.toml constraints.txt
+	$(PIP) -e ".[test]"
+	touch .venv/core .venv/test
+
+clean:
+	rm -rf .venv demo

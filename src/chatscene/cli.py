@@ -1,0 +1,327 @@
+"""The command line: one verb per command, the same words as the Python functions.
+
+Exit status: 0 done, 1 error, 2 usage, 3 refused because nothing in the library fits.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from chatscene.errors import ChatSceneError, NothingFits
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+MAP = click.option(
+    "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
+)
+
+
+class _Errors(click.Group):
+    """Shows our own errors as one message and turns them into the exit status."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except NothingFits as error:
+            _complain(error)
+            ctx.exit(3)
+        except ChatSceneError as error:
+            _complain(error)
+            ctx.exit(1)
+        except KeyboardInterrupt:
+            click.echo("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
+            ctx.exit(130)
+
+
+def _complain(error: ChatSceneError) -> None:
+    click.echo(f"{type(error).__name__}: {error}", err=True)
+
+
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console(highlight=False)
+
+
+@click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(package_name="chatscene")
+def main() -> None:
+    """Turn a sentence about a dangerous traffic situation into scenes worth testing on.
+
+    \b
+    chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
+    chatscene explain "the car ahead brakes hard"
+    chatscene replay runs/cyclist SCENE_ID
+    """
+
+
+@main.command()
+@click.argument("text")
+@MAP
+@click.option("--ego", default="rule-based", show_default=True, help="An ego by name, or package.module:factory.")
+@click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
+@click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
+@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Run folder; default: a new one under runs/.")
+@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; default: one per core, at most one per route.")
+def run(
+    text: str, map_name: str, ego: str, scenes: int, routes: int, seed: int, out: Path | None, jobs: int | None
+) -> None:
+    """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
+
+    \b
+    chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
+    chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
+    chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
+    """
+    from chatscene import pipeline
+    from chatscene.settings import SearchSettings, Settings
+
+    settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed))
+    folder = out or pipeline.free_folder(Path("runs"), text)
+    report = pipeline.run(
+        text, folder, settings=settings, map_name=map_name, ego_name=ego, jobs=jobs or _cores(), progress=_progress()
+    )
+    _say_done(folder, report)
+
+
+@main.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
+def resume(folder: Path, jobs: int | None) -> None:
+    """Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
+
+    \b
+    chatscene resume runs/cyclist
+    """
+    from chatscene import pipeline
+
+    report = pipeline.resume(folder, jobs=jobs or _cores(), progress=_progress())
+    _say_done(folder, report)
+
+
+@main.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.argument("scene_id")
+@JSON
+def replay(folder: Path, scene_id: str, as_json: bool) -> None:
+    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+
+    \b
+    chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
+    """
+    from chatscene import pipeline
+
+    outcome = pipeline.replay(folder, scene_id)
+    if as_json:
+        click.echo(json.dumps(outcome.as_dict()))
+    else:
+        click.echo(outcome.in_words())
+    if not outcome.identical:
+        sys.exit(1)
+
+
+@main.command()
+@click.argument("text")
+@click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
+@JSON
+def explain(text: str, show_program: bool, as_json: bool) -> None:
+    """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+
+    \b
+    chatscene explain "a motorbike cuts us off from the right"
+    chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
+    """
+    from chatscene import pipeline
+
+    understood = pipeline.understand(text)
+    if as_json:
+        click.echo(json.dumps(understood.as_dict(), indent=1))
+        return
+    from chatscene.report.terminal import print_understanding
+
+    print_understanding(_console(), understood, show_program=show_program)
+
+
+@main.group()
+def library() -> None:
+    """The snippets that programs are joined from."""
+
+
+@library.command("list")
+@click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default=None)
+@JSON
+def list_snippets(component: str | None, as_json: bool) -> None:
+    """List the snippets, a line each.
+
+    \b
+    chatscene library list --component spawn
+    """
+    from chatscene.snippets.library import load_library
+
+    snippets = [s for s in load_library() if component in (None, s.component.value)]
+    if as_json:
+        click.echo(json.dumps([{"id": s.id, "description": s.description} for s in snippets], indent=1))
+        return
+    for snippet in snippets:
+        click.echo(f"{snippet.id:<48} {snippet.description}")
+
+
+@library.command()
+@click.argument("snippet_id", metavar="ID")
+def show(snippet_id: str) -> None:
+    """Print one snippet: what it says, what it needs and gives, its code.
+
+    \b
+    chatscene library show behavior/cross-and-stop
+    """
+    from chatscene.report.terminal import print_snippet
+    from chatscene.snippets.library import load_library
+
+    print_snippet(_console(), load_library().get(snippet_id))
+
+
+@library.command()
+@click.argument("text")
+@click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default="behavior", show_default=True)
+@click.option("--top", default=5, show_default=True)
+@JSON
+def search(text: str, component: str, top: int, as_json: bool) -> None:
+    """Find the snippets of one component nearest to TEXT.
+
+    \b
+    chatscene library search "slams on the brakes"
+    """
+    from chatscene.snippets.embedding import load_embedder
+    from chatscene.snippets.library import load_library
+    from chatscene.snippets.retrieve import nearest
+    from chatscene.terms.scenario import Component
+
+    found = nearest(text, Component(component), load_library(), load_embedder(), count=top)
+    if as_json:
+        click.echo(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))
+        return
+    for snippet, similarity in found:
+        click.echo(f"{similarity:5.2f}  {snippet.id:<44} {snippet.description}")
+
+
+@library.command()
+@click.option("--folder", type=click.Path(path_type=Path, exists=True), default=None, help="A library of your own.")
+@JSON
+def lint(folder: Path | None, as_json: bool) -> None:
+    """Check every snippet: header against code, compiles, samples, runs, does what it says.
+
+    \b
+    chatscene library lint
+    chatscene library lint --folder my-snippets
+    """
+    from chatscene.ego.policy import load_ego
+    from chatscene.maps.network import resolve_map
+    from chatscene.program.lint import lint as lint_library
+    from chatscene.settings import SimulationSettings
+    from chatscene.simulate.backend import load_backend
+    from chatscene.snippets.library import load_library
+
+    snippets = load_library(folder)
+    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    findings = lint_library(snippets, backend, load_ego("rule-based"))
+    if as_json:
+        click.echo(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
+    else:
+        for finding in findings:
+            click.echo(f"{finding.snippet_id}: {finding.rung}: {finding.message}")
+        click.echo(f"{len(snippets)} snippets, {len(findings)} findings")
+    if findings:
+        sys.exit(1)
+
+
+@main.group("map")
+def map_group() -> None:
+    """The maps that scenes run on."""
+
+
+@map_group.command("info")
+@click.argument("map_name", metavar="MAP", default="town")
+@JSON
+def map_info(map_name: str, as_json: bool) -> None:
+    """Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
+
+    \b
+    chatscene map info
+    chatscene map info Town04.xodr
+    """
+    from dataclasses import asdict
+
+    from chatscene.maps.network import resolve_map
+    from chatscene.maps.survey import describe_map
+    from chatscene.report.terminal import print_map
+
+    description = describe_map(resolve_map(map_name))
+    if as_json:
+        click.echo(json.dumps(asdict(description), indent=1))
+    else:
+        print_map(_console(), description)
+
+
+@map_group.command("check")
+@click.argument("map_name", metavar="MAP")
+def map_check(map_name: str) -> None:
+    """Check that a map can be used, and name what is wrong with it.
+
+    \b
+    chatscene map check my-town.xodr
+    """
+    from chatscene.maps.network import resolve_map
+    from chatscene.maps.survey import check_map
+
+    problems = check_map(resolve_map(map_name))
+    for problem in problems:
+        click.echo(problem)
+    if problems:
+        sys.exit(1)
+    click.echo("no problems found")
+
+
+@main.command()
+@JSON
+def doctor(as_json: bool) -> None:
+    """Check this installation: versions, encoder, library, map, one simulated scene.
+
+    \b
+    chatscene doctor
+    """
+    from chatscene.doctor import examine
+
+    checks = examine()
+    if as_json:
+        click.echo(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
+    else:
+        for check in checks:
+            click.echo(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
+    if not all(check.ok for check in checks):
+        sys.exit(1)
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _progress() -> Callable[[str, int, int], None]:
+    """A progress line with an estimate of the time left; silent where nobody watches."""
+    from chatscene.report.terminal import progress_line
+
+    return progress_line(sys.stderr)
+
+
+def _say_done(folder: Path, report: Any) -> None:
+    click.echo(report.in_words())
+    click.echo(f"report: {folder / 'report.html'}")

@@ -1,0 +1,98 @@
+"""Step 4 of 9, second half: the validation ladder of a program.
+
+Names close, compiles, samples, runs, means what was said: each rung fails in its own words, and a program is only
+searched with once it stands on the last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import MeansSomethingElse, Unsatisfiable
+from chatscene.program.meaning import check_meaning
+from chatscene.simulate.backend import Backend
+from chatscene.terms.episode import Episode
+from chatscene.terms.scenario import Slots
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+PROBES = (0.5, 0.25, 0.75, 0.4, 0.6, 0.1, 0.9)  # where in every range the probing scenes lie, the middle first
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Checked:
+    """A program that climbed the ladder.
+
+    Attributes:
+        episodes: The probing drives, through collisions.
+        meaning: Per episode, what it did not show of what was said; at least one shows all.
+        rejected: Probing scenes that could not be placed.
+    """
+
+    episodes: tuple[Episode, ...]
+    meaning: tuple[tuple[str, ...], ...]
+    rejected: tuple[Rejected, ...]
+
+
+def probe_scenes(program: ScenicProgram, route: int) -> tuple[Scene, ...]:
+    """Scenes at fixed places in the declared ranges, to try a program with."""
+    return tuple(
+        Scene(
+            id=f"{program.scenario_id}/route-{route:02d}/probe-{i}",
+            scenario_id=program.scenario_id,
+            route=route,
+            block=-1,
+            seed=0,
+            values={p.name: round(p.low + share * (p.high - p.low), 6) for p in program.parameters},
+        )
+        for i, share in enumerate(PROBES)
+    )
+
+
+def check(
+    program: ScenicProgram, slots: Slots, backend: Backend, ego: EgoPolicy, *, route: int = 0, drives: int = 3
+) -> Checked:
+    """Climb the ladder from compiling to meaning.
+
+    Args:
+        program: What to check; its names were checked when it was assembled.
+        slots: What was said.
+        backend: Where to run it.
+        ego: Who drives.
+        route: Which route to probe on.
+        drives: How many probing scenes to run to the end.
+
+    Raises:
+        DoesNotCompile: Scenic refuses it.
+        MapError: The map lacks the geometry.
+        Unsatisfiable: No probing scene can be placed.
+        StuckBehavior: A behavior never yields.
+        MeansSomethingElse: No drive shows what was said.
+    """
+    episodes: list[Episode] = []
+    rejected: list[Rejected] = []
+    for scene in probe_scenes(program, route):
+        outcome = backend.run(program, scene, ego, through_collisions=True)
+        if isinstance(outcome, Rejected):
+            rejected.append(outcome)
+        else:
+            episodes.append(outcome)
+        if len(episodes) == drives:
+            break
+    if not episodes:
+        raise Unsatisfiable(
+            f"program {program.scenario_id!r}: none of {len(rejected)} probing scenes could be placed; "
+            f"most often: {_commonest([r.reason for r in rejected])}"
+        )
+    meaning = [check_meaning(slots, episode, backend.route(program, route)) for episode in episodes]
+    if all(meaning):
+        raise MeansSomethingElse(
+            f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
+            f"but none of {len(episodes)} drives shows what was said: {'; '.join(min(meaning, key=len))}"
+        )
+    return Checked(episodes=tuple(episodes), meaning=tuple(meaning), rejected=tuple(rejected))
+
+
+def _commonest(reasons: Sequence[str]) -> str:
+    return max(sorted(set(reasons)), key=list(reasons).count)
