@@ -8,7 +8,7 @@ import math
 
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.control import pedals
-from chatscene.world.places import headingLine, progressOn, trackerFor
+from chatscene.world.places import headingLine, laneLine, progressOn, trackerFor
 
 ## Vehicles and two-wheelers
 
@@ -17,6 +17,11 @@ behavior DrivePath(path, speed, left=0):
     tracker = trackerFor(self, path, left)
     while True:
         take DriveAction(*tracker.controls(self.pose, speed))
+
+behavior FollowLaneBehavior(target_speed=10, laneToFollow=None):
+    """Follow a lane and the straightest lanes after it; Scenic's behavior of this name, but able to brake."""
+    network = simulation().scene.workspace.network
+    do DrivePath(laneLine(laneToFollow or network.laneAt(self.position)), target_speed)
 
 behavior BrakeOnPath(path, brake=1.0, left=0):
     """Brake to a standstill along a path, and stay."""
@@ -57,6 +62,10 @@ behavior PaceOnPath(path, other, ahead=0, top=25):
         tracker.allowed(self.pose, top)
         wish = max(0, other.pose[3] + 0.8 * (along + ahead - tracker.along))
         take DriveAction(*tracker.controls(self.pose, min(wish, top)))
+
+behavior KeepStation(path, other):
+    """Hold the present distance to another actor along a path, as traffic in the next lane does."""
+    do PaceOnPath(path, other, progressOn(path, self)[0] - progressOn(path, other)[0])
 
 behavior ReverseStraight(speed):
     """Drive straight backwards."""

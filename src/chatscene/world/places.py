@@ -23,8 +23,10 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place
 from chatscene.world.control import Tracker
+from chatscene.world.limits import LIMITS
 
 QUARTER = math.pi / 2
+_WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
 ROUTES = 10  # per geometry, as in the paper (section 4.1)
 
 _deferred = cast("Callable[[Callable[..., Any]], Callable[..., Any]]", distributionFunction)
@@ -36,6 +38,10 @@ class EgoRoute:
     Attributes:
         route: The route itself.
         network: Scenic's road network.
+        line: Its line.
+        eventAt: Arc length [m] where its manoeuvre begins, as in the route.
+        exitAt: Arc length [m] where it leaves its junction; `eventAt` on open road.
+        maneuver: What it does.
     """
 
     def __init__(self, route: Route, network: Any) -> None:
@@ -43,10 +49,18 @@ class EgoRoute:
         self.network = network
         self.line = route.line
         self.eventAt = route.event_at
+        self.exitAt = _exit_of(route, network)
         self.maneuver = route.maneuver
 
     def __repr__(self) -> str:
         return f"EgoRoute({self.route.id})"
+
+
+def _exit_of(route: Route, network: Any) -> float:
+    if route.junction is None:
+        return route.event_at
+    x, y, *_ = network.elements[route.lane_ids[-1]].centerline.points[0]
+    return route.line.project(x, y)[0]
 
 
 def routes_for(
@@ -134,6 +148,23 @@ def crossingDirection(path: Any, ahead: float, side: str) -> float:  # noqa: N80
 
 
 @_deferred
+def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vector:  # noqa: N802
+    """The point level with `ahead` [m] on the ego's route, `beyond` [m] outside the driving lanes on that side."""
+    x, y = route.line.point_at(ahead)
+    outward = route.line.heading_at(ahead) + (QUARTER if side == "left" else -QUARTER)
+    dx, dy = math.cos(outward), math.sin(outward)
+    lanes = route.network.drivableRegion
+    edge = next(d for d in _WIDTHS if not lanes.containsPoint(Vector(x + d * dx, y + d * dy)))
+    return Vector(x + (edge + beyond) * dx, y + (edge + beyond) * dy)
+
+
+@_deferred
+def levelOn(path: Any, route: EgoRoute, ahead: float) -> float:  # noqa: N802
+    """How far [m] along another path lies level with the point `ahead` [m] along the ego's route."""
+    return line_of(path).project(*route.line.point_at(ahead))[0]
+
+
+@_deferred
 def maximum(a: float, b: float) -> float:
     """The larger of two numbers, of which either may be sampled."""
     return max(a, b)
@@ -169,6 +200,25 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
     return neighbour_line(route.network, route.route, side)
 
 
+def laneLine(lane: Any, least: float = 200.0) -> Polyline:  # noqa: N802
+    """The centre line of a lane and of the straightest lanes after it, at least `least` [m] if the map goes on."""
+    line = Polyline(lane.centerline.points)
+    while line.length < least and lane.maneuvers:
+        straight = [m for m in lane.maneuvers if m.type.name == "STRAIGHT"]
+        maneuver = (straight or list(lane.maneuvers))[0]
+        parts = [part for part in (maneuver.connectingLane, maneuver.endLane) if part is not None]
+        line = Polyline.join(line, *(Polyline(part.centerline.points) for part in parts))
+        lane = maneuver.endLane
+    return line
+
+
+def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of the lane the ego starts in, from level with its start on, whatever the route does."""
+    line = Polyline(route.network.elements[route.route.lane_ids[0]].centerline.points)
+    level, _, _ = line.project(*route.line.point_at(0.0))
+    return line.between(level, line.length)
+
+
 def headingLine(x: float, y: float, heading: float, length: float = 60.0) -> Polyline:  # noqa: N802
     """A straight line from a point along a heading [rad, 0 = +x, counter-clockwise]."""
     return Polyline([(x, y), (x + length * math.cos(heading), y + length * math.sin(heading))])
@@ -199,3 +249,9 @@ def gap(a: Any, b: Any) -> float:
 def distanceLeft(path: Any, agent: Any, to: float) -> float:  # noqa: N802
     """How far [m] an agent still has to go on a path until arc length `to`; negative when past it."""
     return to - line_of(path).project(agent.pose[0], agent.pose[1])[0]
+
+
+def restsWithin(path: Any, agent: Any, distance: float) -> bool:  # noqa: N802
+    """Whether an agent that heads for a path and brakes now would stop no farther than `distance` [m] from it."""
+    brake = next(LIMITS[cls.__name__].brake for cls in type(agent).__mro__ if cls.__name__ in LIMITS)
+    return abs(offsetFrom(path, agent)) - agent.pose[3] ** 2 / (2 * brake) < distance

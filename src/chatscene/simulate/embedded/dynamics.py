@@ -82,7 +82,7 @@ class VehicleBody(Body):
         turn = asked - self.wheel
         self.wheel += most if turn > most else -most if turn < -most else turn
         mean = 0.5 * (old + speed)
-        if mean != 0.0:
+        if mean > 1e-6 or mean < -1e-6:
             curvature = math.tan(self.wheel) / limits.wheelbase
             grip = limits.lateral / (mean * mean)
             curvature = grip if curvature > grip else -grip if curvature < -grip else curvature

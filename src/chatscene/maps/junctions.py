@@ -1,0 +1,85 @@
+"""How a junction is controlled, and where its traffic has to stop."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from chatscene.errors import MapError
+from chatscene.terms.scenario import Control
+
+STOP_SIGN = "206"  # OpenDRIVE's catalogue follows the German one, as do CARLA's maps
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StopLine:
+    """Where a lane meets a junction.
+
+    Attributes:
+        lane: Scenic's id of the incoming lane; manoeuvres that start in it obey this line.
+        junction: Scenic's id of the junction.
+        control: What tells drivers to stop here.
+        x0: Left end, seen by the driver [m].
+        y0: Left end [m].
+        x1: Right end [m].
+        y1: Right end [m].
+        heading: Driving direction across it [rad, 0 = +x, counter-clockwise].
+    """
+
+    lane: str
+    junction: str
+    control: Control
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+    heading: float
+
+
+def junction_control(junction: Any) -> Control:
+    """How one of Scenic's intersections is controlled; a traffic light outranks a stop sign."""
+    return _strongest(list(junction.signals))
+
+
+def junction_signals(network: Any, junction: str) -> tuple[StopLine, ...]:
+    """The stop lines of a junction, one for each incoming lane, sorted by lane id.
+
+    A lane is under the control of the signals on the connecting roads that lead on from it, which is where
+    Scenic keeps them. Lanes that nothing controls have a line with control ``none``.
+
+    Args:
+        network: Scenic's road network.
+        junction: Scenic's id of an intersection.
+
+    Raises:
+        MapError: The network has no such junction.
+    """
+    found = next((element for element in network.intersections if element.uid == junction), None)
+    if found is None:
+        raise MapError(f"the map has no junction {junction!r}")
+    lanes = {maneuver.startLane.uid: maneuver.startLane for maneuver in found.maneuvers}
+    return tuple(_stop_line(lanes[uid], found) for uid in sorted(lanes))
+
+
+def _stop_line(lane: Any, junction: Any) -> StopLine:
+    ways = [m.connectingLane.road for m in junction.maneuvers if m.startLane is lane]
+    (x0, y0, *_), (x1, y1, *_) = lane.leftEdge.points[-1], lane.rightEdge.points[-1]
+    return StopLine(
+        lane=lane.uid,
+        junction=junction.uid,
+        control=_strongest([signal for road in ways for signal in road.signals]),
+        x0=float(x0),
+        y0=float(y0),
+        x1=float(x1),
+        y1=float(y1),
+        heading=math.atan2(x1 - x0, y0 - y1),  # a quarter turn to the left of the way from left to right
+    )
+
+
+def _strongest(signals: list[Any]) -> Control:
+    if any(signal.isTrafficLight for signal in signals):
+        return Control.SIGNAL
+    if any(signal.type == STOP_SIGN for signal in signals):
+        return Control.STOP_SIGN
+    return Control.NONE

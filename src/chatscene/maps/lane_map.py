@@ -1,0 +1,107 @@
+"""Where on the roads a whole track lies, in one call: off the road, in which lane, against which direction."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+OFF_ROAD_TOLERANCE = 0.1  # [m]
+_SEAM = 0.05  # [m]; neighbouring lanes of a map do not quite touch
+
+
+class LaneMap:
+    """The lanes of a network, prepared for questions about many points at once.
+
+    Args:
+        network: Scenic's road network.
+
+    Attributes:
+        lane_ids: Scenic's id of each lane, in the order of the indices that `lane_index` gives.
+    """
+
+    def __init__(self, network: Any) -> None:
+        lanes = sorted(network.lanes, key=lambda lane: lane.uid)
+        self.lane_ids: tuple[str, ...] = tuple(lane.uid for lane in lanes)
+        self._index = {uid: i for i, uid in enumerate(self.lane_ids)}
+        self._areas = shapely.buffer([lane.polygons for lane in lanes], _SEAM)
+        self._bounds: Array = shapely.bounds(self._areas)
+        self._lines: list[Array] = [np.array(lane.centerline.points)[:, :2] for lane in lanes]
+        self._drivable = shapely.buffer(network.drivableRegion.polygons, OFF_ROAD_TOLERANCE)
+        shapely.prepare(self._areas)
+        shapely.prepare(self._drivable)
+
+    def off_road(self, xy: Array) -> NDArray[np.bool_]:
+        """Which points lie more than 0.1 m off every driving lane and junction.
+
+        Args:
+            xy: (T, 2) [m], map frame.
+
+        Returns:
+            (T,) bool.
+        """
+        return ~shapely.contains_xy(self._drivable, xy)
+
+    def lane_index(self, xy: Array, along: Sequence[str] = ()) -> Indices:
+        """In which lane each point lies.
+
+        Args:
+            xy: (T, 2) [m], map frame.
+            along: Ids of lanes that win where several overlap, as they do in junctions: those of a route.
+
+        Returns:
+            (T,) indices into `lane_ids`; -1 where there is no lane.
+        """
+        found = np.full(len(xy), -1)
+        left = np.arange(len(xy))
+        for lane in self._candidates(xy, along):
+            inside = shapely.contains_xy(self._areas[lane], xy[left])
+            found[left[inside]] = lane
+            left = left[~inside]
+            if not left.size:
+                break
+        return found
+
+    def road_heading(self, xy: Array, along: Sequence[str] = ()) -> Array:
+        """The driving direction of the lane each point lies in.
+
+        Args:
+            xy: (T, 2) [m], map frame.
+            along: As for `lane_index`.
+
+        Returns:
+            (T,) [rad, 0 = +x, counter-clockwise]; NaN where there is no lane.
+        """
+        lanes = self.lane_index(xy, along)
+        heading = np.full(len(xy), np.nan)
+        for lane in np.unique(lanes[lanes >= 0]):
+            here = lanes == lane
+            heading[here] = _nearest_heading(self._lines[lane], xy[here])
+        return heading
+
+    def _candidates(self, xy: Array, along: Sequence[str]) -> list[int]:
+        """Lanes whose bounding box meets that of the points, the preferred ones first."""
+        if not len(xy):
+            return []
+        low, high = xy.min(axis=0), xy.max(axis=0)
+        near = np.flatnonzero(
+            (self._bounds[:, :2] <= high).all(axis=1) & (self._bounds[:, 2:] >= low).all(axis=1)
+        )
+        first = [self._index[uid] for uid in along if uid in self._index]
+        return [*dict.fromkeys(first), *(int(lane) for lane in near if lane not in first)]
+
+
+def _nearest_heading(line: Array, xy: Array) -> Array:
+    """(K,) direction [rad] of the segment of `line` (N, 2) nearest to each of the points `xy` (K, 2)."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    offset = xy[:, None, :] - start[None, :, :]
+    share = np.clip((offset * step).sum(-1) / (step * step).sum(-1), 0.0, 1.0)
+    nearest = np.argmin(((offset - share[..., None] * step) ** 2).sum(-1), axis=1)
+    direction = step[nearest]
+    return np.arctan2(direction[:, 1], direction[:, 0])

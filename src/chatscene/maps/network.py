@@ -1,0 +1,127 @@
+"""Load a map into Scenic's road network, once per process, with clear words when that fails.
+
+Scenic keeps a parsed network beside the map, as a pickle. We never read such a file from where a map came from: a
+copy of the map is parsed in a cache folder that only this user can write, named by the map's content.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import os
+import shutil
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as Xml
+
+from chatscene.errors import MapError
+
+PACKAGED = {"town": Path(__file__).with_name("town.xodr")}
+
+
+def resolve_map(name: str) -> Path:
+    """The file of a map: the packaged ``town``, or a path to an ``.xodr`` file.
+
+    Raises:
+        MapError: There is no such file; the nearest known name is given.
+    """
+    if name in PACKAGED:
+        return PACKAGED[name]
+    path = Path(name).expanduser()
+    if path.is_file():
+        return path.resolve()
+    if path.is_dir():
+        raise MapError(f"map {name!r} is a folder; give an .xodr file")
+    beside = [p.name for p in path.parent.glob("*.xodr")] if path.parent.is_dir() else []
+    near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    raise MapError(f"there is no map {name!r}: neither the packaged 'town' nor a file{hint}")
+
+
+def load_network(path: Path | str) -> Any:
+    """Scenic's network of a map, parsed once per process and file content.
+
+    Raises:
+        MapError: The file cannot be read, is no OpenDRIVE, or has no lane to drive on.
+    """
+    path = Path(path)
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
+    return _parse(hashlib.blake2b(content, digest_size=12).hexdigest(), path)
+
+
+@lru_cache(maxsize=8)
+def _parse(digest: str, path: Path) -> Any:
+    _check_xml(path)
+    from scenic.domains.driving.roads import Network
+
+    parse = _scenic_from_file()
+    copy = _private_copy(path, digest)
+    try:
+        if copy is None:
+            network = parse(str(path), useCache=False, writeCache=False)
+        else:
+            network = parse(str(copy))
+    except (AssertionError, ValueError, KeyError, IndexError, AttributeError, TypeError, RuntimeError) as error:
+        message = str(error) or type(error).__name__
+        raise MapError(
+            f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {message} ({path})"
+        ) from error
+    if not network.lanes:
+        raise MapError(f"map {path.name!r} has no lane to drive on ({path})")
+    assert isinstance(network, Network)
+    return network
+
+
+def _check_xml(path: Path) -> None:
+    try:
+        root = Xml.parse(path).getroot()  # noqa: S314 - expat expands no external entities
+    except Xml.ParseError as error:
+        raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
+    if root.tag != "OpenDRIVE":
+        raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
+    if root.find("road") is None:
+        raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
+
+
+def _private_copy(path: Path, digest: str) -> Path | None:
+    """The map in the user's cache folder, or None where there can be none."""
+    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "chatscene" / "maps" / digest
+    copy = base / path.name
+    try:
+        base.mkdir(parents=True, exist_ok=True, mode=0o700)
+        if base.stat().st_uid != os.getuid() or base.stat().st_mode & 0o022:
+            return None
+        if not copy.exists():
+            part = copy.with_suffix(f".{os.getpid()}.part")
+            shutil.copyfile(path, part)
+            part.replace(copy)
+    except OSError:
+        return None  # a cache saves a second; a run must not fail for want of one
+    return copy
+
+
+def install_network_memo() -> None:
+    """Make Scenic's driving model, which loads the map in every program, use `load_network`.
+
+    Stock ``scenic`` works without it, only slower.
+    """
+    from scenic.domains.driving.roads import Network
+
+    _scenic_from_file()
+
+    def from_file(path: Any, **_options: Any) -> Any:
+        return load_network(path)
+
+    Network.fromFile = staticmethod(from_file)
+
+
+@lru_cache(maxsize=1)
+def _scenic_from_file() -> Any:
+    """Scenic's own loader, kept before it is replaced."""
+    from scenic.domains.driving.roads import Network
+
+    return Network.fromFile

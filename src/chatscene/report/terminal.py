@@ -1,0 +1,108 @@
+"""What a person reads in the terminal."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TextIO
+
+from chatscene.terms.scenario import Component
+from chatscene.terms.snippet import Match, Snippet
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from chatscene.maps.survey import MapDescription
+
+
+def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
+    """What was understood and why: slots, the triple, what else was near, the program."""
+    from rich.syntax import Syntax
+    from rich.table import Table
+
+    scenario, retrieval = understood.scenario, understood.retrieval
+    slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
+    for name, value in scenario.slots.said().items():
+        slots.add_row(name, ", ".join(value) if isinstance(value, tuple) else str(value))
+    console.print(slots)
+    for note in scenario.notes:
+        console.print(f"[yellow]note[/]  {note}")
+    console.print()
+    chosen = Table("component", "snippet", "similarity", "facts", "what was heard", box=None, pad_edge=False, header_style="dim")
+    for component in Component:
+        match: Match = getattr(retrieval, component.value)
+        chosen.add_row(
+            component.value,
+            f"[bold]{match.snippet.id}[/]",
+            f"{match.similarity:.2f}",
+            f"{match.agreement:.0%}",
+            scenario.parts[component],
+        )
+    console.print(chosen)
+    console.print(f"\nadversary: [bold]{retrieval.adversary}[/]   confidence: [bold]{retrieval.confidence:.0%}[/]")
+    for out in retrieval.ruled_out:
+        console.print(f"[dim]ruled out {out.snippet_id}: {out.reason}[/]")
+    if show_program:
+        console.print()
+        console.print(Syntax(understood.program.source, "python", theme="ansi_light", background_color="default"))
+
+
+def print_snippet(console: Console, snippet: Snippet) -> None:
+    """One snippet, whole."""
+    from rich.syntax import Syntax
+
+    console.print(f"[bold]{snippet.id}[/]  {snippet.description}")
+    for text in snippet.rephrasings:
+        console.print(f"  [dim]“{text}”[/]")
+    facts = {
+        **{name: ", ".join(v) if isinstance(v, tuple) else str(v) for name, v in snippet.slots.said().items()},
+        "adversaries": ", ".join(snippet.adversaries),
+        "requires": ", ".join(snippet.requires),
+        "provides": ", ".join(snippet.provides),
+        "origin": snippet.origin,
+    }
+    for name, value in facts.items():
+        if value:
+            console.print(f"{name:<12} {value}")
+    for p in snippet.parameters:
+        console.print(f"{p.name:<20} {p.low:g} to {p.high:g} {p.unit}   [dim]{p.meaning}[/]")
+    console.print()
+    console.print(Syntax(snippet.source.strip(), "python", theme="ansi_light", background_color="default"))
+
+
+def print_map(console: Console, description: MapDescription) -> None:
+    """What a map offers."""
+    from dataclasses import asdict
+
+    for name, value in asdict(description).items():
+        if isinstance(value, dict):
+            console.print(f"[bold]{name.replace('_', ' ')}[/]")
+            for key, count in value.items():
+                console.print(f"  {key:<28} {count}")
+        else:
+            console.print(f"{name.replace('_', ' '):<20} {value}")
+
+
+def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
+    """A function that shows what is being done, how far, and how long it will still take.
+
+    It writes one line over and over on a terminal, and a line per change of task elsewhere.
+    """
+    started = time.monotonic()
+    last = [""]
+
+    def show(what: str, done: int, total: int) -> None:
+        if not stream.isatty():
+            if what != last[0]:
+                stream.write(f"{what}\n")
+        else:
+            line = what
+            if total:
+                spent = time.monotonic() - started
+                left = f", {spent / done * (total - done):.0f} s left" if 0 < done < total else ""
+                line = f"{what}: {done} of {total}{left}"
+            stream.write(f"\r\x1b[K{line}" + ("\n" if total and done == total else ""))
+        last[0] = what
+        stream.flush()
+
+    return show

@@ -1,0 +1,126 @@
+"""Drives and the map around them as compact JSON for the replay: whole centimetres, differences, no repeats."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+import shapely
+
+from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track
+
+MARGIN = 70.0  # [m] of map around a drive
+TOLERANCE = 0.03  # [m] by which a line of the map may be off
+
+Box = tuple[float, float, float, float]
+
+
+def pack_episode(episode: Episode) -> dict[str, Any]:
+    """One drive. Positions [cm], headings [mrad], speeds [cm/s]; see `_differences` for how numbers are kept."""
+    return {
+        "dt": episode.dt,
+        "steps": len(episode.ego_track.x),
+        "actors": [_pack_track(track) for track in episode.tracks],
+        "signals": [_pack_signal(signal) for signal in episode.signals],
+        "events": [_pack_event(episode, event) for event in episode.events],
+    }
+
+
+def size_of(packed: Mapping[str, Any]) -> int:
+    """How many bytes it takes on the page."""
+    return len(json.dumps(packed, separators=(",", ":")))
+
+
+def _pack_track(track: Track) -> dict[str, Any]:
+    return {
+        "name": track.actor,
+        "role": track.role.value,
+        "kind": track.kind,
+        "length": round(track.length, 2),
+        "width": round(track.width, 2),
+        "x": _differences(track.x, 100),
+        "y": _differences(track.y, 100),
+        "heading": _differences(track.heading, 1000),
+        "speed": _differences(track.speed, 100),
+    }
+
+
+def _differences(values: Array, scale: float) -> list[int]:
+    """First value and differences, in units of 1/scale; trailing zeros dropped, so standing still costs nothing."""
+    whole = np.rint(np.asarray(values) * scale).astype(np.int64)
+    steps = np.diff(whole, prepend=0)
+    moving = np.flatnonzero(steps)
+    return steps[: moving[-1] + 1].tolist() if len(moving) else []
+
+
+def _pack_signal(signal: SignalTrack) -> dict[str, Any]:
+    return {
+        "line": [round(value, 2) for value in (signal.x0, signal.y0, signal.x1, signal.y1)],
+        "role": signal.role,
+        "states": [[state, len(list(run))] for state, run in groupby(signal.state)],
+    }
+
+
+def _pack_event(episode: Episode, event: Event) -> dict[str, Any]:
+    packed: dict[str, Any] = {
+        "kind": event.kind.value,
+        "step": event.step,
+        "other": event.other,
+        "side": event.side,
+        "impact": round(event.impact_speed, 2),
+    }
+    if event.kind is EventKind.COLLISION:
+        packed["at"] = contact_point(episode, event)
+    return packed
+
+
+def contact_point(episode: Episode, event: Event) -> list[float]:
+    """Where the ego was hit [m]: the point of its box nearest to the centre of what it hit."""
+    ego = episode.ego_track
+    step = min(event.step, len(ego.x) - 1)
+    x, y, heading = float(ego.x[step]), float(ego.y[step]), float(ego.heading[step])
+    other = next((track for track in episode.tracks if track.actor == event.other), ego)
+    dx, dy = float(other.x[step]) - x, float(other.y[step]) - y
+    cos, sin = np.cos(heading), np.sin(heading)
+    along = float(np.clip(dx * cos + dy * sin, -ego.length / 2, ego.length / 2))
+    across = float(np.clip(dy * cos - dx * sin, -ego.width / 2, ego.width / 2))
+    return [round(x + along * cos - across * sin, 2), round(y + along * sin + across * cos, 2)]
+
+
+def extent(episode: Episode, margin: float = MARGIN) -> Box:
+    """West, south, east, north [m] of where the ego and its adversaries were, with a margin."""
+    actors = [track for track in episode.tracks if track.role in (Role.EGO, Role.ADVERSARY)]
+    x = np.concatenate([track.x for track in actors])
+    y = np.concatenate([track.y for track in actors])
+    return x.min() - margin, y.min() - margin, x.max() + margin, y.max() + margin
+
+
+def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, Any]:
+    """The parts of the map's drawing that reach into any of the boxes, in differences of centimetres."""
+    near = [shapely.box(*box) for box in sorted(set(boxes))]
+    around = shapely.union_all(near) if near else shapely.Polygon()
+    packed: dict[str, Any] = {
+        kind: [_pack_line(line) for line in drawing.get(kind, ()) if _reaches(line, around)]
+        for kind in ("roads", "junctions", "sidewalks", "stop_lines")
+    }
+    packed["lane_lines"] = [
+        {"style": line.get("style", "solid"), "points": _pack_line(line["points"])}
+        for line in drawing.get("lane_lines", ())
+        if _reaches(line["points"], around)
+    ]
+    packed["routes"] = {name: _pack_line(line) for name, line in drawing.get("routes", {}).items()}
+    return packed
+
+
+def _reaches(points: Sequence[Sequence[float]], area: Any) -> bool:
+    return len(points) > 1 and bool(shapely.box(*shapely.MultiPoint(points).bounds).intersects(area))
+
+
+def _pack_line(points: Iterable[Sequence[float]]) -> list[int]:
+    """x, y of the first point, then differences, alternating."""
+    line = shapely.LineString([(x, y) for x, y, *_ in points]).simplify(TOLERANCE)
+    whole = np.rint(np.asarray(line.coords) * 100).astype(np.int64)
+    return np.diff(whole, axis=0, prepend=np.zeros((1, 2), np.int64)).ravel().tolist()

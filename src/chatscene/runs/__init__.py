@@ -1,0 +1,72 @@
+"""The run folder, a public contract: written as the run goes, continued after a kill, read by anyone.
+
+::
+
+    run = create(folder, text=..., settings=..., map_name="town", ego="rule-based")
+    write_explanation(run, explain(text, understood)); write_program(run, ...); write_drawing(run, ...)
+    write_block(run, block)                     # for each block, as it is done
+    rows = read_scenes(run)                     # to select from
+    finish(run, selected={"…/scene-017": False})
+
+    run = open_run(folder); collided = resume(run)          # after a kill
+    episode = read_episode(run, "…/scene-017")              # exactly as simulated
+
+`docs/run-folder.md` lists the files and their columns.
+"""
+
+from __future__ import annotations
+
+from chatscene.runs.blocks import (
+    finish,
+    read_episode,
+    read_episodes,
+    read_events,
+    read_ranges,
+    read_scenes,
+    read_signals,
+    resume,
+    write_block,
+)
+from chatscene.runs.explanation import explain
+from chatscene.runs.folder import (
+    Run,
+    create,
+    open_run,
+    read_drawing,
+    read_explanation,
+    read_programs,
+    read_record,
+    update,
+    write_drawing,
+    write_explanation,
+    write_program,
+)
+from chatscene.runs.record import SCHEMA_VERSION, RunRecord, Status, settings_of
+
+__all__ = [
+    "SCHEMA_VERSION",
+    "Run",
+    "RunRecord",
+    "Status",
+    "create",
+    "explain",
+    "finish",
+    "open_run",
+    "read_drawing",
+    "read_episode",
+    "read_episodes",
+    "read_events",
+    "read_explanation",
+    "read_programs",
+    "read_ranges",
+    "read_record",
+    "read_scenes",
+    "read_signals",
+    "resume",
+    "settings_of",
+    "update",
+    "write_block",
+    "write_drawing",
+    "write_explanation",
+    "write_program",
+]

@@ -1,0 +1,99 @@
+"""Files that are either whole or not there, and operating-system errors in words."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from chatscene.errors import RunError
+
+TEMPORARY = ".tmp"
+
+_REMEDIES = {
+    errno.ENOSPC: "the disk is full; free some space and continue with: chatscene resume DIR",
+    errno.EDQUOT: "the disk quota is used up; free some space and continue with: chatscene resume DIR",
+    errno.EACCES: "permission denied; choose a folder you may write to with --out",
+    errno.EPERM: "permission denied; choose a folder you may write to with --out",
+    errno.EROFS: "the file system is read-only; choose another folder with --out",
+    errno.ENOTDIR: "a part of the path is a file, not a folder; choose another with --out",
+    errno.EEXIST: "a file of that name is in the way; choose another folder with --out",
+    errno.ENAMETOOLONG: "the path is too long for this file system; choose a shorter one with --out",
+}
+
+
+@contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Turn an `OSError` raised inside into a `RunError` that names `path` and says what to do."""
+    try:
+        yield
+    except OSError as error:
+        remedy = _REMEDIES.get(
+            error.errno or 0, f"{error.strerror or error}; choose another folder with --out"
+        )
+        raise RunError(f"cannot write {path}: {remedy}") from error
+
+
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write a whole file or nothing, whatever kills the process or the machine meanwhile.
+
+    The content goes to a temporary neighbour, to the disk, and only then under its name. Folders are made as
+    needed.
+
+    Raises:
+        RunError: The file system refuses.
+    """
+    temporary = path.with_name(f".{path.name}.{os.getpid()}{TEMPORARY}")
+    with writing(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            with temporary.open("wb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+        _sync_folder(path.parent)
+
+
+def write_json(path: Path, content: object) -> None:
+    """Write JSON with `write_bytes`: readable, keys in the order given."""
+    write_bytes(path, (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode())
+
+
+def read_json(path: Path) -> Any:
+    """Read a JSON file of a run.
+
+    Raises:
+        RunError: It cannot be read, or is not JSON.
+    """
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise RunError(f"cannot read {path}: {error.strerror or error}") from error
+    except ValueError as error:
+        raise RunError(
+            f"{path} is not valid JSON ({error}); it was changed or damaged after it was written"
+        ) from error
+
+
+def sweep(folder: Path) -> None:
+    """Remove what killed writers left half-written below `folder`."""
+    with writing(folder):
+        for leftover in sorted(folder.rglob(f".*{TEMPORARY}")):
+            leftover.unlink(missing_ok=True)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make a rename last through a power cut; only POSIX can, and needs it."""
+    if os.name == "posix":
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)

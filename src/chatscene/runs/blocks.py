@@ -1,0 +1,297 @@
+"""Blocks are written as the run goes; the tables are folded from them at the end.
+
+A block is two files: its tracks, and then its part, which says that the block is done. Each appears whole or
+not at all, so that a kill at any moment loses at most the block in progress.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Mapping
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from chatscene.errors import RunError
+from chatscene.runs.atomic import read_json, sweep, write_json, writing
+from chatscene.runs.folder import Run, read_record, update
+from chatscene.runs.record import (
+    EventRow,
+    Part,
+    RangeRow,
+    RunRecord,
+    SceneRow,
+    SignalRow,
+    Status,
+    first_problem,
+)
+from chatscene.runs.tables import (
+    Table,
+    episode_of,
+    episodes_table,
+    events_table,
+    ranges_table,
+    read_table,
+    route_index,
+    scenes_table,
+    signals_table,
+    write_table,
+)
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Rejected
+from chatscene.terms.snippet import ParameterRange
+
+if TYPE_CHECKING:
+    from chatscene.search.explore import Block, Ran
+
+_TABLES = {
+    "events.parquet": events_table,
+    "signals.parquet": signals_table,
+    "ranges.parquet": ranges_table,
+}
+
+
+def write_block(run: Run, block: Block) -> None:
+    """Keep a finished block. Blocks may be written in any order and by any process.
+
+    Raises:
+        RunError: The file system refuses; the block then counts as not done.
+    """
+    where = (block.scenario_id, block.route, block.number)
+    write_table(run.episodes(*where), episodes_table([ran.episode for ran in block.ran]))
+    write_json(run.part(*where), _part(block).model_dump())
+
+
+def _part(block: Block) -> Part:
+    return Part(
+        scenario_id=block.scenario_id,
+        route=block.route,
+        block=block.number,
+        ranges=[_range_row(r) for r in block.ranges],
+        scenes=[*(_ran_row(ran) for ran in block.ran), *(_rejected_row(r) for r in block.rejected)],
+        events=[row for ran in block.ran for row in _event_rows(ran.episode)],
+        signals=[row for ran in block.ran for row in _signal_rows(ran.episode)],
+    )
+
+
+def _range_row(declared: ParameterRange) -> RangeRow:
+    return RangeRow(
+        parameter=declared.name,
+        low=declared.low,
+        high=declared.high,
+        unit=declared.unit,
+        meaning=declared.meaning,
+    )
+
+
+def _ran_row(ran: Ran) -> SceneRow:
+    crash = ran.episode.collision
+    return SceneRow(
+        scene_id=ran.scene.id,
+        seed=ran.scene.seed,
+        values=dict(ran.scene.values),
+        meaning_failures=list(ran.meaning),
+        collision=crash is not None,
+        impact_speed=crash.impact_speed if crash else None,
+        ego=ran.episode.ego,
+        ending=ran.episode.ending.value,
+        route_completion=float(ran.episode.route_completion),
+        dt=ran.episode.dt,
+        metrics={name: float(value) for name, value in ran.metrics.items()},
+    )
+
+
+def _rejected_row(rejected: Rejected) -> SceneRow:
+    scene = rejected.scene
+    return SceneRow(scene_id=scene.id, seed=scene.seed, values=dict(scene.values), reason=rejected.reason)
+
+
+def _event_rows(episode: Episode) -> list[EventRow]:
+    return [
+        EventRow(
+            scene_id=episode.scene_id,
+            ego=episode.ego,
+            step=event.step,
+            kind=event.kind.value,
+            actor=episode.ego_track.actor,
+            other=event.other,
+            side=event.side,
+            impact_speed=float(event.impact_speed),
+        )
+        for event in episode.events
+    ]
+
+
+def _signal_rows(episode: Episode) -> list[SignalRow]:
+    return [
+        SignalRow(
+            scene_id=episode.scene_id,
+            ego=episode.ego,
+            role=signal.role,
+            x0=signal.x0,
+            y0=signal.y0,
+            x1=signal.x1,
+            y1=signal.y1,
+            state=signal.state,
+        )
+        for signal in episode.signals
+    ]
+
+
+def read_parts(run: Run) -> list[Part]:
+    """The blocks that are done, by scenario, route and block; none once the run is finished.
+
+    Raises:
+        RunError: A part was changed or damaged after it was written.
+    """
+    parts = [_read_part(path) for path in sorted(run.file("parts").glob("*.json"))]
+    done = [part for part in parts if run.episodes(part.scenario_id, part.route, part.block).is_file()]
+    return sorted(done, key=lambda part: (part.scenario_id, part.route, part.block))
+
+
+def _read_part(path: Path) -> Part:
+    try:
+        return Part.model_validate(read_json(path))
+    except ValidationError as error:
+        raise RunError(
+            f"{path} is not a finished block: {first_problem(error)}; delete it to run the block again"
+        ) from error
+
+
+def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
+    """Make an unfinished run ready to go on, and say what is done.
+
+    Half-written files of killed processes are removed and the status is ``running`` again. A finished run is
+    left as it is and gives an empty answer: ask `read_record` for the status first.
+
+    Returns:
+        By scenario and route: for each block done, from block 0 without a gap, the parameter values of the
+        scenes that collided, in order; what `chatscene.search.explore.explore` takes as ``collided``.
+    """
+    sweep(run.path)
+    if read_record(run).status is Status.DONE:
+        _drop_parts(run)
+        return {}
+    update(run, status=Status.RUNNING)
+    groups = groupby(read_parts(run), key=lambda part: (part.scenario_id, part.route))
+    return {job: [_collided(p) for n, p in enumerate(parts) if p.block == n] for job, parts in groups}
+
+
+def _collided(part: Part) -> list[dict[str, float]]:
+    return [dict(scene.values) for scene in part.scenes if scene.collision]
+
+
+def finish(
+    run: Run,
+    *,
+    selected: Mapping[str, bool],
+    avoidable: Mapping[str, bool] | None = None,
+    timings: Mapping[str, float] | None = None,
+) -> RunRecord:
+    """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
+
+    Args:
+        run: Which run.
+        selected: The scenes kept, by id; True for a fill-in, which was kept although nothing collided.
+        avoidable: Whether a careful driver would have avoided the crash, by scene id, where that is known.
+        timings: Seconds by phase, added to those in `run.json`.
+
+    Raises:
+        RunError: The file system refuses; the blocks are still there then.
+    """
+    record = read_record(run)
+    if record.status is not Status.DONE:
+        parts = read_parts(run)
+        for name, fold in _TABLES.items():
+            write_table(run.file(name), fold(parts))
+        scenes = scenes_table(parts, selected, avoidable)
+        write_table(run.file("scenes.parquet"), scenes)
+        record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings)
+    _drop_parts(run)
+    return record
+
+
+def _drop_parts(run: Run) -> None:
+    folder = run.file("parts")
+    if folder.is_dir():
+        with writing(folder):
+            shutil.rmtree(folder)
+
+
+def _counts(scenes: Table) -> dict[str, int]:
+    def count(column: str, value: object = True) -> int:
+        return scenes.column(column).to_pylist().count(value)
+
+    return {
+        "scenes": scenes.num_rows,
+        "ran": count("status", "ran"),
+        "rejected": count("status", "rejected"),
+        "collided": count("collision"),
+        "selected": count("selected"),
+        "fill_in": count("fill_in"),
+    }
+
+
+def read_scenes(run: Run) -> list[dict[str, Any]]:
+    """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far."""
+    return _rows(run, "scenes.parquet", scenes_table)
+
+
+def read_events(run: Run) -> list[dict[str, Any]]:
+    """A row per event with the columns of `events.parquet`."""
+    return _rows(run, "events.parquet", events_table)
+
+
+def read_signals(run: Run) -> list[dict[str, Any]]:
+    """A row per drive and traffic signal with the columns of `signals.parquet`."""
+    return _rows(run, "signals.parquet", signals_table)
+
+
+def read_ranges(run: Run) -> list[dict[str, Any]]:
+    """A row per block and parameter with the columns of `ranges.parquet`."""
+    return _rows(run, "ranges.parquet", ranges_table)
+
+
+def _rows(run: Run, name: str, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
+    done = read_record(run).status is Status.DONE
+    table: Table = read_table(run.file(name)) if done else fold(read_parts(run))
+    return table.to_pylist()
+
+
+def read_episode(run: Run, scene_id: str) -> Episode:
+    """The drive through one scene, exactly as it was simulated.
+
+    Raises:
+        RunError: The run has no scene of that id, or it was rejected and never driven.
+    """
+    return read_episodes(run, [scene_id])[0]
+
+
+def read_episodes(run: Run, scene_ids: list[str]) -> list[Episode]:
+    """The drives through some scenes, in the order asked for; see `read_episode`."""
+    scenes = {row["scene_id"]: row for row in read_scenes(run)}
+    events, signals = _by_scene(read_events(run)), _by_scene(read_signals(run))
+    episodes: list[Episode] = []
+    for scene_id in scene_ids:
+        scene = _driven(run, scene_id, scenes.get(scene_id))
+        path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
+        rows = read_table(path, scene_id=scene_id)
+        episodes.append(episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, [])))
+    return episodes
+
+
+def _driven(run: Run, scene_id: str, scene: dict[str, Any] | None) -> dict[str, Any]:
+    if scene is None:
+        raise RunError(f"{run.path} has no scene {scene_id!r}; scenes.parquet and report.html list them")
+    if scene["status"] != "ran":
+        raise RunError(f"scene {scene_id!r} was rejected and never driven: {scene['reason']}")
+    return scene
+
+
+def _by_scene(rows: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    grouped: dict[str, list[dict[str, Any]]] = {}
+    for row in rows:
+        grouped.setdefault(row["scene_id"], []).append(row)
+    return grouped

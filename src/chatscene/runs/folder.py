@@ -1,0 +1,221 @@
+"""The run folder: create it, open it, say how far it came, keep what is not a table."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, unquote
+
+from pydantic import ValidationError
+
+from chatscene.errors import RunError
+from chatscene.runs.atomic import TEMPORARY, read_json, sweep, write_bytes, write_json, writing
+from chatscene.runs.record import SCHEMA_VERSION, RunRecord, Status, first_problem, settings_to_json
+from chatscene.settings import Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A run folder by its path; the state is on disk, so any process may hold one.
+
+    Attributes:
+        path: The folder.
+    """
+
+    path: Path
+
+    def file(self, name: str) -> Path:
+        """The path of a file in the folder."""
+        return self.path / name
+
+    def episodes(self, scenario_id: str, route: int, block: int) -> Path:
+        """Where the tracks of one block are."""
+        return self.path / "episodes" / f"{_stem(scenario_id, route, block)}.parquet"
+
+    def part(self, scenario_id: str, route: int, block: int) -> Path:
+        """Where the rest of one block is until the run is finished."""
+        return self.path / "parts" / f"{_stem(scenario_id, route, block)}.json"
+
+
+def _stem(scenario_id: str, route: int, block: int) -> str:
+    return f"{quote(scenario_id, safe='')}-route-{route:02d}-block-{block:02d}"
+
+
+def create(
+    folder: Path,
+    *,
+    text: str,
+    settings: Settings,
+    map_name: str,
+    ego: str,
+    given: Mapping[str, Any] | None = None,
+) -> Run:
+    """Start a run in a new or empty folder, with status ``running``.
+
+    Args:
+        folder: Made if it is not there.
+        text: The sentence.
+        settings: All settings, resolved.
+        map_name: The map as the user named it.
+        ego: The ego as the user named it.
+        given: The settings that the user gave, by name.
+
+    Raises:
+        RunError: The folder holds something, or cannot be written.
+    """
+    run = Run(folder)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(not path.name.endswith(TEMPORARY) for path in folder.iterdir()):
+            raise RunError(_occupied(run))
+    sweep(folder)
+    _write_record(
+        run,
+        RunRecord(
+            schema_version=SCHEMA_VERSION,
+            status=Status.RUNNING,
+            text=text,
+            map_name=map_name,
+            ego=ego,
+            given=dict(given or {}),
+            settings=settings_to_json(settings),
+            versions=_versions(),
+            seed=settings.search.seed,
+        ),
+    )
+    return run
+
+
+def _occupied(run: Run) -> str:
+    if run.file("run.json").exists():
+        return (
+            f"{run.path} already holds a run; continue it with: chatscene resume {run.path}, "
+            "or choose another folder with --out"
+        )
+    return f"{run.path} is not empty; choose a new or empty folder with --out"
+
+
+def open_run(folder: Path) -> Run:
+    """Open a run that is there, and check that this version can read it.
+
+    Raises:
+        RunError: There is no run in the folder, its `run.json` is broken, or a newer version wrote it.
+    """
+    run = Run(folder)
+    read_record(run)
+    return run
+
+
+def read_record(run: Run) -> RunRecord:
+    """What `run.json` says now.
+
+    Raises:
+        RunError: It is missing, broken, or newer than this version.
+    """
+    path = run.file("run.json")
+    if not path.is_file():
+        raise RunError(
+            f"{run.path} is not a run folder: it has no run.json; "
+            "give the folder that `chatscene run` named, or start one with: chatscene run TEXT"
+        )
+    content = read_json(path)
+    found = content.get("schema_version") if isinstance(content, dict) else None
+    if isinstance(found, int) and found > SCHEMA_VERSION:
+        raise RunError(
+            f"{run.path} was written by a newer chatscene (schema {found}, this one reads {SCHEMA_VERSION}); "
+            "upgrade with: pip install --upgrade chatscene"
+        )
+    try:
+        return RunRecord.model_validate(content)
+    except ValidationError as error:
+        raise RunError(f"{path} is not the record of a run: {first_problem(error)}") from error
+
+
+def update(
+    run: Run,
+    *,
+    status: Status | None = None,
+    reason: str = "",
+    counts: Mapping[str, int] | None = None,
+    timings: Mapping[str, float] | None = None,
+) -> RunRecord:
+    """Rewrite `run.json` in one step.
+
+    Args:
+        run: Which run.
+        status: The new status; None leaves it. A status replaces the reason as well.
+        reason: Why it failed or was refused.
+        counts: New counts; None leaves them.
+        timings: Added to those that stand there, key by key, so that a resumed run keeps its first part.
+    """
+    record = read_record(run)
+    changes: dict[str, Any] = {}
+    if status is not None:
+        changes |= {"status": status, "reason": reason}
+    if counts is not None:
+        changes["counts"] = dict(counts)
+    if timings is not None:
+        changes["timings"] = _added(record.timings, timings)
+    changed = record.model_copy(update=changes)
+    _write_record(run, changed)
+    return changed
+
+
+def _added(before: Mapping[str, float], more: Mapping[str, float]) -> dict[str, float]:
+    return dict(before) | {name: round(before.get(name, 0.0) + seconds, 3) for name, seconds in more.items()}
+
+
+def _write_record(run: Run, record: RunRecord) -> None:
+    write_json(run.file("run.json"), record.model_dump(mode="json"))
+
+
+def write_program(run: Run, scenario_id: str, source: str) -> Path:
+    """Keep the program of a scenario as `programs/<scenario>.scenic`."""
+    path = run.file("programs") / f"{quote(scenario_id, safe='')}.scenic"
+    write_bytes(path, source.encode())
+    return path
+
+
+def read_programs(run: Run) -> dict[str, str]:
+    """The kept programs by scenario, sorted."""
+    paths = sorted(run.file("programs").glob("*.scenic"))
+    return {unquote(path.stem): path.read_text(encoding="utf-8") for path in paths}
+
+
+def write_explanation(run: Run, explanation: Mapping[str, Any]) -> None:
+    """Keep what was understood and why; `chatscene.runs.explanation.explain` makes it."""
+    write_json(run.file("explanation.json"), explanation)
+
+
+def read_explanation(run: Run) -> dict[str, Any]:
+    """What was understood and why; empty if the run did not come that far."""
+    path = run.file("explanation.json")
+    return read_json(path) if path.is_file() else {}
+
+
+def write_drawing(run: Run, drawing: Mapping[str, Any]) -> None:
+    """Keep the drawing of the map as `map.json`; `docs/run-folder.md` has its shape. Metres, map frame."""
+    write_json(run.file("map.json"), drawing)
+
+
+def read_drawing(run: Run) -> dict[str, Any]:
+    """The drawing of the map; empty if there is none."""
+    path = run.file("map.json")
+    return read_json(path) if path.is_file() else {}
+
+
+def _versions() -> dict[str, str]:
+    return {"python": platform.python_version()} | {
+        package: _version(package) for package in ("chatscene", "scenic", "numpy")
+    }
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:  # run from a source tree that was never installed
+        return "unknown"

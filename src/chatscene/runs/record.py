@@ -1,0 +1,164 @@
+"""What `run.json` says, and what one finished block leaves until the tables are written."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from enum import StrEnum
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from chatscene.errors import SettingsError
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+
+SCHEMA_VERSION = 1
+
+
+class Status(StrEnum):
+    """How far a run came."""
+
+    RUNNING = "running"  # or killed: a dead process cannot say so
+    DONE = "done"
+    FAILED = "failed"  # an error ended it; may be continued
+    REFUSED = "refused"  # nothing in the library serves the sentence
+
+
+class _Frozen(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+
+class RunRecord(_Frozen):
+    """The content of `run.json`.
+
+    Attributes:
+        schema_version: Of the whole folder; this chatscene writes and reads `SCHEMA_VERSION`.
+        status: How far the run came.
+        reason: Why it failed or was refused; else empty.
+        text: The sentence.
+        map_name: The map as it was given.
+        ego: The ego as it was given.
+        given: Settings the user gave, by name; the rest are defaults.
+        settings: All settings, resolved, as `Settings` nests them.
+        versions: Of chatscene, Python, Scenic and numpy.
+        seed: What everything random derives from.
+        counts: scenes, ran, rejected, collided, selected, fill_in; empty until there are some.
+        timings: Seconds by phase, and whatever else differs between two equal runs (such as ``jobs``).
+    """
+
+    schema_version: int
+    status: Status
+    reason: str = ""
+    text: str
+    map_name: str
+    ego: str
+    given: dict[str, Any] = {}
+    settings: dict[str, dict[str, Any]]
+    versions: dict[str, str] = {}
+    seed: int
+    counts: dict[str, int] = {}
+    timings: dict[str, float] = {}
+
+
+class RangeRow(_Frozen):
+    """What one parameter was drawn from in one block."""
+
+    parameter: str
+    low: float
+    high: float
+    unit: str
+    meaning: str = ""
+
+
+class SceneRow(_Frozen):
+    """One scene, driven or rejected; see `chatscene.runs.tables` for the columns it becomes."""
+
+    scene_id: str
+    seed: int
+    values: dict[str, float]
+    reason: str | None = None  # of a rejection; None for a scene that was driven
+    meaning_failures: list[str] = []
+    collision: bool | None = None
+    impact_speed: float | None = None
+    ego: str | None = None
+    ending: str | None = None
+    route_completion: float | None = None
+    dt: float | None = None
+    metrics: dict[str, float] = {}
+
+
+class EventRow(_Frozen):
+    """One event of one drive."""
+
+    scene_id: str
+    ego: str
+    step: int
+    kind: str
+    actor: str
+    other: str
+    side: str
+    impact_speed: float
+
+
+class SignalRow(_Frozen):
+    """One traffic signal over one drive; see `SignalTrack`."""
+
+    scene_id: str
+    ego: str
+    role: str
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+    state: str
+
+
+class Part(_Frozen):
+    """A finished block without its tracks.
+
+    Attributes:
+        scenario_id: Which scenario.
+        route: Index of the route.
+        block: Which block, from 0.
+        ranges: What its scenes were drawn from.
+        scenes: Driven ones in order, then rejected ones in order.
+        events: By scene, then by step.
+        signals: By scene.
+    """
+
+    scenario_id: str
+    route: int
+    block: int
+    ranges: list[RangeRow]
+    scenes: list[SceneRow]
+    events: list[EventRow]
+    signals: list[SignalRow]
+
+
+def settings_to_json(settings: Settings) -> dict[str, dict[str, Any]]:
+    """Settings as nested JSON objects; `settings_of` is the inverse."""
+    return asdict(settings)
+
+
+def settings_of(record: RunRecord) -> Settings:
+    """The settings a run was started with, to continue it.
+
+    Raises:
+        SettingsError: They name something this version does not know, or are out of range.
+    """
+    given = record.settings
+    try:
+        return Settings(
+            search=SearchSettings(**given.get("search", {})),
+            simulation=SimulationSettings(**given.get("simulation", {})),
+            retrieval=RetrievalSettings(**given.get("retrieval", {})),
+        )
+    except TypeError as error:
+        raise SettingsError(
+            f"the run's settings are not those of this version of chatscene: {error}"
+        ) from error
+
+
+def first_problem(error: ValidationError) -> str:
+    """The first complaint of pydantic, as ``field: what is wrong``."""
+    problem = error.errors()[0]
+    return f"{'.'.join(str(part) for part in problem['loc'])}: {problem['msg'].lower()}"

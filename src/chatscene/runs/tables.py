@@ -1,0 +1,330 @@
+"""The Parquet tables of a run: their columns, and the way from nouns to rows and back.
+
+The same rows give the same bytes: fixed compression, no pandas metadata, nothing that depends on the time.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+from numpy.typing import NDArray
+
+from chatscene.errors import RunError
+from chatscene.runs.atomic import write_bytes
+from chatscene.runs.record import Part, SceneRow
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
+
+Table = Any  # a `pyarrow.Table`; pyarrow ships no types
+
+EPISODES = pa.schema(
+    [
+        ("scene_id", pa.string()),
+        ("ego", pa.string()),
+        ("step", pa.int32()),
+        ("time", pa.float64()),
+        ("actor", pa.string()),
+        ("role", pa.string()),
+        ("kind", pa.string()),
+        ("x", pa.float64()),
+        ("y", pa.float64()),
+        ("heading", pa.float64()),
+        ("speed", pa.float64()),
+        ("acceleration", pa.float64()),
+        ("yaw_rate", pa.float64()),
+        ("length", pa.float64()),
+        ("width", pa.float64()),
+        # Of the ego only, null for the others: with these the metrics can be computed again from the folder.
+        ("distance_to_route", pa.float64()),
+        ("off_road", pa.bool_()),
+    ]
+)
+
+EVENTS = pa.schema(
+    [
+        ("scene_id", pa.string()),
+        ("ego", pa.string()),
+        ("step", pa.int32()),
+        ("kind", pa.string()),
+        ("actor", pa.string()),
+        ("other", pa.string()),
+        ("side", pa.string()),
+        ("impact_speed", pa.float64()),
+    ]
+)
+
+SIGNALS = pa.schema(
+    [
+        ("scene_id", pa.string()),
+        ("ego", pa.string()),
+        ("role", pa.string()),
+        *((name, pa.float64()) for name in ("x0", "y0", "x1", "y1")),
+        ("state", pa.string()),
+    ]
+)
+
+RANGES = pa.schema(
+    [
+        ("scenario_id", pa.string()),
+        ("route_id", pa.string()),
+        ("block", pa.int32()),
+        ("parameter", pa.string()),
+        ("low", pa.float64()),
+        ("high", pa.float64()),
+        ("unit", pa.string()),
+        ("meaning", pa.string()),
+    ]
+)
+
+_SCENE_HEAD = pa.schema(
+    [
+        ("scene_id", pa.string()),
+        ("scenario_id", pa.string()),
+        ("route_id", pa.string()),
+        ("block", pa.int32()),
+        ("seed", pa.uint64()),
+        ("status", pa.string()),
+        ("reason", pa.string()),
+    ]
+)
+_SCENE_OUTCOME = pa.schema(
+    [
+        ("meaning_ok", pa.bool_()),
+        ("meaning_failures", pa.list_(pa.string())),
+        ("collision", pa.bool_()),
+        ("impact_speed", pa.float64()),
+        ("ego", pa.string()),
+        ("ending", pa.string()),
+        ("route_completion", pa.float64()),
+        ("dt", pa.float64()),
+    ]
+)
+_SCENE_TAIL = pa.schema(
+    [
+        ("overall_score", pa.float64()),
+        ("avoidable", pa.bool_()),
+        ("selected", pa.bool_()),
+        ("fill_in", pa.bool_()),
+    ]
+)
+_FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.names]) - {"overall_score"}
+
+
+def write_table(path: Path, table: Table) -> None:
+    """Write a Parquet file, whole or not at all."""
+    sink = io.BytesIO()
+    pq.write_table(
+        table, sink, compression="zstd", compression_level=3, version="2.6", row_group_size=1 << 20
+    )
+    write_bytes(path, sink.getvalue())
+
+
+def read_table(path: Path, **filters: str) -> Table:
+    """Read a Parquet file, or its rows where each named column has the given value.
+
+    Raises:
+        RunError: It is not there or not readable.
+    """
+    chosen = [(name, "==", value) for name, value in filters.items()] or None
+    try:
+        return pq.read_table(path, filters=chosen)
+    except (OSError, pa.ArrowException) as error:
+        raise RunError(f"cannot read {path}: {error}; it is missing or was damaged") from error
+
+
+def route_id(route: int) -> str:
+    """The name of a route in the tables."""
+    return f"route-{route:02d}"
+
+
+def route_index(name: str) -> int:
+    """The inverse of `route_id`."""
+    return int(name.removeprefix("route-"))
+
+
+def scenes_table(
+    parts: Sequence[Part],
+    selected: Mapping[str, bool] | None = None,
+    avoidable: Mapping[str, bool] | None = None,
+) -> Table:
+    """One row per scene.
+
+    Args:
+        parts: The finished blocks, in order.
+        selected: The scenes kept, by id; whether it is a fill-in (kept although nothing collided).
+        avoidable: Whether a careful driver would have avoided the crash, by scene id, where that is known.
+
+    Raises:
+        RunError: A metric has the name of another column.
+    """
+    scenes = [scene for part in parts for scene in part.scenes]
+    parameters = sorted({name for scene in scenes for name in scene.values})
+    metrics = list(
+        dict.fromkeys(name for scene in scenes for name in scene.metrics if name != "overall_score")
+    )
+    if taken := sorted(_FIXED.intersection(metrics)):
+        raise RunError(
+            f"a metric may not have the name of another column of scenes.parquet: {', '.join(taken)}"
+        )
+    numbers = [(name, pa.float64()) for name in (*parameters, *metrics)]
+    schema = pa.schema(
+        [
+            *_SCENE_HEAD,
+            *numbers[: len(parameters)],
+            *_SCENE_OUTCOME,
+            *numbers[len(parameters) :],
+            *_SCENE_TAIL,
+        ]
+    )
+    rows = [
+        _scene_row(part, scene, selected or {}, avoidable or {}) for part in parts for scene in part.scenes
+    ]
+    return pa.Table.from_pylist(rows, schema=schema)
+
+
+def _scene_row(
+    part: Part, scene: SceneRow, selected: Mapping[str, bool], avoidable: Mapping[str, bool]
+) -> dict[str, Any]:
+    row = scene.model_dump(exclude={"values", "metrics"}) | scene.values | scene.metrics
+    driven = scene.reason is None
+    return row | {
+        "scenario_id": part.scenario_id,
+        "route_id": route_id(part.route),
+        "block": part.block,
+        "status": "ran" if driven else "rejected",
+        "meaning_ok": not scene.meaning_failures if driven else None,
+        "meaning_failures": scene.meaning_failures if driven else None,
+        "avoidable": avoidable.get(scene.scene_id),
+        "selected": scene.scene_id in selected,
+        "fill_in": selected.get(scene.scene_id, False),
+    }
+
+
+def events_table(parts: Sequence[Part]) -> Table:
+    """One row per event."""
+    return pa.Table.from_pylist([row.model_dump() for part in parts for row in part.events], schema=EVENTS)
+
+
+def signals_table(parts: Sequence[Part]) -> Table:
+    """One row per drive and traffic signal."""
+    return pa.Table.from_pylist([row.model_dump() for part in parts for row in part.signals], schema=SIGNALS)
+
+
+def ranges_table(parts: Sequence[Part]) -> Table:
+    """One row per block and parameter."""
+    rows = [
+        row.model_dump()
+        | {"scenario_id": part.scenario_id, "route_id": route_id(part.route), "block": part.block}
+        for part in parts
+        for row in part.ranges
+    ]
+    return pa.Table.from_pylist(rows, schema=RANGES)
+
+
+def episodes_table(episodes: Sequence[Episode]) -> Table:
+    """One row per scene, actor and step, in that order."""
+    tracks = [(episode, track) for episode in episodes for track in episode.tracks]
+    lengths = [len(track.x) for _, track in tracks]
+    step = _joined((np.arange(length) for length in lengths), np.int32)
+    dt = np.repeat(np.array([episode.dt for episode, _ in tracks], dtype=np.float64), lengths)
+    ego = np.repeat(np.array([track.role is Role.EGO for _, track in tracks], dtype=np.bool_), lengths)
+    columns: dict[str, Any] = {
+        "scene_id": _spread((episode.scene_id for episode, _ in tracks), lengths),
+        "ego": _spread((episode.ego for episode, _ in tracks), lengths),
+        "step": step,
+        "time": step * dt,
+        "actor": _spread((track.actor for _, track in tracks), lengths),
+        "role": _spread((track.role.value for _, track in tracks), lengths),
+        "kind": _spread((track.kind for _, track in tracks), lengths),
+        "x": _joined(track.x for _, track in tracks),
+        "y": _joined(track.y for _, track in tracks),
+        "heading": _joined(track.heading for _, track in tracks),
+        "speed": _joined(track.speed for _, track in tracks),
+        "acceleration": _joined(track.acceleration(episode.dt) for episode, track in tracks),
+        "yaw_rate": _joined(track.yaw_rate(episode.dt) for episode, track in tracks),
+        "length": np.repeat(np.array([track.length for _, track in tracks], dtype=np.float64), lengths),
+        "width": np.repeat(np.array([track.width for _, track in tracks], dtype=np.float64), lengths),
+        "distance_to_route": _of_ego([e.distance_to_route for e in episodes], ego, np.float64),
+        "off_road": _of_ego([e.off_road for e in episodes], ego, np.bool_),
+    }
+    return pa.table(columns, schema=EPISODES)
+
+
+def _spread(values: Iterable[str], lengths: Sequence[int]) -> NDArray[np.object_]:
+    return np.repeat(np.array(list(values), dtype=np.object_), lengths)
+
+
+def _joined(arrays: Iterable[NDArray[Any]], kind: type[np.generic] = np.float64) -> NDArray[Any]:
+    return np.concatenate([np.empty(0, kind), *arrays], dtype=kind)
+
+
+def _of_ego(arrays: Sequence[NDArray[Any]], ego: NDArray[np.bool_], kind: type[np.generic]) -> Any:
+    """Numbers that only the ego has, with nulls in the rows of the others."""
+    values = np.zeros(len(ego), kind)
+    values[ego] = _joined(arrays, kind)
+    return pa.array(values, mask=~ego)
+
+
+def episode_of(
+    rows: Table,
+    scene: Mapping[str, Any],
+    events: Iterable[Mapping[str, Any]],
+    signals: Iterable[Mapping[str, Any]],
+) -> Episode:
+    """The episode that a scene's rows of the tables were written from, bit for bit."""
+    tracks = tuple(_track(rows, start, end) for start, end in _runs_of(rows.column("actor").to_pylist()))
+    ego = len(tracks[0].x)
+    return Episode(
+        scene_id=scene["scene_id"],
+        ego=scene["ego"],
+        dt=scene["dt"],
+        tracks=tracks,
+        events=tuple(
+            Event(
+                kind=EventKind(e["kind"]),
+                step=e["step"],
+                other=e["other"],
+                side=e["side"],
+                impact_speed=e["impact_speed"],
+            )
+            for e in events
+        ),
+        signals=tuple(
+            SignalTrack(x0=s["x0"], y0=s["y0"], x1=s["x1"], y1=s["y1"], state=s["state"], role=s["role"])
+            for s in signals
+        ),
+        ending=Ending(scene["ending"]),
+        route_completion=scene["route_completion"],
+        distance_to_route=rows.column("distance_to_route")[:ego].to_numpy(),
+        off_road=rows.column("off_road")[:ego].to_numpy(),
+    )
+
+
+def _runs_of(values: Sequence[str]) -> list[tuple[int, int]]:
+    """Start and end of each stretch of equal values."""
+    starts = [i for i, value in enumerate(values) if i == 0 or value != values[i - 1]]
+    return list(zip(starts, [*starts[1:], len(values)], strict=True))
+
+
+def _track(rows: Table, start: int, end: int) -> Track:
+    own = rows.slice(start, end - start)
+
+    def first(name: str) -> Any:
+        return own.column(name)[0].as_py()
+
+    return Track(
+        actor=first("actor"),
+        role=Role(first("role")),
+        kind=first("kind"),
+        length=first("length"),
+        width=first("width"),
+        x=own.column("x").to_numpy(),
+        y=own.column("y").to_numpy(),
+        heading=own.column("heading").to_numpy(),
+        speed=own.column("speed").to_numpy(),
+    )
