@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from chatscene.errors import MapError
+from chatscene.maps.junctions import junction_control
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
@@ -165,18 +166,6 @@ def _in_words(query: RouteQuery) -> str:
 # Junctions
 
 
-def control_of(intersection: Any) -> Control:
-    """How a junction is controlled, from the signals on its connecting roads."""
-    if intersection.isSignalized:
-        return Control.SIGNAL
-    stop = any(_is_stop_sign(signal) for signal in intersection.signals)
-    return Control.STOP_SIGN if stop else Control.NONE
-
-
-def _is_stop_sign(signal: Any) -> bool:
-    return str(signal.type) == "206" or "stop" in str(getattr(signal, "country", "")).lower()
-
-
 def _place_of(intersection: Any) -> Place:
     if intersection.is4Way:
         return Place.FOUR_WAY
@@ -185,7 +174,7 @@ def _place_of(intersection: Any) -> Place:
 
 def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     for intersection in sorted(network.intersections, key=lambda i: str(i.uid)):
-        place, control = _place_of(intersection), control_of(intersection)
+        place, control = _place_of(intersection), junction_control(intersection)
         if query.place not in (None, Place.JUNCTION, place) or query.control not in (None, control):
             continue
         maneuvers = [m for m in intersection.maneuvers if _TURNS.get(m.type.name) is query.maneuver]

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from chatscene.program.assemble import CLASSES
+from chatscene.simulate.embedded.roadside import crossing_step
 from chatscene.terms.episode import Array, Ending, Episode, Role, SignalTrack, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Action, Maneuver, Occluder, Place, Position, Side, Slots
@@ -309,23 +310,10 @@ def _paces(s: Seen) -> bool:
 
 def _runs_light(s: Seen) -> bool:
     return any(
-        (step := _crossing_step(s.track, signal)) is not None and signal.state[step] == "r"
+        (step := crossing_step(s.track, signal)) is not None and signal.state[step] == "r"
         for signal in s.signals
         if signal.role != "ego"
     )
-
-
-def _crossing_step(track: Track, line: SignalTrack) -> int | None:
-    """The first step at which a track crosses a stop line."""
-    px, py = track.x[:-1] - line.x0, track.y[:-1] - line.y0
-    qx, qy = track.x[1:] - line.x0, track.y[1:] - line.y0
-    lx, ly = line.x1 - line.x0, line.y1 - line.y0
-    before, after = lx * py - ly * px, lx * qy - ly * qx
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = before / (before - after)
-        hit = ((px + share * (qx - px)) * lx + (py + share * (qy - py)) * ly) / (lx * lx + ly * ly)
-    crossed = (before * after < 0) & (hit >= -0.1) & (hit <= 1.1)
-    return _first(crossed)
 
 
 def _turned(s: Seen) -> float:

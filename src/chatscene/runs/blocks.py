@@ -7,7 +7,7 @@ not at all, so that a kill at any moment loses at most the block in progress.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -266,20 +266,18 @@ def read_episode(run: Run, scene_id: str) -> Episode:
     Raises:
         RunError: The run has no scene of that id, or it was rejected and never driven.
     """
-    return read_episodes(run, [scene_id])[0]
+    return next(read_episodes(run, [scene_id]))
 
 
-def read_episodes(run: Run, scene_ids: list[str]) -> list[Episode]:
-    """The drives through some scenes, in the order asked for; see `read_episode`."""
+def read_episodes(run: Run, scene_ids: Iterable[str]) -> Iterator[Episode]:
+    """The drives through some scenes, in the order asked for, each read when it is asked for."""
     scenes = {row["scene_id"]: row for row in read_scenes(run)}
     events, signals = _by_scene(read_events(run)), _by_scene(read_signals(run))
-    episodes: list[Episode] = []
     for scene_id in scene_ids:
         scene = _driven(run, scene_id, scenes.get(scene_id))
         path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
         rows = read_table(path, scene_id=scene_id)
-        episodes.append(episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, [])))
-    return episodes
+        yield episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
 
 
 def _driven(run: Run, scene_id: str, scene: dict[str, Any] | None) -> dict[str, Any]:

@@ -44,8 +44,9 @@ class EgoRoute:
         maneuver: What it does.
     """
 
-    def __init__(self, route: Route, network: Any) -> None:
+    def __init__(self, route: Route, network: Any, count: int) -> None:
         self.route = route
+        self.count = count
         self.network = network
         self.line = route.line
         self.eventAt = route.event_at
@@ -116,7 +117,7 @@ def choose_route(network: Any, map_path: str, index: int, **query: Any) -> EgoRo
             f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
             f"ask for at most {len(routes)}"
         )
-    return EgoRoute(routes[index], network)
+    return EgoRoute(routes[index], network, len(routes))
 
 
 def line_of(path: EgoRoute | CrossingPath | Polyline) -> Polyline:

@@ -10,6 +10,7 @@ import numpy as np
 
 from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, controls
+from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
@@ -40,6 +41,7 @@ class EmbeddedBackend:
         self._settings = settings
         self._map_path = map_path
         self._stage = Stage(map_path)
+        self._lane_map: LaneMap | None = None
         self._surroundings: dict[str, RouteSurroundings] = {}
 
     def route(self, program: ScenicProgram, index: int) -> Route:
@@ -78,7 +80,9 @@ class EmbeddedBackend:
 
     def _around(self, route: Route) -> RouteSurroundings:
         if route.id not in self._surroundings:
-            self._surroundings[route.id] = RouteSurroundings(load_network(self._map_path), route)
+            network = load_network(self._map_path)
+            self._lane_map = self._lane_map or LaneMap(network)
+            self._surroundings[route.id] = RouteSurroundings(network, route, self._lane_map)
         return self._surroundings[route.id]
 
 

@@ -1,0 +1,92 @@
+"""What a viewer needs to draw a map from above, as plain numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from chatscene.maps.junctions import junction_signals
+
+Points = list[list[float]]
+SIMPLIFY = 0.02  # [m]; less than a pixel at any useful zoom
+
+
+def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[str, Any]:
+    """The part of a map inside a box, ready for JSON.
+
+    Args:
+        network: Scenic's road network.
+        box: West, south, east, north [m], map frame.
+
+    Returns:
+        Points are [x, y] in metres, rounded to 1 cm.
+
+        - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first;
+        - ``lane_boundaries``: ``{"kind": "solid" | "dashed" | "centre", "points": [...]}``, where ``centre``
+          parts opposite directions and ``solid`` is the edge of the carriageway;
+        - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``.
+    """
+    frame = shapely.box(*box)
+    return {
+        "roads": _polygons((road.polygons for road in network.roads), frame),
+        "junctions": _polygons((junction.polygons for junction in network.intersections), frame),
+        "shoulders": _polygons((shoulder.polygons for shoulder in network.shoulders), frame),
+        "sidewalks": _polygons((sidewalk.polygons for sidewalk in network.sidewalks), frame),
+        "lane_boundaries": [
+            {"kind": kind, "points": points}
+            for kind, line in _boundaries(network)
+            for points in _lines(line, frame)
+        ],
+        "stop_lines": [
+            {"control": line.control.value, "points": _rounded([(line.x0, line.y0), (line.x1, line.y1)])}
+            for junction in network.intersections
+            if frame.intersects(junction.polygons)
+            for line in junction_signals(network, junction.uid)
+            if line.control != "none" and frame.contains(shapely.Point(line.x0, line.y0))
+        ],
+    }
+
+
+def _boundaries(network: Any) -> Iterator[tuple[str, BaseGeometry]]:
+    """The kind and the line of each lane boundary outside junctions, once each."""
+    for road in network.roads:
+        for section in road.sections:
+            for lane in section.lanes:
+                left, right = lane._laneToLeft, lane._laneToRight
+                if left is None:
+                    yield "solid", _line(lane.leftEdge)
+                elif left.isForward == lane.isForward:
+                    yield "dashed", _line(lane.leftEdge)
+                elif lane.isForward:  # the opposite lane has the same line as its own left edge
+                    yield "centre", _line(lane.leftEdge)
+                if right is None:
+                    yield "solid", _line(lane.rightEdge)
+
+
+def _line(edge: Any) -> BaseGeometry:
+    return shapely.LineString(np.array(edge.points)[:, :2])
+
+
+def _polygons(areas: Iterable[BaseGeometry], frame: BaseGeometry) -> list[list[Points]]:
+    parts = [part for area in areas for part in _clipped(area, frame, "Polygon")]
+    return [[_rounded(ring.coords) for ring in (part.exterior, *part.interiors)] for part in parts]
+
+
+def _lines(line: BaseGeometry, frame: BaseGeometry) -> list[Points]:
+    return [_rounded(part.coords) for part in _clipped(line, frame, "LineString")]
+
+
+def _clipped(shape: BaseGeometry, frame: BaseGeometry, kind: str) -> list[Any]:
+    """The parts of a shape inside the frame that are of one kind; touching points and edges are left out."""
+    if not frame.intersects(shape):
+        return []
+    inside = shape.intersection(frame).simplify(SIMPLIFY)
+    return [part for part in shapely.get_parts(inside) if part.geom_type == kind and not part.is_empty]
+
+
+def _rounded(points: Iterable[Iterable[float]]) -> Points:
+    return [[round(float(x), 2) + 0.0, round(float(y), 2) + 0.0] for x, y, *_ in points]

@@ -1,0 +1,121 @@
+"""What a map offers, and what is wrong with it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.errors import MapError
+from chatscene.maps.junctions import junction_control
+from chatscene.maps.network import load_network
+from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
+from chatscene.terms.route import RouteQuery
+
+ROUTES = 10  # per base scenario, as in the paper (section 4.1)
+_SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MapDescription:
+    """What a map offers.
+
+    Attributes:
+        name: File name without suffix.
+        file: Where it lies.
+        roads: Roads outside junctions.
+        lanes: Driving lanes outside junctions.
+        lane_kilometres: Their length together [km].
+        sidewalks: Sidewalks along roads and round corners.
+        shoulders: Shoulders and parking strips.
+        junctions: How many junctions there are by arms and control, e.g. ``4-way signal``.
+        routes: How many routes each base scenario finds, ten being all that are asked for; where it is made of
+            several manoeuvres, all of them together, ten each.
+    """
+
+    name: str
+    file: str
+    roads: int
+    lanes: int
+    lane_kilometres: float
+    sidewalks: int
+    shoulders: int
+    junctions: dict[str, int]
+    routes: dict[str, int]
+
+
+def describe_map(path: Path) -> MapDescription:
+    """Count what a map offers.
+
+    Raises:
+        MapError: It cannot be loaded.
+    """
+    network = load_network(path)
+    lanes = [lane for road in network.roads for lane in road.lanes]
+    return MapDescription(
+        name=path.stem,
+        file=str(path),
+        roads=len(network.roads),
+        lanes=len(lanes),
+        lane_kilometres=round(sum(lane.centerline.length for lane in lanes) / 1000, 2),
+        sidewalks=len(network.sidewalks),
+        shoulders=len(network.shoulders),
+        junctions=_junctions(network),
+        routes={
+            base.value: sum(_count(network, path.stem, query) for query in queries)
+            for base, queries in BASE_SCENARIO_QUERIES.items()
+        },
+    )
+
+
+def check_map(path: Path) -> tuple[str, ...]:
+    """What is wrong with a map, in words; empty if nothing is.
+
+    That a map lacks some geometry is not a fault of the map; `describe_map` shows it.
+    """
+    try:
+        network = load_network(path)
+    except MapError as error:
+        return (str(error),)
+    problems = [*_dead_lanes(network), *_overlaps(network)]
+    if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
+        problems.append("no base scenario finds a route: every lane is too short, or none leads into a junction")
+    return tuple(problems)
+
+
+def _junctions(network: Any) -> dict[str, int]:
+    kinds = Counter(f"{len(j.roads)}-way {junction_control(j).value}" for j in network.intersections)
+    return dict(sorted(kinds.items()))
+
+
+def _count(network: Any, name: str, query: RouteQuery) -> int:
+    try:
+        return len(find_routes(network, name, query, ROUTES))
+    except MapError:
+        return 0
+
+
+def _dead_lanes(network: Any) -> list[str]:
+    """Lanes that reach a junction from which they lead nowhere."""
+    into = {lane.uid for junction in network.intersections for lane in junction.incomingLanes}
+    found: list[str] = []
+    for road in network.roads:
+        for group in (road.forwardLanes, road.backwardLanes):
+            if group is None or not any(lane.uid in into for lane in group.lanes):
+                continue
+            stuck = sorted(lane.uid for lane in group.lanes if lane.uid not in into and not lane.maneuvers)
+            found += [f"lane {uid} of road {road.id} ends at a junction without a way through it" for uid in stuck]
+    return found
+
+
+def _overlaps(network: Any) -> list[str]:
+    """Neighbouring lanes that lie on one another."""
+    found: list[str] = []
+    for road in network.roads:
+        for section in road.sections:
+            for a, b in zip(section.lanes, section.lanes[1:], strict=False):
+                shared = a.polygons.intersection(b.polygons).area
+                if shared > _SHARED * a.centerline.length:
+                    found.append(f"lanes {a.openDriveID} and {b.openDriveID} of road {road.id} overlap")
+    return found

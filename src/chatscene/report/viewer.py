@@ -1,0 +1,152 @@
+"""`report.html`: a run as one page that needs nothing but a browser."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from chatscene.report import sections
+from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
+from chatscene.runs import (
+    Run,
+    open_run,
+    read_drawing,
+    read_episodes,
+    read_explanation,
+    read_programs,
+    read_ranges,
+    read_record,
+    read_scenes,
+)
+from chatscene.runs.atomic import write_bytes
+
+REPLAY_BYTES = 1_900_000  # of tracks on one page; the page stays under 3 MB with its map
+
+_NOT_METRICS = frozenset(
+    "scene_id scenario_id route_id block seed status reason meaning_ok meaning_failures collision impact_speed "
+    "ego ending route_completion dt overall_score avoidable selected fill_in".split()
+)
+
+
+def write_report(folder: Path) -> Path:
+    """Write `report.html` into a run folder, finished or not.
+
+    Args:
+        folder: The run folder.
+
+    Returns:
+        The path of the page: one file, no requests, works from ``file://``.
+
+    Raises:
+        RunError: The folder is not a run, or cannot be read or written.
+    """
+    run = open_run(folder)
+    path = run.file("report.html")
+    write_bytes(path, _page(run).encode())
+    return path
+
+
+def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The driven scenes: selected ones first, then collisions, then by overall score, lowest first."""
+
+    def rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
+        score = row["overall_score"]
+        return not row["selected"], row["fill_in"], not row["collision"], 1.0 if score is None else score, row["scene_id"]
+
+    return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
+
+
+def _page(run: Run) -> str:
+    record, scenes, ranges = read_record(run), read_scenes(run), read_ranges(run)
+    order = ranked(scenes)
+    replays, boxes = _replays(run, order)
+    units = {row["parameter"]: row["unit"] for row in ranges}
+    content = {
+        "scenes": [_shown(row, replays[row["scene_id"]], units) for row in order if row["scene_id"] in replays],
+        "map": pack_drawing(read_drawing(run), boxes),
+    }
+    script, style = _asset("viewer.js"), _asset("viewer.css")
+    return _fill(
+        _asset("viewer.html"),
+        {
+            "title": escape(record.text.strip()),
+            "policy": _policy(script),
+            "style": style,
+            "script": script,
+            "content": json.dumps(content, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c"),
+            "heading": sections.heading(record),
+            "verdict": sections.verdict(scenes),
+            "left-out": _left_out(len(replays), len(order)),
+            "scenes": sections.scene_table(order, units, replays),
+            "understanding": sections.understanding(read_explanation(run)),
+            "programs": sections.programs(read_programs(run)),
+            "refinement": sections.refinement(ranges, scenes),
+            "rejections": sections.rejections(scenes),
+            "provenance": sections.provenance(record),
+        },
+    )
+
+
+def _replays(run: Run, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, dict[str, Any]], list[Box]]:
+    """Packed drives, best scenes first, until the page is full; and the part of the map that they need."""
+    packed: dict[str, dict[str, Any]] = {}
+    boxes: list[Box] = []
+    left = REPLAY_BYTES
+    for episode in read_episodes(run, [row["scene_id"] for row in order]):
+        drive = pack_episode(episode)
+        left -= size_of(drive)
+        if left < 0 and packed:
+            break
+        packed[episode.scene_id] = drive
+        boxes.append(extent(episode))
+    return packed, boxes
+
+
+def _shown(row: Mapping[str, Any], drive: dict[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
+    """What the replay shows of a scene beside its drive."""
+    return {
+        "id": row["scene_id"],
+        "label": sections.scene_label(row["scene_id"]),
+        "route": f"{row['scenario_id']}/{row['route_id']}",
+        "ending": row["ending"],
+        "collision": row["collision"],
+        "impact": row["impact_speed"],
+        "kept": row["selected"],
+        "metrics": {
+            name.replace("_", " "): round(value, 3)
+            for name, value in row.items()
+            if name not in _NOT_METRICS and name not in units and isinstance(value, float) and value == value
+        },
+        "drive": drive,
+    }
+
+
+def _left_out(shown: int, driven: int) -> str:
+    if shown == driven:
+        return ""
+    return (
+        f'<p class="quiet">To keep this page small, {shown} of {driven} scenes have a replay here: the kept ones and '
+        "the best after them. The tracks of all are in <code>episodes/</code>.</p>"
+    )
+
+
+def _policy(script: str) -> str:
+    """Content security policy: this one script, inline styles, nothing from anywhere else."""
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    return f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:"
+
+
+def _asset(name: str) -> str:
+    return files("chatscene.report").joinpath(name).read_text(encoding="utf-8")
+
+
+def _fill(template: str, values: Mapping[str, str]) -> str:
+    """Replace each ``{{name}}`` once; what is put in is not looked at again."""
+    return re.sub(r"\{\{([a-z-]+)\}\}", lambda match: values[match[1]], template)

@@ -1,0 +1,50 @@
+#: description = "The car enters the intersection and suddenly brakes."
+#: rephrasings = [
+#:   "A vehicle drives into the junction and slams on the brakes.",
+#:   "The adversary decelerates hard in the middle of the crossroads.",
+#:   "The other driver brakes without warning when the ego expects it to go.",
+#:   "The approaching car performs an emergency stop inside the intersection.",
+#:   "Instead of clearing the junction, the car loses speed abruptly.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advEntry", "advTrajectory", "ego"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
+#: [slots]
+#: actions = ["brake"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it sets off"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 6.0
+#: high = 11.0
+#: unit = "m/s"
+#: meaning = "how fast it approaches"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.4
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+#: [[parameters]]
+#: name = "OPT_BRAKE_DISTANCE"
+#: low = 0.0
+#: high = 8.0
+#: unit = "m"
+#: meaning = "how far into the intersection it brakes"
+
+param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_SPEED = Range(6, 11)
+param OPT_BRAKE = Range(0.4, 1)
+param OPT_BRAKE_DISTANCE = Range(0, 8)
+
+advTurn = "straight"
+
+behavior AdvBehavior():
+    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -globalParameters.OPT_BRAKE_DISTANCE
+    do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE)

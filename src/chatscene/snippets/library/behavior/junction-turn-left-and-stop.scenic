@@ -1,0 +1,43 @@
+#: description = "The car turns left across the ego's way and stops in the intersection."
+#: rephrasings = [
+#:   "A vehicle swings left through the junction and comes to a halt before the ego.",
+#:   "The adversary makes a left turn and then stands still, causing a near collision.",
+#:   "The other driver turns to the left in front of the ego and freezes.",
+#:   "Turning left, the car stalls in the middle of the crossroads.",
+#:   "The left-turning vehicle stops short and blocks the ego.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advEntry", "advTrajectory", "ego", "egoRoute"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
+#: [slots]
+#: actions = ["turn-left", "stop"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it sets off"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 4.0
+#: high = 9.0
+#: unit = "m/s"
+#: meaning = "how fast it turns"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.0
+#: high = 2.0
+#: unit = "m"
+#: meaning = "how far from the ego's line it comes to rest"
+
+param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_SPEED = Range(4, 9)
+param OPT_STOP_DISTANCE = Range(0, 2)
+
+advTurn = "left-turn"
+
+behavior AdvBehavior():
+    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -4 and restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do BrakeOnPath(advTrajectory)

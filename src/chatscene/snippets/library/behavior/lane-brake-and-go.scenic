@@ -1,0 +1,48 @@
+#: description = "The car brakes suddenly and then drives off again."
+#: rephrasings = [
+#:   "A vehicle decelerates hard for a moment and afterwards picks up speed.",
+#:   "The adversary brake-checks the ego and accelerates away.",
+#:   "The car next to the ego slows sharply, then resumes its pace.",
+#:   "The driver stamps on the brake and shortly after on the gas.",
+#:   "The motorbike dabs the brakes violently and pulls away once more.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: actions = ["brake", "accelerate"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 25.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.4
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+#: [[parameters]]
+#: name = "OPT_BRAKE_TIME"
+#: low = 0.7
+#: high = 1.6
+#: unit = "s"
+#: meaning = "for how long"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 7.0
+#: high = 12.0
+#: unit = "m/s"
+#: meaning = "how fast it drives afterwards"
+
+param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_BRAKE = Range(0.4, 1)
+param OPT_BRAKE_TIME = Range(0.7, 1.6)
+param OPT_ADV_SPEED = Range(7, 12)
+
+behavior AdvBehavior():
+    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE) for globalParameters.OPT_BRAKE_TIME seconds
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)

@@ -1,0 +1,43 @@
+#: description = "The car approaches at a normal speed and makes a last-second right turn."
+#: rephrasings = [
+#:   "A vehicle comes on as if to go straight and abruptly swings to the right.",
+#:   "The adversary decides at the final moment to turn right.",
+#:   "The other driver yanks the wheel to the right in the middle of the junction.",
+#:   "Late and without signalling, the car turns off to its right.",
+#:   "The approaching vehicle suddenly hooks right into the road the ego is taking.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advEntry", "advTrajectory", "ego"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
+#: [slots]
+#: actions = ["turn-right"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it sets off"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 5.0
+#: high = 10.0
+#: unit = "m/s"
+#: meaning = "how fast it approaches"
+#: [[parameters]]
+#: name = "OPT_SWERVE_DISTANCE"
+#: low = 0.0
+#: high = 8.0
+#: unit = "m"
+#: meaning = "how far into the intersection it turns"
+
+param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_SPEED = Range(5, 10)
+param OPT_SWERVE_DISTANCE = Range(0, 8)
+
+advTurn = "straight"
+
+behavior AdvBehavior():
+    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -globalParameters.OPT_SWERVE_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, -1.5708)

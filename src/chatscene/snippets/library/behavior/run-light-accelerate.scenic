@@ -1,0 +1,43 @@
+#: description = "The crossing vehicle runs the red light and unexpectedly accelerates."
+#: rephrasings = [
+#:   "A car ignores the red signal and speeds up into the junction.",
+#:   "The adversary jumps the lights, foot to the floor.",
+#:   "Cross traffic shoots over the stop line on red, gaining speed.",
+#:   "The other driver disregards the signal and surges across.",
+#:   "Against the red light a car rushes through faster and faster.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advTrajectory", "ego"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "base scenario red-light-running; own code"
+#: [slots]
+#: actions = ["run-light", "accelerate"]
+#: control = "signal"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it accelerates"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 1.5
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it approaches"
+#: [[parameters]]
+#: name = "OPT_THROTTLE"
+#: low = 0.5
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how far the pedal is pressed"
+
+param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_SPEED = Range(1.5, 4)
+param OPT_THROTTLE = Range(0.5, 1)
+
+advTurn = "straight"
+
+behavior AdvBehavior():
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE)

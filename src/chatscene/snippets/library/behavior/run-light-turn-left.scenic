@@ -1,0 +1,36 @@
+#: description = "The vehicle runs the red light and makes an abrupt left turn."
+#: rephrasings = [
+#:   "A car ignores the signal and swings sharply to the left inside the junction.",
+#:   "Jumping the lights, the adversary turns left in front of the ego.",
+#:   "The other driver crosses on red and suddenly cuts left.",
+#:   "Against the red a vehicle enters and hauls the wheel over to the left.",
+#:   "The motorcyclist disregards the lights and sweeps round leftward.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advTrajectory", "ego"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "base scenario red-light-running; own code"
+#: [slots]
+#: actions = ["run-light", "turn-left"]
+#: control = "signal"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it sets off"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 5.0
+#: high = 10.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+
+param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_SPEED = Range(5, 10)
+
+advTurn = "left-turn"
+
+behavior AdvBehavior():
+    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)

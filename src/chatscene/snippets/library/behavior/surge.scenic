@@ -1,0 +1,49 @@
+#: description = "The car speeds up and slows down by turns."
+#: rephrasings = [
+#:   "A vehicle alternates between throttle and brake.",
+#:   "The adversary's pace rises and falls erratically.",
+#:   "The driver accelerates, brakes, and accelerates once more without reason.",
+#:   "The car next to the ego keeps changing its speed unpredictably.",
+#:   "The motorbike lunges forward and checks itself again and again.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: actions = ["accelerate", "brake"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 25.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_THROTTLE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how far the pedal is pressed"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.35
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+#: [[parameters]]
+#: name = "OPT_ADV_PERIOD"
+#: low = 1.2
+#: high = 2.2
+#: unit = "s"
+#: meaning = "how long each phase lasts"
+
+param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_THROTTLE = Range(0.6, 1)
+param OPT_BRAKE = Range(0.35, 1)
+param OPT_ADV_PERIOD = Range(1.2, 2.2)
+
+behavior AdvBehavior():
+    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    while True:
+        do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE) for 0.6 * globalParameters.OPT_ADV_PERIOD seconds
+        do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_ADV_PERIOD seconds

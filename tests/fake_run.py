@@ -1,0 +1,399 @@
+"""A run made by hand: an ego drives straight, a pedestrian steps out from behind a bus stop. No simulator."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from chatscene.runs import (
+    Run,
+    create,
+    explain,
+    finish,
+    write_block,
+    write_drawing,
+    write_explanation,
+    write_program,
+)
+from chatscene.search.explore import Block, Ran
+from chatscene.settings import SearchSettings, Settings
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    BaseScenario,
+    Component,
+    Occluder,
+    Position,
+    Scenario,
+    Side,
+    Slots,
+    SubDescriptions,
+)
+from chatscene.terms.scene import Rejected, Scene
+from chatscene.terms.snippet import Match, ParameterRange, Retrieval, RuledOut, Snippet
+
+SCENARIO = "pedestrian-bus-stop-1f2e"
+TEXT = "A pedestrian steps out from behind a bus stop on the right and freezes in front of us."
+DECLARED = (
+    ParameterRange(name="OPT_ADV_SPEED", low=0.8, high=3.5, unit="m/s", meaning="walking speed"),
+    ParameterRange(name="OPT_ADV_DISTANCE", low=8.0, high=40.0, unit="m", meaning="gap at which it starts"),
+    ParameterRange(name="OPT_GEO_Y", low=30.0, high=55.0, unit="m", meaning="distance ahead of the ego"),
+)
+PROGRAM = '''"""A pedestrian steps out from behind a bus stop."""
+model chatscene.world.model
+
+param OPT_ADV_SPEED = Range(0.8, 3.5)  # [m/s] walking speed
+param OPT_ADV_DISTANCE = Range(8, 40)
+param OPT_GEO_Y = Range(30, 55)
+AdvClass = Pedestrian
+
+behavior AdvBehavior():
+    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 0.5
+    do Halt()
+
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at startOf(egoRoute), with route egoRoute
+AdvAgent = new AdvClass at pointOn(egoRoute, globalParameters.OPT_GEO_Y, -6), with behavior AdvBehavior()
+'''
+DT = 0.1
+
+
+def scene(index: int, values: dict[str, float], *, route: int = 0, block: int = 0, attempt: int = 0) -> Scene:
+    suffix = f".{attempt}" if attempt else ""
+    return Scene(
+        id=f"{SCENARIO}/route-{route:02d}/scene-{index:03d}{suffix}",
+        scenario_id=SCENARIO,
+        route=route,
+        block=block,
+        seed=1000 * route + index,
+        values=values,
+    )
+
+
+def drive(concrete: Scene, steps: int = 100) -> Episode:
+    """The ego at 9 m/s brakes late for a pedestrian that starts when it is near."""
+    walking, gap, ahead = (concrete.values[p.name] for p in DECLARED)
+    ego = _ego_and_walker(walking, gap, ahead, steps)
+    x, speed, walker, crash = ego
+    count = len(x)
+    constant = np.full(count, -1.75)
+    tracks = (
+        _track("ego", Role.EGO, "Car", x, constant, np.zeros(count), speed, 4.9, 2.1),
+        _track(
+            "adversary",
+            Role.ADVERSARY,
+            "Pedestrian",
+            np.full(count, ahead),
+            walker,
+            np.full(count, math.pi / 2),
+            np.diff(walker, prepend=walker[:1]) / DT,
+            0.6,
+            0.6,
+        ),
+        _track(
+            "bus-stop",
+            Role.OCCLUDER,
+            "BusStop",
+            np.full(count, ahead - 4),
+            np.full(count, -5.0),
+            np.zeros(count),
+            np.zeros(count),
+            3.6,
+            1.4,
+        ),
+        _track(
+            "oncoming",
+            Role.BACKGROUND,
+            "Truck",
+            95 - 8 * DT * np.arange(count),
+            np.full(count, 1.75),
+            np.full(count, math.pi),
+            np.full(count, 8.0),
+            7.5,
+            2.4,
+        ),
+    )
+    events = (
+        Event(kind=EventKind.LANE_INVASION, step=6, other="broken"),
+        *(
+            [
+                Event(
+                    kind=EventKind.COLLISION,
+                    step=count - 1,
+                    other="adversary",
+                    side="front",
+                    impact_speed=float(speed[-1]),
+                )
+            ]
+            if crash
+            else []
+        ),
+    )
+    state = "g" * min(count, 45) + "y" * min(max(count - 45, 0), 15) + "r" * max(count - 60, 0)
+    return Episode(
+        scene_id=concrete.id,
+        ego="rule-based",
+        dt=DT,
+        tracks=tracks,
+        events=events,
+        signals=(
+            SignalTrack(x0=78, y0=-3.5, x1=78, y1=0, state=state, role="ego"),
+            SignalTrack(x0=92, y0=3.5, x1=92, y1=0, state=state, role="other"),
+        ),
+        ending=Ending.COLLISION if crash else Ending.TIMEOUT,
+        route_completion=float(x[-1] / 100),
+        distance_to_route=np.abs(0.05 * np.sin(0.1 * np.arange(count))),
+        off_road=np.arange(count) == 3,
+    )
+
+
+def _ego_and_walker(walking: float, gap: float, ahead: float, steps: int) -> tuple[Any, Any, Any, bool]:
+    x, v, y = [0.0], [9.0], [-6.0]
+    for _ in range(steps):
+        near = ahead - x[-1]
+        moving = near < gap and y[-1] < -1.6
+        y.append(y[-1] + (walking * DT if moving else 0.0))
+        braking = y[-1] > -4.0 and near > 0
+        v.append(max(v[-1] - (5.5 * DT if braking else 0.0), 0.0))
+        x.append(x[-1] + v[-1] * DT)
+        if abs(ahead - x[-1]) < 2.75 and abs(y[-1] + 1.75) < 1.35 and v[-1] > 0:
+            return np.array(x), np.array(v), np.array(y), True
+    return np.array(x), np.array(v), np.array(y), False
+
+
+def _track(
+    actor: str, role: Role, kind: str, x: Any, y: Any, heading: Any, speed: Any, length: float, width: float
+) -> Track:
+    return Track(
+        actor=actor, role=role, kind=kind, length=length, width=width, x=x, y=y, heading=heading, speed=speed
+    )
+
+
+def metrics(episode: Episode) -> dict[str, float]:
+    """Names and magnitudes like those of the real ones."""
+    crash = episode.collision is not None
+    return {
+        "collision_rate": float(crash),
+        "off_road": 0.01,
+        "route_following": 0.98,
+        "completion": episode.route_completion,
+        "acceleration": 0.2,
+        "overall_score": round((0.45 if crash else 0.85) + 0.1 * episode.route_completion, 4),
+    }
+
+
+def block(
+    number: int,
+    ranges: tuple[ParameterRange, ...] = DECLARED,
+    *,
+    route: int = 0,
+    scenes: int = 10,
+    steps: int = 100,
+) -> Block:
+    """A block of driven scenes and one rejected draw."""
+    rng = np.random.default_rng([route, number])
+    ran: list[Ran] = []
+    for index in range(number * scenes, (number + 1) * scenes):
+        concrete = scene(index, _drawn(ranges, rng), route=route, block=number)
+        episode = drive(concrete, steps)
+        meaning = () if index % 7 else ("cross: the adversary stays 2.1 m beside the ego's path",)
+        ran.append(Ran(scene=concrete, episode=episode, metrics=metrics(episode), meaning=meaning))
+    refused = scene(number * scenes, _drawn(ranges, rng), route=route, block=number, attempt=1)
+    rejected = (Rejected(scene=refused, reason="bus-stop overlaps adversary"),)
+    return Block(
+        scenario_id=SCENARIO, route=route, number=number, ranges=ranges, ran=tuple(ran), rejected=rejected
+    )
+
+
+def _drawn(ranges: tuple[ParameterRange, ...], rng: np.random.Generator) -> dict[str, float]:
+    return {p.name: round(float(rng.uniform(p.low, p.high)), 4) for p in ranges}
+
+
+def blocks(count: int = 5, *, route: int = 0, scenes: int = 10, steps: int = 100) -> list[Block]:
+    """Blocks whose ranges move toward what collided, as the search does."""
+    ranges, hits, done = DECLARED, list[dict[str, float]](), list[Block]()
+    for number in range(count):
+        done.append(block(number, ranges, route=route, scenes=scenes, steps=steps))
+        hits += [dict(r.scene.values) for r in done[-1].ran if r.episode.collision]
+        if hits:
+            ranges = tuple(_toward(p, [values[p.name] for values in hits]) for p in DECLARED)
+    return done
+
+
+def _toward(declared: ParameterRange, values: list[float]) -> ParameterRange:
+    mean, spread = float(np.mean(values)), float(np.std(values))
+    return ParameterRange(
+        name=declared.name,
+        low=declared.clip(mean - spread),
+        high=declared.clip(mean + spread),
+        unit=declared.unit,
+        meaning=declared.meaning,
+    )
+
+
+def drawing() -> dict[str, Any]:
+    """A straight road with sidewalks that meets another at x = 85."""
+
+    def box(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:
+        return [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+
+    return {
+        "roads": [
+            box(-60, -3.5, 80, 3.5),
+            box(90, -3.5, 200, 3.5),
+            box(81.5, -80, 88.5, -5),
+            box(81.5, 5, 88.5, 80),
+        ],
+        "junctions": [
+            [[78, -3.5], [81.5, -6], [88.5, -6], [92, -3.5], [92, 3.5], [88.5, 6], [81.5, 6], [78, 3.5]]
+        ],
+        "sidewalks": [
+            box(-60, -6.5, 78, -4),
+            box(-60, 4, 78, 6.5),
+            box(92, -6.5, 200, -4),
+            box(92, 4, 200, 6.5),
+        ],
+        "lane_lines": [
+            {"points": [[-60, 0], [78, 0]], "style": "centre"},
+            {"points": [[92, 0], [200, 0]], "style": "centre"},
+            {"points": [[-60, -3.5], [78, -3.5]], "style": "solid"},
+            {"points": [[-60, 3.5], [78, 3.5]], "style": "solid"},
+            {"points": [[85, -80], [85, -6]], "style": "dashed"},
+            {"points": [[85, 6], [85, 80]], "style": "dashed"},
+        ],
+        "stop_lines": [[[78, -3.5], [78, 0]], [[92, 0], [92, 3.5]]],
+        "routes": {f"{SCENARIO}/route-00": [[0, -1.75], [100, -1.75]]},
+    }
+
+
+def _snippet(component: Component, name: str, description: str) -> Snippet:
+    return Snippet(
+        id=f"{component.value}/{name}",
+        component=component,
+        description=description,
+        rephrasings=(),
+        slots=Slots(),
+    )
+
+
+def _match(component: Component, name: str, description: str, similarity: float, *conflicts: str) -> Match:
+    return Match(
+        snippet=_snippet(component, name, description),
+        similarity=similarity,
+        agreement=0.5 if conflicts else 1.0,
+        score=similarity * (0.75 if conflicts else 1.0),
+        nearest=description,
+        conflicts=conflicts,
+    )
+
+
+def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
+    scenario = Scenario(
+        id=SCENARIO,
+        text=text,
+        base=BaseScenario.STRAIGHT_OBSTACLE,
+        parts=SubDescriptions(
+            behavior="steps out and freezes in front of the ego",
+            geometry="a straight road",
+            spawn="behind a bus stop on the right",
+        ),
+        slots=Slots(
+            adversary=AdversaryKind.PEDESTRIAN,
+            actions=(Action.CROSS, Action.STOP),
+            side=Side.RIGHT,
+            position=Position.ROADSIDE,
+            occluder=Occluder.BUS_STOP,
+        ),
+        notes=("no place was said; a straight road is assumed",),
+    )
+    candidates = {
+        Component.BEHAVIOR: (
+            _match(
+                Component.BEHAVIOR, "cross-and-stop", "Crosses the road and stops in the ego's lane.", 0.83
+            ),
+            _match(
+                Component.BEHAVIOR,
+                "cross-hesitate",
+                "Starts to cross, pauses, goes on.",
+                0.71,
+                "actions: said stop, does hesitate",
+            ),
+            _match(Component.BEHAVIOR, "cross", "Crosses the road at a constant speed.", 0.66),
+        ),
+        Component.GEOMETRY: (
+            _match(Component.GEOMETRY, "straight-road", "A straight road.", 0.94),
+            _match(
+                Component.GEOMETRY, "straight-two-lanes", "A straight road with two lanes each way.", 0.78
+            ),
+        ),
+        Component.SPAWN: (
+            _match(Component.SPAWN, "behind-bus-stop-right", "Behind a bus stop on the right.", 0.97),
+            _match(
+                Component.SPAWN,
+                "behind-bus-stop-left",
+                "Behind a bus stop on the left.",
+                0.93,
+                "side: said right, does left",
+            ),
+        ),
+    }
+    retrieval = Retrieval(
+        behavior=candidates[Component.BEHAVIOR][0],
+        geometry=candidates[Component.GEOMETRY][0],
+        spawn=candidates[Component.SPAWN][0],
+        adversary=AdversaryKind.PEDESTRIAN,
+        confidence=0.86,
+        candidates=candidates,
+        ruled_out=(
+            RuledOut(
+                snippet_id="behavior/emerge-and-freeze",
+                reason="needs advTrajectory, which no spawn here provides",
+            ),
+        ),
+    )
+    return scenario, retrieval
+
+
+def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: int = 1) -> Run:
+    """A run folder up to the first block."""
+    settings = Settings(search=SearchSettings(seed=7, routes=routes))
+    run = create(folder, text=text, settings=settings, map_name="town", ego="rule-based", given={"seed": 7})
+    write_explanation(run, explain(text, [understanding(text)]))
+    write_program(run, SCENARIO, program)
+    write_drawing(run, drawing())
+    return run
+
+
+def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
+    """Collisions first, lowest overall score; True marks a fill-in."""
+    ran = sorted(
+        (r for b in done for r in b.ran),
+        key=lambda r: (r.episode.collision is None, r.metrics["overall_score"], r.scene.id),
+    )
+    return {r.scene.id: r.episode.collision is None for r in ran[:keep]}
+
+
+def finished(
+    folder: Path,
+    *,
+    text: str = TEXT,
+    program: str = PROGRAM,
+    count: int = 5,
+    routes: int = 1,
+    steps: int = 100,
+) -> Run:
+    """A whole run folder."""
+    run = started(folder, text=text, program=program, routes=routes)
+    selected: dict[str, bool] = {}
+    for route in range(routes):
+        done = blocks(count, route=route, steps=steps)
+        for one in done:
+            write_block(run, one)
+        selected |= selection(done)
+    finish(run, selected=selected, timings={"understand": 0.4, "search": 11.2, "jobs": 2})
+    return run
