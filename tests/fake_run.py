@@ -158,8 +158,8 @@ def _ego_and_walker(walking: float, gap: float, ahead: float, steps: int) -> tup
         near = ahead - x[-1]
         moving = near < gap and y[-1] < -1.6
         y.append(y[-1] + (walking * DT if moving else 0.0))
-        braking = y[-1] > -4.0 and near > 0
-        v.append(max(v[-1] - (5.5 * DT if braking else 0.0), 0.0))
+        braking = y[-1] > -3.2 and near > 0
+        v.append(max(v[-1] - (3.5 * DT if braking else 0.0), 0.0))
         x.append(x[-1] + v[-1] * DT)
         if abs(ahead - x[-1]) < 2.75 and abs(y[-1] + 1.75) < 1.35 and v[-1] > 0:
             return np.array(x), np.array(v), np.array(y), True
@@ -226,7 +226,7 @@ def blocks(count: int = 5, *, route: int = 0, scenes: int = 10, steps: int = 100
 
 
 def _toward(declared: ParameterRange, values: list[float]) -> ParameterRange:
-    mean, spread = float(np.mean(values)), float(np.std(values))
+    mean, spread = float(np.mean(values)), max(float(np.std(values)), 0.05 * (declared.high - declared.low))
     return ParameterRange(
         name=declared.name,
         low=declared.clip(mean - spread),

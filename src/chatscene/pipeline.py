@@ -1,32 +1,44 @@
 """The whole method on one screen: one call per step.
 
-Paper: figure 1. Steps 1 (describe) and 9 (finetune) are commands of their own.
+Paper: figure 1. Steps 1 (describe), 8 (evaluate) and 9 (finetune) are commands of their own.
 """
 
 from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+
+from chatscene import runs
 from chatscene.agent.decompose import decompose
 from chatscene.ego.policy import load_ego
-from chatscene.maps.network import resolve_map
+from chatscene.errors import ChatSceneError, Diverged, NothingFits
+from chatscene.evaluate.score import wilson
+from chatscene.maps.drawing import map_drawing
+from chatscene.maps.network import load_network, resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check
-from chatscene.search.select import select
+from chatscene.report.animation import write_gif
+from chatscene.report.viewer import write_report
+from chatscene.search.select import Candidate, select
 from chatscene.settings import Settings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.backend import Backend, load_backend
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.retrieve import retrieve
+from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scenario import Scenario
-from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import Retrieval
+from chatscene.workers import Work, run_blocks
 
 Progress = Callable[[str, int, int], None]
+MARGIN = 60.0  # [m] of map drawn around the routes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,6 +48,52 @@ class Understood:
     scenario: Scenario
     retrieval: Retrieval
     program: ScenicProgram
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script: the explanation, and the program's text."""
+        explanation = runs.explain(self.scenario.text, [(self.scenario, self.retrieval)])
+        return {**explanation, "program": self.program.source}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Summary:
+    """What a run came to."""
+
+    counts: Mapping[str, int]
+    seconds: float
+
+    def in_words(self) -> str:
+        """One line for a person."""
+        ran, collided = self.counts["ran"], self.counts["collided"]
+        low, high = wilson(collided, ran)
+        rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
+        fill_in = f" ({self.counts['fill_in']} without a collision)" if self.counts["fill_in"] else ""
+        return (
+            f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
+            f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
+            f"{self.counts['selected']} kept{fill_in}"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Replayed:
+    """A scene simulated again; `difference` is empty if every number is the same."""
+
+    scene_id: str
+    difference: str
+
+    @property
+    def identical(self) -> bool:
+        """Whether the tracks are the same, bit for bit."""
+        return not self.difference
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {"scene_id": self.scene_id, "identical": self.identical, "difference": self.difference}
+
+    def in_words(self) -> str:
+        """One line for a person."""
+        return f"{self.scene_id}: " + (f"differs: {self.difference}" if self.difference else "identical")
 
 
 def understand(text: str, settings: Settings | None = None) -> Understood:
@@ -50,3 +108,189 @@ def understand(text: str, settings: Settings | None = None) -> Understood:
     retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
     program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
     return Understood(scenario=scenario, retrieval=retrieval, program=program)
+
+
+def run(
+    text: str,
+    folder: Path,
+    *,
+    settings: Settings | None = None,
+    map_name: str = "town",
+    ego_name: str = "rule-based",
+    jobs: int = 1,
+    progress: Progress | None = None,
+) -> Summary:
+    """Steps 2 to 7 and the report, into a new run folder.
+
+    Raises:
+        NothingFits: The library cannot serve the sentence; the folder says why.
+        ChatSceneError: Anything else that went wrong; the folder can be resumed.
+    """
+    settings = settings or Settings()
+    decompose(text)  # an empty text leaves no folder behind
+    resolve_map(map_name)
+    load_ego(ego_name)
+    kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name)
+    return _carry_on(kept, jobs, progress or _silent)
+
+
+def resume(folder: Path, *, jobs: int = 1, progress: Progress | None = None) -> Summary:
+    """Go on with a run that was killed or failed; the result is that of an uninterrupted one.
+
+    Raises:
+        RunError: There is no run in the folder.
+    """
+    return _carry_on(runs.open_run(folder), jobs, progress or _silent)
+
+
+def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
+    began = time.monotonic()
+    try:
+        _search(run, jobs, progress)
+        _report(run, progress)
+    except NothingFits as error:
+        runs.update(run, status=runs.Status.REFUSED, reason=str(error))
+        raise
+    except ChatSceneError as error:
+        runs.update(run, status=runs.Status.FAILED, reason=str(error))
+        raise
+    record = runs.update(run, timings={"total": time.monotonic() - began})
+    return Summary(counts=record.counts, seconds=record.timings["total"])
+
+
+def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
+    """Steps 2 to 7."""
+    record = runs.read_record(run)
+    if record.status is runs.Status.DONE:
+        return
+    done = runs.resume(run)
+    settings = runs.settings_of(record)
+    map_path = resolve_map(record.map_name)
+
+    progress("understanding the sentence", 0, 0)
+    scenario = decompose(record.text)
+    runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
+    retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
+    runs.write_explanation(run, runs.explain(record.text, [(scenario, retrieval)]))
+    program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
+    runs.write_program(run, scenario.id, program.source)
+
+    progress("checking that the program means it", 0, 0)
+    backend = load_backend("embedded", map_path, settings.simulation)
+    check(program, scenario.slots, backend, load_ego(record.ego))
+    routes = range(min(settings.search.routes, backend.routes(program)))
+    runs.write_drawing(run, _drawing(map_path, backend, program, routes))
+
+    work = Work(
+        folder=run.path,
+        program=program,
+        slots=scenario.slots,
+        map_path=map_path,
+        ego=record.ego,
+        settings=settings,
+    )
+    before = {route: done.get((scenario.id, route), []) for route in routes}
+    already = sum(map(len, before.values()))
+    total = len(routes) * work.blocks()
+    run_blocks(work, before, jobs=jobs, on_block=lambda n: progress("searching, blocks", already + n, total))
+    runs.finish(run, selected=_selected(run, settings.search.keep))
+
+
+def _selected(run: runs.Run, keep: int) -> dict[str, bool]:
+    """Step 7 for every scenario and route: scene id to whether it is a fill-in."""
+    jobs: dict[tuple[str, str], list[Candidate]] = {}
+    for row in runs.read_scenes(run):
+        if row["status"] == "ran":
+            candidate = Candidate(
+                scene_id=row["scene_id"], collided=row["collision"], overall_score=row["overall_score"]
+            )
+            jobs.setdefault((row["scenario_id"], row["route_id"]), []).append(candidate)
+    return {s.scene_id: s.fill_in for candidates in jobs.values() for s in select(candidates, count=keep)}
+
+
+def _drawing(map_path: Path, backend: Backend, program: ScenicProgram, routes: range) -> dict[str, Any]:
+    """The map around the routes."""
+    points = np.concatenate([backend.route(program, route).line.points for route in routes])
+    (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
+    return map_drawing(load_network(map_path), (float(x0), float(y0), float(x1), float(y1)))
+
+
+def _report(run: runs.Run, progress: Progress) -> None:
+    progress("writing the report", 0, 0)
+    write_report(run.path)
+    best = best_scene(run)
+    if best is not None:
+        write_gif(run.path, best)
+
+
+def best_scene(run: runs.Run) -> str | None:
+    """The scene most worth looking at: a collision that means what was said, with the lowest overall score."""
+    rows = [row for row in runs.read_scenes(run) if row["status"] == "ran"]
+    rows.sort(key=lambda r: (not r["collision"], not r["meaning_ok"], r["overall_score"], r["scene_id"]))
+    return rows[0]["scene_id"] if rows else None
+
+
+def replay(folder: Path, scene_id: str) -> Replayed:
+    """Simulate a scene of a run again from its stored values, and compare every number of every track.
+
+    Raises:
+        RunError: The run has no such scene, or it was never driven.
+    """
+    run = runs.open_run(folder)
+    record = runs.read_record(run)
+    stored = runs.read_episode(run, scene_id)
+    row = next(row for row in runs.read_scenes(run) if row["scene_id"] == scene_id)
+    scenario = decompose(record.text)
+    settings = runs.settings_of(record)
+    retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
+    program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
+    kept = runs.read_programs(run)[scenario.id]
+    if kept != program.source:
+        raise Diverged(
+            f"the library has changed since {folder} was made: it now makes another program of the sentence; "
+            "install the version of chatscene that run.json names"
+        )
+    scene = Scene(
+        id=scene_id,
+        scenario_id=scenario.id,
+        route=int(row["route_id"].rpartition("-")[2]),
+        block=row["block"],
+        seed=row["seed"],
+        values={p.name: row[p.name] for p in program.parameters},
+    )
+    backend = load_backend("embedded", resolve_map(record.map_name), settings.simulation)
+    again = backend.run(program, scene, load_ego(record.ego))
+    return Replayed(scene_id=scene_id, difference=_difference(stored, again))
+
+
+def _difference(stored: Episode, again: Episode | Rejected) -> str:
+    """Where two episodes first differ, in words; empty if nowhere."""
+    if isinstance(again, Rejected):
+        return f"it is now rejected: {again.reason}"
+    for old, new in zip(stored.tracks, again.tracks, strict=False):
+        if (problem := _track_difference(old, new)) is not None:
+            return f"{old.actor}: {problem}"
+    if len(stored.tracks) != len(again.tracks):
+        return f"{len(stored.tracks)} actors then, {len(again.tracks)} now"
+    return "" if stored.events == again.events else "the events differ"
+
+
+def _track_difference(old: Track, new: Track) -> str | None:
+    if (old.actor, old.kind, len(old.x)) != (new.actor, new.kind, len(new.x)):
+        return f"{old.kind} for {len(old.x)} steps then, {new.actor}, {new.kind} for {len(new.x)} steps now"
+    for name in ("x", "y", "heading", "speed"):
+        changed = np.flatnonzero(getattr(old, name) != getattr(new, name))
+        if changed.size:
+            return f"{name} from step {int(changed[0])} on"
+    return None
+
+
+def free_folder(parent: Path, text: str) -> Path:
+    """A folder name made from a sentence that is not taken yet."""
+    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:6]) or "run"
+    taken = (parent / f"{stem}-{n}" if n > 1 else parent / stem for n in range(1, 10_000))
+    return next(folder for folder in taken if not folder.exists())
+
+
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass

@@ -56,13 +56,13 @@ def verdict(scenes: Sequence[Row]) -> str:
     low, high = wilson(hits, len(ran))
     fastest = max((row["impact_speed"] or 0.0 for row in ran), default=0.0)
     tiles = [
-        (f"{hits / len(ran):.0%}", "of scenes collide", f"{hits} of {len(ran)}; 95 % interval {low:.0%} to {high:.0%}"),
-        (f"{fastest:.1f}", "m/s worst impact", "highest speed of approach at contact" if hits else "nothing collided"),
+        (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
+        (f"{fastest:.1f} m/s", "hardest impact", "speed of approach at contact" if hits else "nothing collided"),
         (f"{kept}", "scenes kept", f"{fill_ins} of them without a collision" if fill_ins else "collision first, then lowest score"),
         (f"{len(scenes) - len(ran)}", "draws rejected", f"of {len(scenes)}; the reasons are below"),
     ]
     cells = "".join(
-        f'<div class="tile"><dt>{escape(label)}</dt><dd><b>{value}</b><small>{escape(note)}</small></dd></div>'
+        f'<div class="tile"><dt>{escape(label)}</dt><dd>{value}</dd><dd class="note">{escape(note)}</dd></div>'
         for value, label, note in tiles
     )
     meant = sum(bool(row["meaning_ok"]) for row in ran)

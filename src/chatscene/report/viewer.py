@@ -9,6 +9,7 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from chatscene.report import sections
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     Run,
+    metrics_of,
     open_run,
     read_drawing,
     read_episodes,
@@ -28,11 +30,6 @@ from chatscene.runs import (
 from chatscene.runs.atomic import write_bytes
 
 REPLAY_BYTES = 1_900_000  # of tracks on one page; the page stays under 3 MB with its map
-
-_NOT_METRICS = frozenset(
-    "scene_id scenario_id route_id block seed status reason meaning_ok meaning_failures collision impact_speed "
-    "ego ending route_completion dt overall_score avoidable selected fill_in".split()
-)
 
 
 def write_report(folder: Path) -> Path:
@@ -69,7 +66,7 @@ def _page(run: Run) -> str:
     replays, boxes = _replays(run, order)
     units = {row["parameter"]: row["unit"] for row in ranges}
     content = {
-        "scenes": [_shown(row, replays[row["scene_id"]], units) for row in order if row["scene_id"] in replays],
+        "scenes": [_shown(row, replays[row["scene_id"]]) for row in order if row["scene_id"] in replays],
         "map": pack_drawing(read_drawing(run), boxes),
     }
     script, style = _asset("viewer.js"), _asset("viewer.css")
@@ -109,7 +106,7 @@ def _replays(run: Run, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, di
     return packed, boxes
 
 
-def _shown(row: Mapping[str, Any], drive: dict[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
+def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
     """What the replay shows of a scene beside its drive."""
     return {
         "id": row["scene_id"],
@@ -120,9 +117,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any], units: Mapping[str, st
         "impact": row["impact_speed"],
         "kept": row["selected"],
         "metrics": {
-            name.replace("_", " "): round(value, 3)
-            for name, value in row.items()
-            if name not in _NOT_METRICS and name not in units and isinstance(value, float) and value == value
+            name.replace("_", " "): round(value, 3) for name, value in metrics_of(row).items() if isfinite(value)
         },
         "drive": drive,
     }

@@ -42,6 +42,7 @@ from chatscene.runs.folder import (
     write_program,
 )
 from chatscene.runs.record import SCHEMA_VERSION, RunRecord, Status, settings_of
+from chatscene.runs.tables import metrics_of
 
 __all__ = [
     "SCHEMA_VERSION",
@@ -51,6 +52,7 @@ __all__ = [
     "create",
     "explain",
     "finish",
+    "metrics_of",
     "open_run",
     "read_drawing",
     "read_episode",

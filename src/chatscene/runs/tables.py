@@ -187,6 +187,15 @@ def scenes_table(
     return pa.Table.from_pylist(rows, schema=schema)
 
 
+def metrics_of(row: Mapping[str, Any]) -> dict[str, float]:
+    """The metrics in a row of `scenes.parquet`, by name; of a rejected scene, none."""
+    return {
+        name: value
+        for name, value in row.items()
+        if name not in _FIXED and not name.startswith("OPT_") and value is not None
+    }
+
+
 def _scene_row(
     part: Part, scene: SceneRow, selected: Mapping[str, bool], avoidable: Mapping[str, bool]
 ) -> dict[str, Any]:

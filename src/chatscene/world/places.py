@@ -171,22 +171,52 @@ def maximum(a: float, b: float) -> float:
     return max(a, b)
 
 
-def crossingPath(route: EgoRoute, side: str, turn: str = "straight") -> CrossingPath:  # noqa: N802
-    """The way of a vehicle that comes from a `side` of the ego's junction and does `turn` there.
+def trafficFrom(route: EgoRoute, side: str) -> tuple[CrossingPath, ...]:  # noqa: N802
+    """The ways of vehicles that come from a side of the ego's junction and meet the ego's way there.
 
     Args:
         route: The ego's.
         side: ``left``, ``right`` or ``oncoming``.
-        turn: ``straight``, ``left-turn`` or ``right-turn``; if nobody can do that from there, the first
-            way from that side that meets the ego's.
 
     Raises:
         MapError: Nobody from that side meets the ego's route.
     """
-    found = [path for path in conflicting_paths(route.network, route.route) if path.from_side == side]
+    found = tuple(path for path in conflicting_paths(route.network, route.route) if path.from_side == side)
     if not found:
         raise MapError(f"route {route.route.id!r} has no traffic from the {side} that meets it")
-    return next((path for path in found if path.turn.value == turn), found[0])
+    return found
+
+
+def wayOf(traffic: tuple[CrossingPath, ...], turn: str) -> CrossingPath:  # noqa: N802
+    """Among the ways of crossing traffic, one that does a `turn`; for ``straight``, any if none goes straight on.
+
+    Raises:
+        MapError: Nobody from there can make that turn across the ego's way.
+    """
+    ways = [path for path in traffic if path.turn.value == turn]
+    if not ways and turn != "straight":
+        raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in a {turn}")
+    return (ways or traffic)[0]
+
+
+def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The centre line of a lane of the ego's direction beside its own: the right one, or else the left one.
+
+    Raises:
+        MapError: The ego's is the only lane of its direction.
+    """
+    lane = route.network.elements[route.route.lane_ids[0]]
+    section = route.network.laneSectionAt(route.line.point_at(0.0)) or lane.sections[0]
+    for side, beside in (("right", section._laneToRight), ("left", section._laneToLeft)):
+        if beside is not None and beside.isForward == section.isForward:
+            return neighbour_line(route.network, route.route, side)
+    raise MapError(f"route {route.route.id!r} has no second lane of its direction")
+
+
+def extended(path: Any, back: float) -> Polyline:
+    """A path that begins `back` [m] earlier, straight: where somebody behind its start can be."""
+    line = line_of(path)
+    return Polyline([line.point_at(-back), *line.points])
 
 
 def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802

@@ -1,0 +1,494 @@
+"use strict";
+(() => {
+const $ = (id) => document.getElementById(id);
+const content = JSON.parse($("content").textContent);
+const scenes = content.scenes;
+
+window.addEventListener("error", (event) => {
+  $("trouble").hidden = false;
+  $("trouble").textContent = "The replay stopped: " + event.message;
+});
+
+// --- unpacking: numbers are kept as differences of whole centimetres, milliradians and centimetres a second ------
+
+function unpack(differences, scale, count) {
+  const values = new Float64Array(count);
+  let sum = 0;
+  for (let i = 0; i < count; i++) {
+    if (i < differences.length) sum += differences[i];
+    values[i] = sum / scale;
+  }
+  return values;
+}
+
+function unpackLine(differences) {
+  const points = [];
+  let x = 0, y = 0;
+  for (let i = 0; i < differences.length; i += 2) {
+    x += differences[i];
+    y += differences[i + 1];
+    points.push([x / 100, y / 100]);
+  }
+  return points;
+}
+
+function unpackDrive(drive) {
+  const count = drive.steps;
+  const actors = drive.actors.map((a) => ({
+    ...a,
+    x: unpack(a.x, 100, count), y: unpack(a.y, 100, count),
+    heading: unpack(a.heading, 1000, count), speed: unpack(a.speed, 100, count),
+  }));
+  const signals = drive.signals.map((s) => ({ ...s, states: s.states.map(([c, n]) => c.repeat(n)).join("") }));
+  return { ...drive, actors, signals };
+}
+
+const map = {
+  roads: content.map.roads.map(unpackLine),
+  junctions: content.map.junctions.map(unpackLine),
+  sidewalks: content.map.sidewalks.map(unpackLine),
+  stops: content.map.stop_lines.map(unpackLine),
+  lines: content.map.lane_lines.map((line) => ({ style: line.style, points: unpackLine(line.points) })),
+  routes: Object.fromEntries(Object.entries(content.map.routes).map(([name, line]) => [name, unpackLine(line)])),
+};
+
+// --- state ---------------------------------------------------------------------------------------------------------
+
+const view = $("view"), speeds = $("speeds");
+const canvas = view.getContext("2d"), chart = speeds.getContext("2d");
+const camera = { x: 0, y: 0, zoom: 8, follow: true };
+let shown = 0, drive = null, step = 0, playing = false, last = 0;
+let colours = {};
+
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "road", "paint", "centre",
+    "stop", "route", "label", "green", "yellow", "red", "card", "ink", "soft", "line", "hit"]) {
+    colours[name] = style.getPropertyValue("--" + name).trim();
+  }
+}
+
+/** A quantity of an actor at a step that may lie between two. */
+function at(values, when) {
+  const i = Math.min(Math.floor(when), values.length - 1), j = Math.min(i + 1, values.length - 1);
+  return values[i] + (values[j] - values[i]) * (when - i);
+}
+
+const ego = () => drive.actors[0];
+const adversaries = () => drive.actors.filter((a) => a.role === "adversary");
+const crash = () => drive.events.find((event) => event.kind === "collision");
+
+// --- drawing -------------------------------------------------------------------------------------------------------
+
+/** Match a canvas to its size on the screen; answers its size in CSS pixels. */
+function fit(element, context) {
+  const width = element.clientWidth, height = element.clientHeight, ratio = window.devicePixelRatio || 1;
+  const w = Math.round(width * ratio), h = Math.round(height * ratio);
+  if (element.width !== w || element.height !== h) { element.width = w; element.height = h; }
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return [width, height];
+}
+
+function path(points, closed) {
+  canvas.beginPath();
+  points.forEach(([x, y], i) => (i ? canvas.lineTo(x, y) : canvas.moveTo(x, y)));
+  if (closed) canvas.closePath();
+}
+
+function fillAll(polygons, colour) {
+  canvas.fillStyle = canvas.strokeStyle = colour;
+  canvas.lineWidth = 0.06; // closes the hairlines between neighbours
+  for (const polygon of polygons) { path(polygon, true); canvas.fill(); canvas.stroke(); }
+}
+
+function drawMap() {
+  fillAll(map.sidewalks, colours.sidewalk);
+  fillAll(map.roads, colours.road);
+  fillAll(map.junctions, colours.road);
+  canvas.lineCap = "butt";
+  for (const line of map.lines) {
+    canvas.strokeStyle = line.style === "centre" ? colours.centre : colours.paint;
+    canvas.lineWidth = Math.max(0.14, 1 / camera.zoom);
+    canvas.setLineDash(line.style === "dashed" ? [3, 4.5] : []);
+    path(line.points); canvas.stroke();
+  }
+  canvas.setLineDash([]);
+  canvas.strokeStyle = colours.stop;
+  canvas.lineWidth = Math.max(0.35, 1.5 / camera.zoom);
+  for (const line of map.stops) { path(line); canvas.stroke(); }
+}
+
+function drawRoute() {
+  const route = map.routes[scenes[shown].route];
+  if (!route) return;
+  canvas.strokeStyle = colours.route;
+  canvas.globalAlpha = 0.4;
+  canvas.lineWidth = Math.max(0.18, 1.2 / camera.zoom);
+  canvas.setLineDash([1, 2]);
+  path(route); canvas.stroke();
+  canvas.setLineDash([]);
+  canvas.globalAlpha = 1;
+}
+
+function drawSignals() {
+  const names = { r: "red", y: "yellow", g: "green" };
+  for (const signal of drive.signals) {
+    const [x0, y0, x1, y1] = signal.line;
+    canvas.strokeStyle = canvas.fillStyle = colours[names[signal.states[Math.floor(step)]]] || colours.soft;
+    canvas.lineWidth = Math.max(0.6, 3 / camera.zoom);
+    path([[x0, y0], [x1, y1]]); canvas.stroke();
+    if (signal.role !== "ego") continue;
+    canvas.beginPath(); canvas.arc(x0, y0, Math.max(0.7, 5 / camera.zoom), 0, 7); canvas.fill();
+  }
+}
+
+function drawTrail(actor) {
+  const end = Math.floor(step);
+  canvas.strokeStyle = colours[actor.role];
+  canvas.globalAlpha = 0.5;
+  canvas.lineWidth = Math.max(0.22, 1.6 / camera.zoom);
+  canvas.lineJoin = "round";
+  canvas.beginPath();
+  canvas.moveTo(actor.x[0], actor.y[0]);
+  for (let i = 1; i <= end; i++) canvas.lineTo(actor.x[i], actor.y[i]);
+  canvas.lineTo(at(actor.x, step), at(actor.y, step));
+  canvas.stroke();
+  canvas.globalAlpha = 1;
+}
+
+const SHAPES = { Pedestrian: drawWalker, Bicycle: drawTwoWheeler, Motorcycle: drawTwoWheeler };
+
+/** Draws at the origin, heading along +x; metres. */
+function drawActor(actor) {
+  canvas.save();
+  canvas.translate(at(actor.x, step), at(actor.y, step));
+  canvas.rotate(at(actor.heading, step));
+  canvas.fillStyle = colours[actor.role];
+  canvas.strokeStyle = colours.card;
+  canvas.lineWidth = 1.2 / camera.zoom;
+  const draw = actor.role === "occluder" && !["Car", "Truck", "Bus"].includes(actor.kind)
+    ? drawProp : SHAPES[actor.kind] || drawVehicle;
+  draw(Math.max(actor.length, 5 / camera.zoom), Math.max(actor.width, 4 / camera.zoom));
+  canvas.restore();
+}
+
+function drawVehicle(length, width) {
+  canvas.beginPath();
+  canvas.roundRect(-length / 2, -width / 2, length, width, Math.min(width * 0.28, 0.6));
+  canvas.fill(); canvas.stroke();
+  canvas.fillStyle = "rgba(255,255,255,.82)";
+  const tip = length * 0.36, base = tip - width * 0.42, half = width * 0.3;
+  path([[tip, 0], [base, half], [base, -half]], true);
+  canvas.fill();
+}
+
+function drawTwoWheeler(length, width) {
+  const thick = width * 0.45;
+  canvas.beginPath(); canvas.roundRect(-length / 2, -thick / 2, length, thick, thick / 2); canvas.fill(); canvas.stroke();
+  canvas.beginPath(); canvas.roundRect(length * 0.18, -width / 2, thick * 0.5, width, thick * 0.2); canvas.fill();
+  canvas.beginPath(); canvas.arc(-length * 0.05, 0, width * 0.32, 0, 7); canvas.fill(); canvas.stroke();
+}
+
+function drawWalker(length, width) {
+  const radius = Math.max(width, length) / 2 * 1.1;
+  path([[radius * 2.1, 0], [radius * 0.7, radius * 0.75], [radius * 0.7, -radius * 0.75]], true);
+  canvas.fill();
+  canvas.beginPath(); canvas.arc(0, 0, Math.max(radius, 4.5 / camera.zoom), 0, 7); canvas.fill(); canvas.stroke();
+}
+
+function drawProp(length, width) {
+  canvas.beginPath(); canvas.rect(-length / 2, -width / 2, length, width); canvas.fill(); canvas.stroke();
+  canvas.save(); canvas.clip();
+  canvas.strokeStyle = "rgba(0,0,0,.22)"; canvas.lineWidth = 0.12;
+  for (let x = -length; x < length; x += 0.5) { path([[x, -width / 2], [x + width, width / 2]]); canvas.stroke(); }
+  canvas.restore();
+}
+
+function drawCrash() {
+  const hit = crash();
+  if (!hit || !hit.at || step < hit.step - 0.5) return;
+  const [x, y] = hit.at, radius = Math.max(1.5, 13 / camera.zoom);
+  const star = [];
+  for (let i = 0; i < 20; i++) {
+    const angle = i * Math.PI / 10, r = i % 2 ? radius * 0.5 : radius;
+    star.push([x + r * Math.cos(angle), y + r * Math.sin(angle)]);
+  }
+  canvas.fillStyle = "#ffd23f";
+  canvas.strokeStyle = colours.hit;
+  canvas.lineWidth = Math.max(0.2, 2 / camera.zoom);
+  canvas.lineJoin = "round";
+  canvas.globalAlpha = 0.92;
+  path(star, true); canvas.fill(); canvas.stroke();
+  canvas.globalAlpha = 1;
+}
+
+/** Text and the scale bar, in screen pixels. */
+function drawWords(width, height) {
+  const toScreen = (x, y) => [(x - camera.x) * camera.zoom + width / 2, height / 2 - (y - camera.y) * camera.zoom];
+  canvas.font = "600 12px system-ui, sans-serif";
+  canvas.textAlign = "center";
+  for (const actor of drive.actors) {
+    if (actor.role === "background" || camera.zoom < 3) continue;
+    const [x, y] = toScreen(at(actor.x, step), at(actor.y, step));
+    const lift = Math.max(actor.length, actor.width) / 2 * camera.zoom + 8;
+    canvas.lineWidth = 3;
+    canvas.strokeStyle = colours.ground; canvas.fillStyle = colours.label;
+    canvas.strokeText(actor.name, x, y - lift); canvas.fillText(actor.name, x, y - lift);
+  }
+  const metres = [1, 2, 5, 10, 20, 50, 100, 200].find((m) => m * camera.zoom > 60) || 500;
+  canvas.textAlign = "left";
+  canvas.font = "11px system-ui, sans-serif";
+  canvas.fillStyle = canvas.strokeStyle = colours.label;
+  canvas.lineWidth = 2;
+  canvas.beginPath();
+  canvas.moveTo(14, height - 24); canvas.lineTo(14, height - 18); canvas.lineTo(14 + metres * camera.zoom, height - 18);
+  canvas.lineTo(14 + metres * camera.zoom, height - 24); canvas.stroke();
+  canvas.fillText(metres + " m", 19, height - 24);
+}
+
+function draw() {
+  const [width, height] = fit(view, canvas);
+  if (camera.follow) aim(height);
+  canvas.fillStyle = colours.ground;
+  canvas.fillRect(0, 0, width, height);
+  canvas.save();
+  canvas.translate(width / 2, height / 2);
+  canvas.scale(camera.zoom, -camera.zoom);
+  canvas.translate(-camera.x, -camera.y);
+  drawMap(); drawRoute(); drawSignals();
+  drive.actors.forEach(drawTrail);
+  [...drive.actors].reverse().forEach(drawActor);
+  drawCrash();
+  canvas.restore();
+  drawWords(width, height);
+  drawSpeeds();
+  tell();
+}
+
+const INSET = 8; // half the thumb of the slider, so that chart and slider agree
+
+function drawSpeeds() {
+  const [width, height] = fit(speeds, chart);
+  const count = drive.steps, lines = [ego(), ...adversaries()];
+  const top = Math.max(1, ...lines.map((a) => Math.max(...a.speed.map(Math.abs))));
+  const x = (i) => INSET + (count > 1 ? i / (count - 1) : 0) * (width - 2 * INSET);
+  const y = (v) => height - 4 - Math.abs(v) / top * (height - 20);
+  chart.clearRect(0, 0, width, height);
+  chart.font = "11px system-ui, sans-serif";
+  chart.fillStyle = colours.soft;
+  chart.fillText("speed, to " + top.toFixed(0) + " m/s", INSET, 11);
+  chart.strokeStyle = colours.line; chart.lineWidth = 1;
+  chart.beginPath(); chart.moveTo(INSET, height - 3.5); chart.lineTo(width - INSET, height - 3.5); chart.stroke();
+  for (const event of drive.events) {
+    chart.strokeStyle = event.kind === "collision" ? colours.hit : colours.soft;
+    chart.lineWidth = event.kind === "collision" ? 2 : 1;
+    chart.beginPath(); chart.moveTo(x(event.step), 14); chart.lineTo(x(event.step), height - 4); chart.stroke();
+  }
+  chart.lineWidth = 1.8;
+  chart.lineJoin = "round";
+  for (const actor of lines) {
+    chart.strokeStyle = colours[actor.role];
+    chart.beginPath();
+    actor.speed.forEach((v, i) => (i ? chart.lineTo(x(i), y(v)) : chart.moveTo(x(i), y(v))));
+    chart.stroke();
+  }
+  chart.strokeStyle = colours.ink; chart.lineWidth = 1;
+  chart.beginPath(); chart.moveTo(x(step), 0); chart.lineTo(x(step), height); chart.stroke();
+}
+
+// --- words beside the picture --------------------------------------------------------------------------------------
+
+function element(name, text, className) {
+  const made = document.createElement(name);
+  made.textContent = text;
+  if (className) made.className = className;
+  return made;
+}
+
+function tell() {
+  const seconds = (step * drive.dt).toFixed(1), total = ((drive.steps - 1) * drive.dt).toFixed(1);
+  $("clock").textContent = seconds + " s of " + total + " s";
+  $("time").value = Math.round(step);
+  $("time").setAttribute("aria-valuetext", seconds + " seconds");
+  $("play").textContent = playing ? "Pause" : step >= drive.steps - 1 ? "Replay" : "Play";
+  const gauges = [["ego", at(ego().speed, step).toFixed(1) + " m/s"]];
+  const other = adversaries()[0];
+  if (other) {
+    const gap = Math.hypot(at(other.x, step) - at(ego().x, step), at(other.y, step) - at(ego().y, step));
+    gauges.push([other.name, at(other.speed, step).toFixed(1) + " m/s"], ["between centres", gap.toFixed(1) + " m"]);
+  }
+  $("gauges").replaceChildren(...gauges.map(([name, value]) => {
+    const span = element("span", name + " ");
+    span.append(element("b", value));
+    return span;
+  }));
+}
+
+function eventWords(event) {
+  const what = event.kind.replace("-", " ") + (event.other ? (event.kind === "collision" ? " with " : ": ") + event.other : "");
+  const how = event.kind === "collision" ? ", " + event.side + ", " + event.impact.toFixed(1) + " m/s" : "";
+  return (event.step * drive.dt).toFixed(1) + " s  " + what + how;
+}
+
+function introduce(scene) {
+  $("scene-name").textContent = scene.label;
+  $("scene-outcome").textContent = scene.collision ? "collision, " + scene.impact.toFixed(1) + " m/s" : scene.ending;
+  $("scene-outcome").className = "chip" + (scene.collision ? " hit" : "");
+  $("time").max = drive.steps - 1;
+  $("events").replaceChildren(...drive.events.map((event) => {
+    const button = element("button", eventWords(event), event.kind === "collision" ? "hit" : "");
+    button.type = "button";
+    button.addEventListener("click", () => seek(Math.max(event.step - 1 / drive.dt, 0)));
+    button.title = "Go to one second before";
+    return button;
+  }));
+  $("metrics").replaceChildren(...Object.entries(scene.metrics).map(([name, value]) => {
+    const pair = document.createElement("div");
+    pair.append(element("dt", name), element("dd", String(value)));
+    return pair;
+  }));
+  for (const row of document.querySelectorAll("tr[data-scene]")) {
+    if (row.dataset.scene === scene.id) row.setAttribute("aria-current", "true");
+    else row.removeAttribute("aria-current");
+  }
+}
+
+// --- camera --------------------------------------------------------------------------------------------------------
+
+/** A little ahead of the ego. */
+function aim(height) {
+  const heading = at(ego().heading, step), ahead = Math.min(12, height / camera.zoom / 4);
+  camera.x = at(ego().x, step) + ahead * Math.cos(heading);
+  camera.y = at(ego().y, step) + ahead * Math.sin(heading);
+}
+
+function follow(on) {
+  camera.follow = on;
+  $("follow").setAttribute("aria-pressed", String(on));
+}
+
+function zoomBy(factor) {
+  camera.zoom = Math.min(Math.max(camera.zoom * factor, 0.5), 60);
+  draw();
+}
+
+function showWhole() {
+  const actors = [ego(), ...adversaries()];
+  const xs = actors.flatMap((a) => [...a.x]), ys = actors.flatMap((a) => [...a.y]), margin = 12;
+  const west = Math.min(...xs) - margin, east = Math.max(...xs) + margin;
+  const south = Math.min(...ys) - margin, north = Math.max(...ys) + margin;
+  follow(false);
+  camera.x = (west + east) / 2;
+  camera.y = (south + north) / 2;
+  camera.zoom = Math.min(view.clientWidth / (east - west), view.clientHeight / (north - south), 30);
+  draw();
+}
+
+// --- time ----------------------------------------------------------------------------------------------------------
+
+function seek(when) {
+  step = Math.min(Math.max(when, 0), drive.steps - 1);
+  draw();
+}
+
+function play(on) {
+  if (on && step >= drive.steps - 1) step = 0;
+  playing = on;
+  last = 0;
+  if (on) requestAnimationFrame(tick);
+  draw();
+}
+
+function tick(now) {
+  if (!playing) return;
+  if (last) step += Math.min(now - last, 250) / 1000 * Number($("rate").value) / drive.dt;
+  last = now;
+  if (step >= drive.steps - 1) { step = drive.steps - 1; playing = false; }
+  draw();
+  if (playing) requestAnimationFrame(tick);
+}
+
+function choose(index, start) {
+  shown = (index + scenes.length) % scenes.length;
+  drive = unpackDrive(scenes[shown].drive);
+  step = 0;
+  follow(true);
+  camera.zoom = Math.max(view.clientWidth / 85, 6);
+  introduce(scenes[shown]);
+  play(start);
+}
+
+// --- hands ---------------------------------------------------------------------------------------------------------
+
+const KEYS = {
+  " ": () => play(!playing), k: () => play(!playing),
+  ArrowLeft: () => { playing = false; seek(Math.ceil(step) - 1); },
+  ArrowRight: () => { playing = false; seek(Math.floor(step) + 1); },
+  Home: () => seek(0), End: () => seek(drive.steps - 1),
+  f: () => { follow(!camera.follow); draw(); }, 0: showWhole,
+  "+": () => zoomBy(1.25), "=": () => zoomBy(1.25), "-": () => zoomBy(0.8),
+  n: () => choose(shown + 1, true), p: () => choose(shown - 1, true),
+};
+
+function listen() {
+  $("play").addEventListener("click", () => play(!playing));
+  $("time").addEventListener("input", (event) => { playing = false; seek(Number(event.target.value)); });
+  $("follow").addEventListener("click", KEYS.f);
+  $("whole").addEventListener("click", showWhole);
+  $("closer").addEventListener("click", () => zoomBy(1.25));
+  $("wider").addEventListener("click", () => zoomBy(0.8));
+  $("next").addEventListener("click", KEYS.n);
+  $("previous").addEventListener("click", KEYS.p);
+  for (const button of document.querySelectorAll(".play-scene")) {
+    button.addEventListener("click", () => {
+      choose(scenes.findIndex((scene) => scene.id === button.dataset.scene), true);
+      $("replay").scrollIntoView({ block: "start", behavior: calm ? "auto" : "smooth" });
+    });
+  }
+  document.addEventListener("keydown", (event) => {
+    const typing = /^(INPUT|SELECT|BUTTON|SUMMARY|TEXTAREA)$/.test(event.target.tagName);
+    const act = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey || (typing && event.key.length !== 1)) return;
+    if (typing && event.key === " ") return;
+    event.preventDefault();
+    act();
+  });
+  listenToPointer();
+  window.addEventListener("resize", draw);
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColours(); draw(); });
+}
+
+function listenToPointer() {
+  let from = null;
+  view.addEventListener("pointerdown", (event) => { from = [event.clientX, event.clientY]; view.setPointerCapture(event.pointerId); });
+  view.addEventListener("pointermove", (event) => {
+    if (!from) return;
+    follow(false);
+    camera.x -= (event.clientX - from[0]) / camera.zoom;
+    camera.y += (event.clientY - from[1]) / camera.zoom;
+    from = [event.clientX, event.clientY];
+    draw();
+  });
+  for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, () => { from = null; });
+  view.addEventListener("wheel", (event) => { // plain scrolling stays with the page
+    if (!event.ctrlKey && !event.metaKey) return;
+    event.preventDefault();
+    zoomBy(Math.exp(-event.deltaY / 300));
+  }, { passive: false });
+  const jump = (event) => {
+    const share = (event.offsetX - INSET) / (speeds.clientWidth - 2 * INSET);
+    playing = false;
+    seek(share * (drive.steps - 1));
+  };
+  speeds.addEventListener("pointerdown", jump);
+  speeds.addEventListener("pointermove", (event) => { if (event.buttons) jump(event); });
+}
+
+const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+if (scenes.length) {
+  $("replay").hidden = false;
+  readColours();
+  listen();
+  choose(0, !calm);
+}
+})();

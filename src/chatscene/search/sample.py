@@ -1,0 +1,37 @@
+"""Step 5 of 9, first half: draw concrete values for a scene.
+
+Every scene has a seed of its own, derived from the run's seed and the scene's id, so that order and parallelism do
+not matter.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+
+import numpy as np
+
+from chatscene.terms.snippet import ParameterRange
+
+DECIMALS = 6  # values survive being written as text
+
+
+def scene_seed(run_seed: int, scene_id: str) -> int:
+    """The seed of one scene, below 2**32."""
+    return int.from_bytes(hashlib.blake2b(f"{run_seed}/{scene_id}".encode(), digest_size=4).digest(), "big")
+
+
+def draw(ranges: Sequence[ParameterRange], *, seed: int) -> dict[str, float]:
+    """A value for each parameter, uniform in its range (released code: ``Range`` in each block).
+
+    Args:
+        ranges: What to draw from; each parameter has a stream of its own, so that adding one to a program does not
+            change the others' values.
+        seed: Of the scene.
+    """
+    values: dict[str, float] = {}
+    for p in ranges:
+        stream = int.from_bytes(hashlib.blake2b(p.name.encode(), digest_size=4).digest(), "big")
+        share = float(np.random.default_rng((seed, stream)).random())
+        values[p.name] = p.clip(round(p.low + share * (p.high - p.low), DECIMALS))
+    return values

@@ -1,0 +1,59 @@
+"""Step 7 of 9: keep the scenes most worth testing on.
+
+Paper: section 4.2 ("Scene": two of fifty per scenario and route). Released code: ``scenic_runner.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from chatscene.errors import SettingsError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidate:
+    """A scene that was driven once by the surrogate ego.
+
+    Attributes:
+        scene_id: Which.
+        collided: Whether the ego collided.
+        overall_score: Of that one drive, paper mode.
+    """
+
+    scene_id: str
+    collided: bool
+    overall_score: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Selected:
+    """A scene that is kept.
+
+    Attributes:
+        scene_id: Which.
+        fill_in: It did not collide; it is kept because too few did.
+    """
+
+    scene_id: str
+    fill_in: bool
+
+
+def select(candidates: Iterable[Candidate], *, count: int) -> tuple[Selected, ...]:
+    """Scenes that collided first, lowest overall score first; if too few, the lowest-scoring others fill up.
+
+    Args:
+        candidates: The scenes of one scenario on one route.
+        count: How many to keep, at least 1.
+
+    Returns:
+        At most `count`, in the order of their ids; equal scores are decided by id.
+
+    Raises:
+        SettingsError: `count` is below 1.
+    """
+    if count < 1:
+        raise SettingsError(f"at least one scene must be kept, not {count}")
+    best = sorted(candidates, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
+    kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
+    return tuple(sorted(kept, key=lambda s: s.scene_id))

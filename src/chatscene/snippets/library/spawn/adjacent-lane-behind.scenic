@@ -1,0 +1,27 @@
+#: description = "The adversary is behind the ego in the neighbouring lane."
+#: rephrasings = [
+#:   "The car starts further back in the neighbouring lane.",
+#:   "In the target lane beside, some metres to the rear.",
+#:   "It follows the ego, one lane over beside.",
+#:   "The other vehicle comes from the rear, in a parallel lane.",
+#:   "In the blind spot beside, a few car lengths back.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "adjacentLane"]
+#: provides = ["AdvAgent", "advTrajectory"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: position = "behind-beside"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 6.0
+#: high = 18.0
+#: unit = "m"
+#: meaning = "how far behind the ego it starts"
+
+param OPT_GEO_Y = Range(6, 18)
+
+advTrajectory = extended(adjacentLane, 20)
+AdvAgent = new AdvClass at pointOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

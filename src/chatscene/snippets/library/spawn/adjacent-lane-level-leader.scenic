@@ -1,0 +1,46 @@
+#: description = "The adversary is level with the ego in the neighbouring lane, and a slow car leads the ego."
+#: rephrasings = [
+#:   "The car starts side by side with the ego in the neighbouring lane, and a slow car leads the ego.",
+#:   "In the target lane beside, abreast of the ego, and a slow car leads the ego.",
+#:   "Door to door with the ego, one lane over beside, and a slow car leads the ego.",
+#:   "The other vehicle is parallel to the ego beside, and a slow car leads the ego.",
+#:   "Right next to it beside, in the adjoining lane, and a slow car leads the ego.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "adjacentLane", "egoRoute"]
+#: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: position = "beside"
+#: leader = true
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = -3.0
+#: high = 4.5
+#: unit = "m"
+#: meaning = "how far ahead of the ego it starts"
+#: [[parameters]]
+#: name = "OPT_LEADER_Y"
+#: low = 18.0
+#: high = 35.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego the slow vehicle starts"
+#: [[parameters]]
+#: name = "OPT_LEADER_SPEED"
+#: low = 1.5
+#: high = 3.8
+#: unit = "m/s"
+#: meaning = "how fast the slow vehicle drives"
+
+param OPT_GEO_Y = Range(-3, 4.5)
+param OPT_LEADER_Y = Range(18, 35)
+param OPT_LEADER_SPEED = Range(1.5, 3.8)
+
+advTrajectory = extended(adjacentLane, 20)
+LeadingAgent = new Car at pointOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
+    facing directionOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
+    with behavior DrivePath(ownLane(egoRoute), globalParameters.OPT_LEADER_SPEED),
+    with label "leader"
+AdvAgent = new AdvClass at pointOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

@@ -1,0 +1,45 @@
+#: description = "The adversary is behind a bus stop on the right front."
+#: rephrasings = [
+#:   "Hidden by a bus shelter at the right side of the road.",
+#:   "A bus stop on the right conceals it from the ego.",
+#:   "It stands at the far end of a shelter, right of the carriageway.",
+#:   "Someone waits out of sight in back of the bus stop, right front.",
+#:   "The shelter for passengers on the right blocks the view of it.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "right"
+#: position = "roadside"
+#: occluder = "bus-stop"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.8
+#: high = 2.6
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+#: [[parameters]]
+#: name = "OPT_BLOCKER_GAP"
+#: low = 2.7
+#: high = 4.4
+#: unit = "m"
+#: meaning = "how far before it, along the road, the middle of what hides it stands"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_BLOCKER_GAP = Range(2.7, 4.4)
+
+new BusStop at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "right", 1.6),
+    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+    with label "bus-stop"
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+    with behavior AdvBehavior()

@@ -1,0 +1,45 @@
+#: description = "The adversary is behind a container on the left front."
+#: rephrasings = [
+#:   "A dumpster at the left kerb conceals it.",
+#:   "Hidden by a skip, left of the carriageway.",
+#:   "Out of sight in back of a big rubbish container on the left.",
+#:   "The ego's view is blocked by a waste bin ahead, left.",
+#:   "It stands beyond a construction container at the left edge.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "left"
+#: position = "roadside"
+#: occluder = "container"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.8
+#: high = 2.6
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+#: [[parameters]]
+#: name = "OPT_BLOCKER_GAP"
+#: low = 2.4
+#: high = 4.1
+#: unit = "m"
+#: meaning = "how far before it, along the road, the middle of what hides it stands"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_BLOCKER_GAP = Range(2.4, 4.1)
+
+new Container at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "left", 1.8),
+    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+    with label "container"
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "left"),
+    with behavior AdvBehavior()

@@ -1,0 +1,45 @@
+#: description = "The adversary is behind a kiosk on the right front."
+#: rephrasings = [
+#:   "A newsstand at the right pavement conceals it.",
+#:   "Hidden by a small stall, right of the street.",
+#:   "Out of sight in back of a food stand on the right.",
+#:   "The ego's view of it is blocked by a booth ahead, right.",
+#:   "It waits around the corner of a kiosk at the right kerb.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "right"
+#: position = "roadside"
+#: occluder = "kiosk"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.8
+#: high = 2.6
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+#: [[parameters]]
+#: name = "OPT_BLOCKER_GAP"
+#: low = 2.1
+#: high = 3.8
+#: unit = "m"
+#: meaning = "how far before it, along the road, the middle of what hides it stands"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_BLOCKER_GAP = Range(2.1, 3.8)
+
+new Kiosk at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "right", 1.8),
+    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+    with label "kiosk"
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+    with behavior AdvBehavior()

@@ -1,0 +1,45 @@
+#: description = "The adversary is behind a parked car on the left front."
+#: rephrasings = [
+#:   "A car standing at the left kerb conceals it.",
+#:   "Hidden in front of a stationary automobile, left side of the road.",
+#:   "It is out of sight beyond a vehicle left at the left edge.",
+#:   "Between parked cars on the left.",
+#:   "The ego cannot see it past the car that is parked ahead on the left.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "left"
+#: position = "roadside"
+#: occluder = "parked-car"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.8
+#: high = 2.6
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+#: [[parameters]]
+#: name = "OPT_BLOCKER_GAP"
+#: low = 3.4
+#: high = 5.1
+#: unit = "m"
+#: meaning = "how far before it, along the road, the middle of what hides it stands"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_BLOCKER_GAP = Range(3.4, 5.1)
+
+new Car at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "left", 1.2),
+    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+    with label "parked-car"
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "left"),
+    with behavior AdvBehavior()

@@ -1,0 +1,30 @@
+#: description = "The adversary comes from the left arm of the intersection."
+#: rephrasings = [
+#:   "On the left front, on the street that crosses the ego's.",
+#:   "It approaches the junction from the left side.",
+#:   "The crossing car enters from the left.",
+#:   "In the cross street, to the left of the ego.",
+#:   "Initially at the left, heading for the crossing.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: requires = ["AdvBehavior", "AdvClass", "advTurn", "trafficFromLeft"]
+#: provides = ["AdvAgent", "advEntry", "advTrajectory"]
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"
+#: [slots]
+#: side = "left"
+#: position = "crossing"
+#: place = "junction"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 3.5
+#: high = 18.0
+#: unit = "m"
+#: meaning = "how far before the intersection it starts"
+
+param OPT_GEO_Y = Range(3.5, 18)
+
+advTrajectory = wayOf(trafficFromLeft, advTurn)
+advEntry = advTrajectory.entry
+AdvAgent = new AdvClass at pointOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

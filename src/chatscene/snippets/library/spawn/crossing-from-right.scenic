@@ -1,0 +1,30 @@
+#: description = "The adversary comes from the right arm of the intersection."
+#: rephrasings = [
+#:   "On the right front, on the street that crosses the ego's.",
+#:   "It approaches the junction from the right side.",
+#:   "The crossing car enters from the right.",
+#:   "In the cross street, to the right of the ego.",
+#:   "Initially at the right, heading for the crossing.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: requires = ["AdvBehavior", "AdvClass", "advTurn", "trafficFromRight"]
+#: provides = ["AdvAgent", "advEntry", "advTrajectory"]
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"
+#: [slots]
+#: side = "right"
+#: position = "crossing"
+#: place = "junction"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 3.5
+#: high = 18.0
+#: unit = "m"
+#: meaning = "how far before the intersection it starts"
+
+param OPT_GEO_Y = Range(3.5, 18)
+
+advTrajectory = wayOf(trafficFromRight, advTurn)
+advEntry = advTrajectory.entry
+AdvAgent = new AdvClass at pointOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

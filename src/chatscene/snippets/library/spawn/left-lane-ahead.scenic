@@ -1,0 +1,28 @@
+#: description = "The adversary is ahead of the ego in the lane to the left of the ego."
+#: rephrasings = [
+#:   "The car starts further on in the lane to the left of the ego.",
+#:   "In the target lane on the left, some metres in front.",
+#:   "It drives before the ego, one lane over on the left.",
+#:   "The other vehicle is on the left front, in a parallel lane.",
+#:   "A few car lengths on, in the lane next to it on the left.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "leftLane"]
+#: provides = ["AdvAgent", "advTrajectory"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: position = "ahead-beside"
+#: side = "left"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 6.0
+#: high = 22.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it starts"
+
+param OPT_GEO_Y = Range(6, 22)
+
+advTrajectory = leftLane
+AdvAgent = new AdvClass at pointOn(advTrajectory, globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

@@ -1,0 +1,28 @@
+#: description = "The adversary is behind the ego in the lane to the right of the ego."
+#: rephrasings = [
+#:   "The car starts further back in the lane to the right of the ego.",
+#:   "In the target lane on the right, some metres to the rear.",
+#:   "It follows the ego, one lane over on the right.",
+#:   "The other vehicle comes from the rear right, in a parallel lane.",
+#:   "In the blind spot on the right, a few car lengths back.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "rightLane"]
+#: provides = ["AdvAgent", "advTrajectory"]
+#: origin = "base scenario lane-changing; own code"
+#: [slots]
+#: position = "behind-beside"
+#: side = "right"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 6.0
+#: high = 18.0
+#: unit = "m"
+#: meaning = "how far behind the ego it starts"
+
+param OPT_GEO_Y = Range(6, 18)
+
+advTrajectory = extended(rightLane, 20)
+AdvAgent = new AdvClass at pointOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
+    with behavior AdvBehavior()

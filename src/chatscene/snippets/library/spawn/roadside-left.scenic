@@ -1,0 +1,35 @@
+#: description = "The adversary stands at the left side of the road ahead of the ego."
+#: rephrasings = [
+#:   "On the left front, next to the carriageway.",
+#:   "At the left kerb, some way before the ego.",
+#:   "The pedestrian waits on the left-hand pavement.",
+#:   "Beside the street, to the left and ahead.",
+#:   "It appears from a driveway on the left.",
+#:   "The cyclist is at the edge of the roadway, left front.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "left"
+#: position = "roadside"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.6
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.6, 5)
+
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "left"),
+    with behavior AdvBehavior()

@@ -1,0 +1,35 @@
+#: description = "The adversary stands at the right side of the road ahead of the ego."
+#: rephrasings = [
+#:   "On the right front, next to the carriageway.",
+#:   "At the right kerb, some way before the ego.",
+#:   "The pedestrian waits on the right-hand pavement.",
+#:   "Beside the street, to the right and ahead.",
+#:   "It appears from a driveway on the right.",
+#:   "The cyclist is at the edge of the roadway, right front.",
+#: ]
+#: adversaries = ["pedestrian", "bicycle", "motorcycle"]
+#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: provides = ["AdvAgent"]
+#: origin = "base scenario straight-obstacle; own code"
+#: [slots]
+#: side = "right"
+#: position = "roadside"
+#: [[parameters]]
+#: name = "OPT_GEO_Y"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far along the ego's route it starts"
+#: [[parameters]]
+#: name = "OPT_GEO_X"
+#: low = 0.6
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far outside the lanes it starts"
+
+param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_X = Range(0.6, 5)
+
+AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+    with behavior AdvBehavior()

@@ -1,0 +1,158 @@
+"""Spread the blocks of a run over processes.
+
+A block needs the collisions of the blocks before it on the same route, and nothing else; so routes run side by
+side, and any number of processes gives the same blocks.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from multiprocessing import connection, get_context, parent_process
+from pathlib import Path
+
+from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.errors import RunError
+from chatscene.runs import Run, write_block
+from chatscene.search.explore import collided_values, explore
+from chatscene.settings import Settings
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.terms.scenario import Slots
+from chatscene.terms.scene import ScenicProgram
+
+Values = list[dict[str, float]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Work:
+    """What every process of a run needs to know.
+
+    Attributes:
+        folder: The run folder.
+        program: What to search with.
+        slots: What was said.
+        map_path: The map.
+        ego: The surrogate ego, by name.
+        settings: All settings.
+    """
+
+    folder: Path
+    program: ScenicProgram
+    slots: Slots
+    map_path: Path
+    ego: str
+    settings: Settings
+
+    def blocks(self) -> int:
+        """How many blocks a route has."""
+        return -(-self.settings.search.scenes // self.settings.search.block)
+
+
+class _Worker:
+    """Runs one block after another and keeps what was compiled."""
+
+    def __init__(self, work: Work) -> None:
+        self._work = work
+        self._backend: Backend = load_backend("embedded", work.map_path, work.settings.simulation)
+        self._ego: EgoPolicy = load_ego(work.ego)
+
+    def run_block(self, route: int, collided: list[Values]) -> Values:
+        """Run and keep the next block of a route; what collided in it."""
+        work = self._work
+        block = next(
+            explore(
+                work.program,
+                work.slots,
+                route,
+                backend=self._backend,
+                ego=self._ego,
+                settings=work.settings.search,
+                collided=collided,
+            )
+        )
+        write_block(Run(work.folder), block)
+        return collided_values(block)
+
+
+def run_blocks(
+    work: Work, done: Mapping[int, list[Values]], *, jobs: int, on_block: Callable[[int], None]
+) -> None:
+    """Run every block that is not done yet, and keep each in the run folder.
+
+    Args:
+        work: The run.
+        done: For each route, what collided in each block that is done.
+        jobs: How many processes; 1 runs in this one.
+        on_block: Told after each block how many were run.
+
+    Raises:
+        RunError: A process died, or the folder cannot be written.
+        ChatSceneError: Whatever a block raised.
+    """
+    history = {route: list(blocks) for route, blocks in done.items()}
+    open_routes = [route for route in sorted(history) if len(history[route]) < work.blocks()]
+    if jobs == 1 or len(open_routes) <= 1:
+        worker, ran = _Worker(work), 0
+        for route in open_routes:
+            while len(history[route]) < work.blocks():
+                history[route].append(worker.run_block(route, history[route]))
+                ran += 1
+                on_block(ran)
+        return
+    try:
+        _in_processes(work, history, open_routes, min(jobs, len(open_routes)), on_block)
+    except BrokenProcessPool as error:
+        raise RunError(
+            "a worker process was killed, perhaps for want of memory; nothing finished is lost: "
+            f"continue with chatscene resume {work.folder}, perhaps with --jobs 1"
+        ) from error
+
+
+def _in_processes(
+    work: Work, history: dict[int, list[Values]], routes: list[int], jobs: int, on_block: Callable[[int], None]
+) -> None:
+    ran = 0
+    with ProcessPoolExecutor(
+        jobs, mp_context=get_context("spawn"), initializer=_start_worker, initargs=(work,)
+    ) as pool:
+
+        def submit(route: int) -> Future[Values]:
+            return pool.submit(_run_block, route, history[route])
+
+        pending = {submit(route): route for route in routes}
+        try:
+            while pending:
+                finished, _ = wait(pending, return_when=FIRST_COMPLETED)
+                for future in sorted(finished, key=lambda f: pending[f]):
+                    route = pending.pop(future)
+                    history[route].append(future.result())
+                    ran += 1
+                    on_block(ran)
+                    if len(history[route]) < work.blocks():
+                        pending[submit(route)] = route
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+_worker: list[_Worker] = []
+
+
+def _start_worker(work: Work) -> None:
+    threading.Thread(target=_die_with_parent, daemon=True).start()
+    _worker.append(_Worker(work))
+
+
+def _run_block(route: int, collided: list[Values]) -> Values:
+    return _worker[0].run_block(route, collided)
+
+
+def _die_with_parent() -> None:
+    """A worker whose run was killed must not go on writing into its folder."""
+    parent = parent_process()
+    if parent is not None:
+        connection.wait([parent.sentinel])
+        os._exit(1)

@@ -1,0 +1,152 @@
+"""Loading maps: once per process, and with a clear word when it fails."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from chatscene.errors import MapError
+from chatscene.maps.network import install_network_memo, load_network, resolve_map
+from chatscene.maps.survey import check_map
+
+TOWN = resolve_map("town")
+SMALL = """<?xml version="1.0"?>
+<OpenDRIVE><header revMajor="1" revMinor="7"/>
+<road name="" id="1" length="50" junction="-1">
+ <planView>{plan}</planView>
+ <lanes><laneSection s="0"><center><lane id="0" type="none"/></center>
+  <right><lane id="-1" type="{kind}"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right>
+ </laneSection></lanes></road></OpenDRIVE>"""
+LINE = '<geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry>'
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def _map(folder: Path, plan: str = LINE, kind: str = "driving", name: str = "small.xodr") -> Path:
+    folder.mkdir(exist_ok=True)
+    path = folder / name
+    path.write_text(SMALL.format(plan=plan, kind=kind) + f"<!-- {folder} -->")  # no other test has this content
+    return path
+
+
+def test_town_is_the_packaged_map() -> None:
+    assert resolve_map("town").name == "town.xodr"
+
+
+def test_a_path_is_a_map() -> None:
+    assert resolve_map(str(TOWN)) == TOWN
+
+
+def test_a_map_that_is_not_there_is_named_with_the_nearest_there_is(tmp_path: Path) -> None:
+    _map(tmp_path, name="harbour.xodr")
+    with pytest.raises(MapError, match=r"harbor.*harbour\.xodr"):
+        resolve_map(str(tmp_path / "harbor.xodr"))
+    with pytest.raises(MapError, match=r"twon.*town"):
+        resolve_map("twon")
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("", "XML"),
+        ("not a map", "XML"),
+        (SMALL.format(plan=LINE, kind="driving")[:300], "truncated|cut off"),
+        ("<osm></osm>", "not OpenDRIVE"),
+        ("<OpenDRIVE></OpenDRIVE>", "without a"),
+        (SMALL.format(plan=LINE, kind="sidewalk"), "lane"),
+    ],
+)
+def test_a_broken_map_is_refused_with_the_file_and_the_fault(
+    tmp_path: Path, cache: Path, content: str, words: str
+) -> None:
+    path = tmp_path / "broken.xodr"
+    path.write_text(content)
+    with pytest.raises(MapError, match=words) as caught:
+        load_network(path)
+    assert "broken.xodr" in str(caught.value)
+
+
+def test_the_town_cut_in_half_is_refused(tmp_path: Path, cache: Path) -> None:
+    path = tmp_path / "half.xodr"
+    path.write_bytes(TOWN.read_bytes()[:100_000])
+    with pytest.raises(MapError, match="truncated|cut off"):
+        load_network(path)
+
+
+@pytest.mark.parametrize("plan", ["", '<geometry s="5" x="0" y="0" hdg="0" length="50"><line/></geometry>'])
+def test_what_scenic_cannot_parse_is_a_map_error_that_names_the_road(
+    tmp_path: Path, cache: Path, plan: str
+) -> None:
+    with pytest.raises(MapError, match="road 1"):
+        load_network(_map(tmp_path, plan))
+
+
+def test_the_same_file_gives_the_same_network(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path)
+    assert load_network(path) is load_network(path)
+
+
+def test_a_changed_file_is_read_again(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path)
+    before = load_network(path)
+    path.write_text(path.read_text().replace("50", "60"))
+    assert load_network(path).roads[0].centerline.length == pytest.approx(60)
+    assert before.roads[0].centerline.length == pytest.approx(50)
+
+
+def test_nothing_is_written_beside_a_map(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path / "maps")
+    load_network(path)
+    assert sorted(p.name for p in path.parent.iterdir()) == ["small.xodr"]
+
+
+def test_a_cache_file_beside_a_map_is_never_read(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path / "maps")
+    path.with_suffix(".snet").write_bytes(b"whatever a stranger put here")
+    assert len(load_network(path).roads) == 1
+
+
+def test_the_cache_folder_is_closed_to_others(tmp_path: Path, cache: Path) -> None:
+    load_network(_map(tmp_path))
+    folders = [p for p in (cache / "chatscene").rglob("*") if p.is_dir()]
+    assert folders
+    assert any(p.stat().st_mode & 0o077 == 0 for p in folders)
+
+
+def test_a_map_loads_where_no_cache_can_be_written(tmp_path: Path, cache: Path) -> None:
+    cache.write_text("a file where the cache folder should be")
+    assert len(load_network(_map(tmp_path / "maps")).roads) == 1
+
+
+def test_scenics_own_loader_gives_the_same_network_once_the_memo_is_installed(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from scenic.domains.driving.roads import Network
+
+    path = _map(tmp_path)
+    network = load_network(path)
+    monkeypatch.setattr(Network, "fromFile", Network.fromFile)  # put back afterwards
+    install_network_memo()
+    loaded: Any = Network.fromFile(str(path))
+    assert loaded is network
+
+
+def test_a_good_map_has_no_problems() -> None:
+    assert check_map(TOWN) == ()
+
+
+def test_checking_a_broken_map_says_why_instead_of_raising(tmp_path: Path, cache: Path) -> None:
+    path = tmp_path / "broken.xodr"
+    path.write_text("<OpenDRIVE>")
+    (problem,) = check_map(path)
+    assert "XML" in problem
+
+
+def test_a_map_too_small_for_any_route_is_a_problem(tmp_path: Path, cache: Path) -> None:
+    assert any("no base scenario" in problem for problem in check_map(_map(tmp_path)))
