@@ -124,6 +124,18 @@ def test_a_map_loads_where_no_cache_can_be_written(tmp_path: Path, cache: Path) 
     assert len(load_network(_map(tmp_path / "maps")).roads) == 1
 
 
+def test_a_cache_that_cannot_be_rewritten_costs_only_time(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path / "maps")
+    load_network(path)
+    (kept,) = cache.rglob("*.snet")
+    kept.unlink()
+    kept.mkdir()  # neither readable nor replaceable as a file, for whatever user runs this
+    (tmp_path / "copy").mkdir()
+    copy = tmp_path / "copy" / path.name
+    copy.write_bytes(path.read_bytes())
+    assert len(load_network(copy).roads) == 1
+
+
 def test_scenics_own_loader_gives_the_same_network_once_the_memo_is_installed(
     tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

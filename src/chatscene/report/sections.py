@@ -159,6 +159,7 @@ def _scenario(scenario: Row, *, alone: bool) -> str:
     return (
         f'{title}{_confidence(scenario)}<p class="slots">{slots}</p>'
         f"{f'<ul class=notes>{notes}</ul>' if notes else ''}"
+        f'<p class="quiet">The bars show how near each snippet is to what was said, from 0 to 1.</p>'
         f'<div class="cards">{cards}</div>{_ruled_out(scenario.get("ruled_out", []))}'
     )
 
@@ -282,7 +283,7 @@ def provenance(record: RunRecord) -> str:
         "Time": timings or "not recorded",
     }
     items = "".join(f"<div><dt>{name}</dt><dd>{escape(value)}</dd></div>" for name, value in facts.items())
-    return f'<pre class="code" tabindex="0"><code>{escape(command(record))}</code></pre><dl class="facts">{items}</dl>'
+    return f'<pre class="code wrap" tabindex="0"><code>{escape(command(record))}</code></pre><dl class="facts">{items}</dl>'
 
 
 def command(record: RunRecord) -> str:

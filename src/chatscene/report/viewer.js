@@ -190,10 +190,10 @@ function drawTwoWheeler(length, width) {
 }
 
 function drawWalker(length, width) {
-  const radius = Math.max(width, length) / 2 * 1.1;
+  const radius = Math.max(width / 2, length / 2, 5 / camera.zoom);
   path([[radius * 2.1, 0], [radius * 0.7, radius * 0.75], [radius * 0.7, -radius * 0.75]], true);
   canvas.fill();
-  canvas.beginPath(); canvas.arc(0, 0, Math.max(radius, 4.5 / camera.zoom), 0, 7); canvas.fill(); canvas.stroke();
+  canvas.beginPath(); canvas.arc(0, 0, Math.max(radius, 6 / camera.zoom), 0, 7); canvas.fill(); canvas.stroke();
 }
 
 function drawProp(length, width) {
@@ -228,7 +228,7 @@ function drawWords(width, height) {
   canvas.font = "600 12px system-ui, sans-serif";
   canvas.textAlign = "center";
   for (const actor of drive.actors) {
-    if (actor.role === "background" || camera.zoom < 3) continue;
+    if (actor.role !== "ego" && actor.role !== "adversary" || camera.zoom < 3) continue;
     const [x, y] = toScreen(at(actor.x, step), at(actor.y, step));
     const lift = Math.max(actor.length, actor.width) / 2 * camera.zoom + 8;
     canvas.lineWidth = 3;
@@ -413,7 +413,7 @@ function choose(index, start) {
   drive = unpackDrive(scenes[shown].drive);
   step = 0;
   follow(true);
-  camera.zoom = Math.max(view.clientWidth / 85, 6);
+  camera.zoom = Math.max(view.clientWidth / 70, 6);
   introduce(scenes[shown]);
   play(start);
 }
@@ -484,11 +484,21 @@ function listenToPointer() {
   speeds.addEventListener("pointermove", (event) => { if (event.buttons) jump(event); });
 }
 
+/** `report.html#SCENE@SECONDS` opens on that scene, paused at that time; answers whether there was such a link. */
+function openLinked() {
+  const [id, seconds] = decodeURIComponent(location.hash.slice(1)).split("@");
+  const index = scenes.findIndex((scene) => scene.id === id);
+  if (index < 0) return false;
+  choose(index, false);
+  seek((Number(seconds) || 0) / drive.dt);
+  return true;
+}
+
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 if (scenes.length) {
   $("replay").hidden = false;
   readColours();
   listen();
-  choose(0, !calm);
+  openLinked() || choose(0, !calm);
 }
 })();
