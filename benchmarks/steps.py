@@ -79,7 +79,7 @@ def newtonian(source: str, map_path: Path, steps: int) -> float:
     return (time.process_time() - began) / steps
 
 
-def drive_ego(view: RouteView | None, ego) -> tuple[RouteView, float, float, float]:  # noqa: ANN001
+def drive_ego(view: RouteView | None, ego) -> tuple[RouteView, float, float, float]:
     """One decision of the policy inside a Scenic behavior."""
     view = view or RouteView(ego.route.line)
     position = ego.position

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from chatscene.evaluate.score import columns, measure
 from chatscene.runs import (
     Run,
     create,
@@ -18,7 +19,9 @@ from chatscene.runs import (
     write_explanation,
     write_program,
 )
-from chatscene.search.explore import Block, Ran
+from chatscene.search.explore import Block, Ran, collided_values
+from chatscene.search.refine import refine
+from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.scenario import (
@@ -169,22 +172,7 @@ def _ego_and_walker(walking: float, gap: float, ahead: float, steps: int) -> tup
 def _track(
     actor: str, role: Role, kind: str, x: Any, y: Any, heading: Any, speed: Any, length: float, width: float
 ) -> Track:
-    return Track(
-        actor=actor, role=role, kind=kind, length=length, width=width, x=x, y=y, heading=heading, speed=speed
-    )
-
-
-def metrics(episode: Episode) -> dict[str, float]:
-    """Names and magnitudes like those of the real ones."""
-    crash = episode.collision is not None
-    return {
-        "collision_rate": float(crash),
-        "off_road": 0.01,
-        "route_following": 0.98,
-        "completion": episode.route_completion,
-        "acceleration": 0.2,
-        "overall_score": round((0.45 if crash else 0.85) + 0.1 * episode.route_completion, 4),
-    }
+    return Track(actor=actor, role=role, kind=kind, length=length, width=width, x=x, y=y, heading=heading, speed=speed)
 
 
 def block(
@@ -202,12 +190,10 @@ def block(
         concrete = scene(index, _drawn(ranges, rng), route=route, block=number)
         episode = drive(concrete, steps)
         meaning = () if index % 7 else ("cross: the adversary stays 2.1 m beside the ego's path",)
-        ran.append(Ran(scene=concrete, episode=episode, metrics=metrics(episode), meaning=meaning))
+        ran.append(Ran(scene=concrete, episode=episode, metrics=columns(measure(episode)), meaning=meaning))
     refused = scene(number * scenes, _drawn(ranges, rng), route=route, block=number, attempt=1)
     rejected = (Rejected(scene=refused, reason="bus-stop overlaps adversary"),)
-    return Block(
-        scenario_id=SCENARIO, route=route, number=number, ranges=ranges, ran=tuple(ran), rejected=rejected
-    )
+    return Block(scenario_id=SCENARIO, route=route, number=number, ranges=ranges, ran=tuple(ran), rejected=rejected)
 
 
 def _drawn(ranges: tuple[ParameterRange, ...], rng: np.random.Generator) -> dict[str, float]:
@@ -215,25 +201,13 @@ def _drawn(ranges: tuple[ParameterRange, ...], rng: np.random.Generator) -> dict
 
 
 def blocks(count: int = 5, *, route: int = 0, scenes: int = 10, steps: int = 100) -> list[Block]:
-    """Blocks whose ranges move toward what collided, as the search does."""
-    ranges, hits, done = DECLARED, list[dict[str, float]](), list[Block]()
+    """Blocks whose ranges move toward what collided."""
+    done: list[Block] = []
+    hits: list[dict[str, float]] = []
     for number in range(count):
-        done.append(block(number, ranges, route=route, scenes=scenes, steps=steps))
-        hits += [dict(r.scene.values) for r in done[-1].ran if r.episode.collision]
-        if hits:
-            ranges = tuple(_toward(p, [values[p.name] for values in hits]) for p in DECLARED)
+        done.append(block(number, refine(DECLARED, hits), route=route, scenes=scenes, steps=steps))
+        hits += collided_values(done[-1])
     return done
-
-
-def _toward(declared: ParameterRange, values: list[float]) -> ParameterRange:
-    mean, spread = float(np.mean(values)), max(float(np.std(values)), 0.05 * (declared.high - declared.low))
-    return ParameterRange(
-        name=declared.name,
-        low=declared.clip(mean - spread),
-        high=declared.clip(mean + spread),
-        unit=declared.unit,
-        meaning=declared.meaning,
-    )
 
 
 def drawing() -> dict[str, Any]:
@@ -244,29 +218,33 @@ def drawing() -> dict[str, Any]:
 
     return {
         "roads": [
-            box(-60, -3.5, 80, 3.5),
-            box(90, -3.5, 200, 3.5),
-            box(81.5, -80, 88.5, -5),
-            box(81.5, 5, 88.5, 80),
+            [box(-60, -3.5, 80, 3.5)],
+            [box(90, -3.5, 200, 3.5)],
+            [box(81.5, -80, 88.5, -5)],
+            [box(81.5, 5, 88.5, 80)],
         ],
         "junctions": [
-            [[78, -3.5], [81.5, -6], [88.5, -6], [92, -3.5], [92, 3.5], [88.5, 6], [81.5, 6], [78, 3.5]]
+            [[[78, -3.5], [81.5, -6], [88.5, -6], [92, -3.5], [92, 3.5], [88.5, 6], [81.5, 6], [78, 3.5]]],
         ],
+        "shoulders": [],
         "sidewalks": [
-            box(-60, -6.5, 78, -4),
-            box(-60, 4, 78, 6.5),
-            box(92, -6.5, 200, -4),
-            box(92, 4, 200, 6.5),
+            [box(-60, -6.5, 78, -4)],
+            [box(-60, 4, 78, 26), box(-50, 8, 70, 24)],  # around a block
+            [box(92, -6.5, 200, -4)],
+            [box(92, 4, 200, 6.5)],
         ],
-        "lane_lines": [
-            {"points": [[-60, 0], [78, 0]], "style": "centre"},
-            {"points": [[92, 0], [200, 0]], "style": "centre"},
-            {"points": [[-60, -3.5], [78, -3.5]], "style": "solid"},
-            {"points": [[-60, 3.5], [78, 3.5]], "style": "solid"},
-            {"points": [[85, -80], [85, -6]], "style": "dashed"},
-            {"points": [[85, 6], [85, 80]], "style": "dashed"},
+        "lane_boundaries": [
+            {"points": [[-60, 0], [78, 0]], "kind": "centre"},
+            {"points": [[92, 0], [200, 0]], "kind": "centre"},
+            {"points": [[-60, -3.5], [78, -3.5]], "kind": "solid"},
+            {"points": [[-60, 3.5], [78, 3.5]], "kind": "solid"},
+            {"points": [[85, -80], [85, -6]], "kind": "dashed"},
+            {"points": [[85, 6], [85, 80]], "kind": "dashed"},
         ],
-        "stop_lines": [[[78, -3.5], [78, 0]], [[92, 0], [92, 3.5]]],
+        "stop_lines": [
+            {"control": "signal", "points": [[78, -3.5], [78, 0]]},
+            {"control": "signal", "points": [[92, 0], [92, 3.5]]},
+        ],
         "routes": {f"{SCENARIO}/route-00": [[0, -1.75], [100, -1.75]]},
     }
 
@@ -313,9 +291,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
     )
     candidates = {
         Component.BEHAVIOR: (
-            _match(
-                Component.BEHAVIOR, "cross-and-stop", "Crosses the road and stops in the ego's lane.", 0.83
-            ),
+            _match(Component.BEHAVIOR, "cross-and-stop", "Crosses the road and stops in the ego's lane.", 0.83),
             _match(
                 Component.BEHAVIOR,
                 "cross-hesitate",
@@ -327,9 +303,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
         ),
         Component.GEOMETRY: (
             _match(Component.GEOMETRY, "straight-road", "A straight road.", 0.94),
-            _match(
-                Component.GEOMETRY, "straight-two-lanes", "A straight road with two lanes each way.", 0.78
-            ),
+            _match(Component.GEOMETRY, "straight-two-lanes", "A straight road with two lanes each way.", 0.78),
         ),
         Component.SPAWN: (
             _match(Component.SPAWN, "behind-bus-stop-right", "Behind a bus stop on the right.", 0.97),
@@ -370,12 +344,17 @@ def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: i
 
 
 def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
-    """Collisions first, lowest overall score; True marks a fill-in."""
-    ran = sorted(
-        (r for b in done for r in b.ran),
-        key=lambda r: (r.episode.collision is None, r.metrics["overall_score"], r.scene.id),
-    )
-    return {r.scene.id: r.episode.collision is None for r in ran[:keep]}
+    """The scenes to keep, by id; True marks a fill-in."""
+    candidates = [
+        Candidate(
+            scene_id=ran.scene.id,
+            collided=ran.episode.collision is not None,
+            overall_score=ran.metrics["overall_score"],
+        )
+        for one in done
+        for ran in one.ran
+    ]
+    return {kept.scene_id: kept.fill_in for kept in select(candidates, count=keep)}
 
 
 def finished(

@@ -99,7 +99,9 @@ def test_a_walker_needs_time_to_sprint_and_faces_where_it_goes() -> None:
 
 @settings(max_examples=60)
 @given(kinds, st.lists(st.tuples(pedal, pedal, wheel, st.booleans()), min_size=1, max_size=30), st.floats(0, 20))
-def test_no_control_makes_a_vehicle_jump(kind: str, orders: list[tuple[float, float, float, bool]], speed: float) -> None:
+def test_no_control_makes_a_vehicle_jump(
+    kind: str, orders: list[tuple[float, float, float, bool]], speed: float
+) -> None:
     body, limits = vehicle(kind, speed), LIMITS[kind]
     hardest = limits.throttle + limits.brake + limits.drag + 0.0008 * limits.top_speed**2
     for body.throttle, body.brake, body.steer, body.reverse in orders:
@@ -140,7 +142,7 @@ def test_boxes_touch_when_they_overlap_and_not_when_they_miss() -> None:
 def test_touching_agrees_with_polygon_intersection(x: float, y: float, a: float, b: float) -> None:
     shapely = pytest.importorskip("shapely")
 
-    def polygon(body: Body):  # noqa: ANN202
+    def polygon(body: Body):
         corners = [
             (
                 body.x + u * body.half_length * body.cos - v * body.half_width * body.sin,

@@ -20,6 +20,7 @@ from chatscene.maps.junctions import junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.survey import check_map, describe_map
+from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import BaseScenario, Control
 
 TOWN = resolve_map("town")
@@ -35,9 +36,7 @@ def _line(lane: Any) -> np.ndarray:
 
 @settings(max_examples=40, deadline=None)
 @given(lane=st.sampled_from(MAIN_LANES), where=st.floats(0.02, 0.98), aside=st.floats(-1.5, 1.5))
-def test_a_point_near_a_centre_line_lies_in_that_lane_and_on_the_road(
-    lane: Any, where: float, aside: float
-) -> None:
+def test_a_point_near_a_centre_line_lies_in_that_lane_and_on_the_road(lane: Any, where: float, aside: float) -> None:
     line = _line(lane)
     at = where * (len(line) - 1)
     i = int(at)
@@ -60,10 +59,10 @@ def test_shoulders_sidewalks_and_fields_are_off_the_road() -> None:
 
 
 def test_the_tolerance_at_the_edge_of_the_road_is_a_tenth_of_a_metre() -> None:
-    group = NETWORK.roads[0].forwardLanes
-    (x0, y0, *_), (x1, y1, *_) = group.rightEdge.points[3:5]
-    normal = np.array([y1 - y0, x0 - x1]) / math.hypot(x1 - x0, y1 - y0)  # to the right, away from the lane
-    xy = np.array([(x0, y0), (x0, y0)]) + np.array([[0.08], [0.12]]) * normal
+    edge = np.array(NETWORK.roads[0].forwardLanes.rightEdge.points)[:, :2]
+    along = edge[1] - edge[0]
+    away = np.array([along[1], -along[0]]) / np.hypot(*along)  # to the right of the lane's direction
+    xy = edge[0] + 0.4 * along + np.array([[0.08], [0.12]]) * away
     assert LANES.off_road(xy).tolist() == [False, True]
 
 
@@ -71,7 +70,8 @@ def test_where_lanes_overlap_the_lanes_of_the_route_win() -> None:
     junction = next(j for j in NETWORK.intersections if j.is4Way)
     for maneuver in junction.maneuvers:
         lane = maneuver.connectingLane
-        indices = LANES.lane_index(_line(lane)[1:-1], along=(lane.uid,))
+        inside = Polyline(_line(lane)).resampled(1.0).points[1:-1]
+        indices = LANES.lane_index(inside, along=(lane.uid,))
         assert {LANES.lane_ids[i] for i in indices.tolist()} == {lane.uid}
 
 
@@ -125,7 +125,9 @@ def test_a_drawing_lies_inside_its_box_and_is_plain_json() -> None:
     drawing = map_drawing(NETWORK, box)
     assert json.loads(json.dumps(drawing)) == drawing
     assert all(drawing.values())
-    rings = [ring for kind in ("roads", "junctions", "shoulders", "sidewalks") for area in drawing[kind] for ring in area]
+    rings = [
+        ring for kind in ("roads", "junctions", "shoulders", "sidewalks") for area in drawing[kind] for ring in area
+    ]
     lines = [entry["points"] for kind in ("lane_boundaries", "stop_lines") for entry in drawing[kind]]
     for x, y in (point for points in rings + lines for point in points):
         assert box[0] - 0.01 <= x <= box[2] + 0.01

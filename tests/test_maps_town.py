@@ -159,8 +159,6 @@ def _piece(geometry: ET.Element) -> dict[str, float]:
 def _end(piece: dict[str, float]) -> tuple[float, float, float]:
     length, curvature = piece["length"], piece["curvature"]
     turned = length * curvature
-    ahead, left = (
-        (math.sin(turned) / curvature, (1 - math.cos(turned)) / curvature) if curvature else (length, 0.0)
-    )
+    ahead, left = (math.sin(turned) / curvature, (1 - math.cos(turned)) / curvature) if curvature else (length, 0.0)
     c, s = math.cos(piece["hdg"]), math.sin(piece["hdg"])
     return piece["x"] + ahead * c - left * s, piece["y"] + ahead * s + left * c, piece["hdg"] + turned

@@ -170,10 +170,13 @@ def test_crossing_paths_meet_the_route_where_they_say(base: BaseScenario, query:
             assert path.ego_meets_at >= route.event_at - 2.0
             came = math.degrees(
                 math.remainder(
-                    path.line.heading_at(path.entry - 1) - route.line.heading_at(route.event_at - 1), 2 * math.pi
+                    path.line.heading_at(path.entry - 1) - route.line.heading_at(route.event_at - 1),
+                    2 * math.pi,
                 )
             )
-            assert came == pytest.approx({"left": -90, "right": 90}.get(path.from_side, math.copysign(180, came)), abs=45)
+            assert came == pytest.approx(
+                {"left": -90, "right": 90}.get(path.from_side, math.copysign(180, came)), abs=45
+            )
 
 
 def test_an_open_road_has_no_crossing_paths() -> None:
@@ -202,7 +205,13 @@ def test_what_a_map_lacks_is_said() -> None:
     [
         (
             "Town01",
-            {"straight-obstacle", "turning-obstacle", "vehicle-passing", "unprotected-left-turn", "right-turn"},
+            {
+                "straight-obstacle",
+                "turning-obstacle",
+                "vehicle-passing",
+                "unprotected-left-turn",
+                "right-turn",
+            },
             {"lane-changing", "red-light-running", "crossing-negotiation"},
         ),
         (
@@ -225,9 +234,7 @@ def test_what_a_map_lacks_is_said() -> None:
         ),
     ],
 )
-def test_the_towns_of_carla_serve_what_they_have_the_geometry_for(
-    name: str, serves: set[str], lacks: set[str]
-) -> None:
+def test_the_towns_of_carla_serve_what_they_have_the_geometry_for(name: str, serves: set[str], lacks: set[str]) -> None:
     path = SHARED / f"{name}.xodr"
     if not path.is_file():
         pytest.skip(f"{name}.xodr is not beside this repository")

@@ -23,7 +23,12 @@ def with_(**changes: object) -> Measurements:
     return replace(BLANK, **changes)  # type: ignore[arg-type]
 
 
-def track(x: list[float], y: list[float] | None = None, heading: list[float] | None = None, speed: list[float] | None = None) -> Track:
+def track(
+    x: list[float],
+    y: list[float] | None = None,
+    heading: list[float] | None = None,
+    speed: list[float] | None = None,
+) -> Track:
     zero = [0.0] * len(x)
     return Track(
         actor="ego", role=Role.EGO, kind="Car", length=4.9, width=2.1,
@@ -31,7 +36,15 @@ def track(x: list[float], y: list[float] | None = None, heading: list[float] | N
     )  # fmt: skip
 
 
-def episode(ego: Track, *, events: tuple[Event, ...] = (), ending: Ending = Ending.TIMEOUT, completion: float = 0.5, off: list[bool] | None = None, distance: list[float] | None = None) -> Episode:
+def episode(
+    ego: Track,
+    *,
+    events: tuple[Event, ...] = (),
+    ending: Ending = Ending.TIMEOUT,
+    completion: float = 0.5,
+    off: list[bool] | None = None,
+    distance: list[float] | None = None,
+) -> Episode:
     steps = len(ego.x)
     return Episode(
         scene_id="s", ego="e", dt=DT, tracks=(ego,), events=events, signals=(), ending=ending,
@@ -41,7 +54,13 @@ def episode(ego: Track, *, events: tuple[Event, ...] = (), ending: Ending = Endi
 
 
 def test_counts_come_from_events() -> None:
-    kinds = [EventKind.RED_LIGHT, EventKind.RED_LIGHT, EventKind.STOP_SIGN, EventKind.LANE_INVASION, EventKind.COLLISION]
+    kinds = [
+        EventKind.RED_LIGHT,
+        EventKind.RED_LIGHT,
+        EventKind.STOP_SIGN,
+        EventKind.LANE_INVASION,
+        EventKind.COLLISION,
+    ]
     m = measure(episode(track([0.0, 1.0]), events=tuple(Event(kind=k, step=1) for k in kinds)))
     assert (m.red_lights, m.stop_signs, m.lane_invasions, m.collided) == (2, 1, 1, True)
 

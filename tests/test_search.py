@@ -54,7 +54,15 @@ def candidate(name: str, collided: bool, score: float) -> Candidate:
 
 
 def test_collisions_come_first_and_the_lowest_scores_among_them() -> None:
-    kept = select([candidate("a", False, 0.1), candidate("b", True, 0.5), candidate("c", True, 0.3), candidate("d", True, 0.4)], count=2)
+    kept = select(
+        [
+            candidate("a", False, 0.1),
+            candidate("b", True, 0.5),
+            candidate("c", True, 0.3),
+            candidate("d", True, 0.4),
+        ],
+        count=2,
+    )
     assert kept == (Selected(scene_id="c", fill_in=False), Selected(scene_id="d", fill_in=False))
 
 

@@ -55,7 +55,7 @@ def _console() -> Console:
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="chatscene")
 def main() -> None:
-    """Turn a sentence about a dangerous traffic situation into scenes worth testing on.
+    r"""Turn a sentence about a dangerous traffic situation into scenes worth testing on.
 
     \b
     chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
@@ -71,12 +71,29 @@ def main() -> None:
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Run folder; default: a new one under runs/.")
-@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; default: one per core, at most one per route.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=None,
+    help="Run folder; default: a new one under runs/.",
+)
+@click.option(
+    "--jobs",
+    default=None,
+    type=click.IntRange(min=1),
+    help="Processes; default: one per core, at most one per route.",
+)
 def run(
-    text: str, map_name: str, ego: str, scenes: int, routes: int, seed: int, out: Path | None, jobs: int | None
+    text: str,
+    map_name: str,
+    ego: str,
+    scenes: int,
+    routes: int,
+    seed: int,
+    out: Path | None,
+    jobs: int | None,
 ) -> None:
-    """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
+    r"""Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
 
     \b
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
@@ -89,7 +106,13 @@ def run(
     settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed))
     folder = out or pipeline.free_folder(Path("runs"), text)
     report = pipeline.run(
-        text, folder, settings=settings, map_name=map_name, ego_name=ego, jobs=jobs or _cores(), progress=_progress()
+        text,
+        folder,
+        settings=settings,
+        map_name=map_name,
+        ego_name=ego,
+        jobs=jobs or _cores(),
+        progress=_progress(),
     )
     _say_done(folder, report)
 
@@ -98,7 +121,7 @@ def run(
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
 def resume(folder: Path, jobs: int | None) -> None:
-    """Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
+    r"""Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
 
     \b
     chatscene resume runs/cyclist
@@ -114,7 +137,7 @@ def resume(folder: Path, jobs: int | None) -> None:
 @click.argument("scene_id")
 @JSON
 def replay(folder: Path, scene_id: str, as_json: bool) -> None:
-    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+    r"""Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
@@ -135,7 +158,7 @@ def replay(folder: Path, scene_id: str, as_json: bool) -> None:
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
 @JSON
 def explain(text: str, show_program: bool, as_json: bool) -> None:
-    """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+    r"""Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
     chatscene explain "a motorbike cuts us off from the right"
@@ -161,7 +184,7 @@ def library() -> None:
 @click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default=None)
 @JSON
 def list_snippets(component: str | None, as_json: bool) -> None:
-    """List the snippets, a line each.
+    r"""List the snippets, a line each.
 
     \b
     chatscene library list --component spawn
@@ -179,7 +202,7 @@ def list_snippets(component: str | None, as_json: bool) -> None:
 @library.command()
 @click.argument("snippet_id", metavar="ID")
 def show(snippet_id: str) -> None:
-    """Print one snippet: what it says, what it needs and gives, its code.
+    r"""Print one snippet: what it says, what it needs and gives, its code.
 
     \b
     chatscene library show behavior/cross-and-stop
@@ -192,11 +215,13 @@ def show(snippet_id: str) -> None:
 
 @library.command()
 @click.argument("text")
-@click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default="behavior", show_default=True)
+@click.option(
+    "--component", type=click.Choice(["behavior", "geometry", "spawn"]), default="behavior", show_default=True
+)
 @click.option("--top", default=5, show_default=True)
 @JSON
 def search(text: str, component: str, top: int, as_json: bool) -> None:
-    """Find the snippets of one component nearest to TEXT.
+    r"""Find the snippets of one component nearest to TEXT.
 
     \b
     chatscene library search "slams on the brakes"
@@ -218,7 +243,7 @@ def search(text: str, component: str, top: int, as_json: bool) -> None:
 @click.option("--folder", type=click.Path(path_type=Path, exists=True), default=None, help="A library of your own.")
 @JSON
 def lint(folder: Path | None, as_json: bool) -> None:
-    """Check every snippet: header against code, compiles, samples, runs, does what it says.
+    r"""Check every snippet: header against code, compiles, samples, runs, does what it says.
 
     \b
     chatscene library lint
@@ -253,7 +278,7 @@ def map_group() -> None:
 @click.argument("map_name", metavar="MAP", default="town")
 @JSON
 def map_info(map_name: str, as_json: bool) -> None:
-    """Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
+    r"""Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
 
     \b
     chatscene map info
@@ -275,7 +300,7 @@ def map_info(map_name: str, as_json: bool) -> None:
 @map_group.command("check")
 @click.argument("map_name", metavar="MAP")
 def map_check(map_name: str) -> None:
-    """Check that a map can be used, and name what is wrong with it.
+    r"""Check that a map can be used, and name what is wrong with it.
 
     \b
     chatscene map check my-town.xodr
@@ -294,7 +319,7 @@ def map_check(map_name: str) -> None:
 @main.command()
 @JSON
 def doctor(as_json: bool) -> None:
-    """Check this installation: versions, encoder, library, map, one simulated scene.
+    r"""Check this installation: versions, encoder, library, map, one simulated scene.
 
     \b
     chatscene doctor

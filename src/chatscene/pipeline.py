@@ -106,7 +106,7 @@ def understand(text: str, settings: Settings | None = None) -> Understood:
     settings = settings or Settings()
     scenario = decompose(text)
     retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
-    program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
+    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
     return Understood(scenario=scenario, retrieval=retrieval, program=program)
 
 
@@ -172,7 +172,7 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
     retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
     runs.write_explanation(run, runs.explain(record.text, [(scenario, retrieval)]))
-    program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
+    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
     runs.write_program(run, scenario.id, program.source)
 
     progress("checking that the program means it", 0, 0)
@@ -243,7 +243,7 @@ def replay(folder: Path, scene_id: str) -> Replayed:
     scenario = decompose(record.text)
     settings = runs.settings_of(record)
     retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
-    program = assemble(scenario, *retrieval.snippets, retrieval.adversary)
+    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
     kept = runs.read_programs(run)[scenario.id]
     if kept != program.source:
         raise Diverged(

@@ -78,9 +78,7 @@ class _Worker:
         return collided_values(block)
 
 
-def run_blocks(
-    work: Work, done: Mapping[int, list[Values]], *, jobs: int, on_block: Callable[[int], None]
-) -> None:
+def run_blocks(work: Work, done: Mapping[int, list[Values]], *, jobs: int, on_block: Callable[[int], None]) -> None:
     """Run every block that is not done yet, and keep each in the run folder.
 
     Args:
@@ -113,7 +111,11 @@ def run_blocks(
 
 
 def _in_processes(
-    work: Work, history: dict[int, list[Values]], routes: list[int], jobs: int, on_block: Callable[[int], None]
+    work: Work,
+    history: dict[int, list[Values]],
+    routes: list[int],
+    jobs: int,
+    on_block: Callable[[int], None],
 ) -> None:
     ran = 0
     with ProcessPoolExecutor(

@@ -1,0 +1,1 @@
+"""Step 8 of 9: how an ego fared."""

@@ -37,9 +37,7 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
         "shoulders": _polygons((shoulder.polygons for shoulder in network.shoulders), frame),
         "sidewalks": _polygons((sidewalk.polygons for sidewalk in network.sidewalks), frame),
         "lane_boundaries": [
-            {"kind": kind, "points": points}
-            for kind, line in _boundaries(network)
-            for points in _lines(line, frame)
+            {"kind": kind, "points": points} for kind, line in _boundaries(network) for points in _lines(line, frame)
         ],
         "stop_lines": [
             {"control": line.control.value, "points": _rounded([(line.x0, line.y0), (line.x1, line.y1)])}

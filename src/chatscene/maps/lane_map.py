@@ -90,9 +90,7 @@ class LaneMap:
         if not len(xy):
             return []
         low, high = xy.min(axis=0), xy.max(axis=0)
-        near = np.flatnonzero(
-            (self._bounds[:, :2] <= high).all(axis=1) & (self._bounds[:, 2:] >= low).all(axis=1)
-        )
+        near = np.flatnonzero((self._bounds[:, :2] <= high).all(axis=1) & (self._bounds[:, 2:] >= low).all(axis=1))
         first = [self._index[uid] for uid in along if uid in self._index]
         return [*dict.fromkeys(first), *(int(lane) for lane in near if lane not in first)]
 

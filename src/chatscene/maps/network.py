@@ -10,6 +10,7 @@ import difflib
 import hashlib
 import os
 import shutil
+import warnings
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -61,11 +62,16 @@ def _parse(digest: str, path: Path) -> Any:
     parse = _scenic_from_file()
     copy = _private_copy(path, digest)
     try:
-        if copy is None:
-            network = parse(str(path), useCache=False, writeCache=False)
-        else:
-            network = parse(str(copy))
-    except (AssertionError, ValueError, KeyError, IndexError, AttributeError, TypeError, RuntimeError) as error:
+        network = _parse_quietly(parse, copy or path, cached=copy is not None)
+    except (
+        AssertionError,
+        ValueError,
+        KeyError,
+        IndexError,
+        AttributeError,
+        TypeError,
+        RuntimeError,
+    ) as error:
         message = str(error) or type(error).__name__
         raise MapError(
             f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {message} ({path})"
@@ -76,9 +82,23 @@ def _parse(digest: str, path: Path) -> Any:
     return network
 
 
+def _parse_quietly(parse: Any, path: Path, *, cached: bool) -> Any:
+    """Scenic's network, without its warnings about shoulders it leaves out, and without a cache that fails."""
+    from scenic.formats.opendrive.xodr_parser import OpenDriveWarning
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OpenDriveWarning)
+        try:
+            return parse(str(path), useCache=cached, writeCache=cached)
+        except OSError:
+            if not cached:
+                raise
+            return parse(str(path), useCache=False, writeCache=False)
+
+
 def _check_xml(path: Path) -> None:
     try:
-        root = Xml.parse(path).getroot()  # noqa: S314 - expat expands no external entities
+        root = Xml.parse(path).getroot()
     except Xml.ParseError as error:
         raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
     if root.tag != "OpenDRIVE":
@@ -113,10 +133,10 @@ def install_network_memo() -> None:
 
     _scenic_from_file()
 
-    def from_file(path: Any, **_options: Any) -> Any:
+    def from_file(path: Any, *_: Any, **_options: Any) -> Any:
         return load_network(path)
 
-    Network.fromFile = staticmethod(from_file)
+    setattr(Network, "fromFile", staticmethod(from_file))  # noqa: B010 - a class of somebody else's
 
 
 @lru_cache(maxsize=1)

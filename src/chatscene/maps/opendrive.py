@@ -135,9 +135,7 @@ def write_opendrive(name: str, streets: Sequence[Street]) -> str:
                 connectingRoad=str(next_id),
                 contactPoint="start",
             )
-            Xml.SubElement(
-                entry, "laneLink", {"from": str(connection.source.incoming(connection.lane_in)), "to": "-1"}
-            )
+            Xml.SubElement(entry, "laneLink", {"from": str(connection.source.incoming(connection.lane_in)), "to": "-1"})
             next_id += 1
         junctions.append(junction)
     root.extend(junctions)
@@ -276,7 +274,11 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
     right = Xml.SubElement(section, "right")
     for number in range(1, 4 if connection.kerb else 2):
         lane = Xml.SubElement(
-            right, "lane", id=str(-number), type=("driving", "shoulder", "sidewalk")[number - 1], level="false"
+            right,
+            "lane",
+            id=str(-number),
+            type=("driving", "shoulder", "sidewalk")[number - 1],
+            level="false",
         )
         ends = Xml.SubElement(lane, "link")
         beyond = number - 1
@@ -332,9 +334,7 @@ def _line_arc_line(start: _Pose, goal: _Pose) -> list[_Piece]:
 # Roads
 
 
-def _road(
-    root: Xml.Element, road_id: int, name: str, start: _Pose, pieces: list[_Piece], junction: str
-) -> Xml.Element:
+def _road(root: Xml.Element, road_id: int, name: str, start: _Pose, pieces: list[_Piece], junction: str) -> Xml.Element:
     length = sum(piece.length for piece in pieces)
     road = Xml.SubElement(
         root, "road", name=name, length=_number(length), id=str(road_id), junction=junction, rule="RHT"

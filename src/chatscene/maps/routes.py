@@ -8,34 +8,35 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
 from itertools import count as counter
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
 from chatscene.errors import MapError
+from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.junctions import junction_control
+from chatscene.maps.lane_runs import LaneRun, lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
 
+__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes"]
+
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
-OPEN_ROAD = 100.0  # [m] of a route without a junction
-ONSETS = (10.0, 45.0, 80.0, 115.0)  # [m] into the lane, where a route without a junction may start
+OPEN_ROAD, SHORT_ROAD = 100.0, 85.0  # [m] of a route without a junction; the shorter where nothing longer fits
+FIRST_ONSET, ONSET_STEP, FINE_STEP = 10.0, 35.0, 2.0  # [m] into the lane, where a route without a junction may start
 CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how long it takes
-BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0  # [m], a bypass: the blocker, swinging out and in, passing beside
-MEETING = 2.5  # [m], paths nearer than this meet: about a car's width and some
+# [m], a bypass: the blocker, swinging out and in, passing beside
+BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
 
 _STRAIGHT_ROAD = math.radians(5)
 _CURVED_ROAD = math.radians(30)
-_TURNS = {
-    "STRAIGHT": Maneuver.STRAIGHT,
-    "LEFT_TURN": Maneuver.LEFT_TURN,
-    "RIGHT_TURN": Maneuver.RIGHT_TURN,
-}
+_LEAST_TURNED = math.radians(45)
+_MOST_TURNED = math.radians(150)  # more is a ramp that winds
 
 BASE_SCENARIO_QUERIES: dict[BaseScenario, tuple[RouteQuery, ...]] = {
     BaseScenario.STRAIGHT_OBSTACLE: (RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD),),
@@ -50,7 +51,10 @@ BASE_SCENARIO_QUERIES: dict[BaseScenario, tuple[RouteQuery, ...]] = {
     BaseScenario.VEHICLE_PASSING: (RouteQuery(maneuver=Maneuver.BYPASS, opposite_lane=True),),
     BaseScenario.RED_LIGHT_RUNNING: (
         RouteQuery(
-            maneuver=Maneuver.STRAIGHT, place=Place.FOUR_WAY, control=Control.SIGNAL, conflicting_from=("left",)
+            maneuver=Maneuver.STRAIGHT,
+            place=Place.FOUR_WAY,
+            control=Control.SIGNAL,
+            conflicting_from=("left",),
         ),
     ),
     BaseScenario.UNPROTECTED_LEFT_TURN: (
@@ -58,32 +62,9 @@ BASE_SCENARIO_QUERIES: dict[BaseScenario, tuple[RouteQuery, ...]] = {
     ),
     BaseScenario.RIGHT_TURN: (RouteQuery(maneuver=Maneuver.RIGHT_TURN, conflicting_from=("left",)),),
     BaseScenario.CROSSING_NEGOTIATION: (
-        RouteQuery(
-            maneuver=Maneuver.STRAIGHT, place=Place.JUNCTION, control=Control.NONE, conflicting_from=("left",)
-        ),
+        RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.JUNCTION, control=Control.NONE, conflicting_from=("left",)),
     ),
 }
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CrossingPath:
-    """The way of another vehicle that meets the ego's at a junction.
-
-    Attributes:
-        line: Its lane before the junction, through it, and after.
-        turn: What it does there.
-        from_side: Where it comes from, seen from the ego: ``left``, ``right`` or ``oncoming``.
-        entry: Arc length [m] on `line` where it enters the junction.
-        meets_at: Arc length [m] on `line` where it first comes near the ego's route.
-        ego_meets_at: Arc length [m] on the ego's route of that place.
-    """
-
-    line: Polyline
-    turn: Maneuver
-    from_side: str
-    entry: float
-    meets_at: float
-    ego_meets_at: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,10 +91,7 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     Raises:
         MapError: There is none.
     """
-    at_junction = query.place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY) or (
-        query.maneuver in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
-    )
-    find = _through_junctions if at_junction else _along_roads
+    find = _through_junctions if _needs_junction(query) else _along_roads
     candidates: list[_Candidate] = []
     for variant in range(len(APPROACHES)):  # later variants only fill up what earlier ones leave
         if len(candidates) < count:
@@ -121,7 +99,25 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     if not candidates:
         raise MapError(f"map {map_name!r} has no place for {_in_words(query)}")
     chosen = _spread(candidates)[:count]
-    return tuple(_named(route, f"{query.maneuver}-{number:02d}") for number, route in enumerate(chosen))
+    return tuple(replace(route, id=f"{_slug(query)}-{number:02d}") for number, route in enumerate(chosen))
+
+
+def _needs_junction(query: RouteQuery) -> bool:
+    return (
+        query.place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
+        or query.maneuver in (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
+        or query.control in (Control.SIGNAL, Control.STOP_SIGN)
+        or bool(query.conflicting_from)
+    )
+
+
+def _slug(query: RouteQuery) -> str:
+    """A name for all that a query asks for, so that a route's id stands for one route of the map."""
+    parts = [query.maneuver, query.place, query.control]
+    parts += [f"{query.lanes_same_way}-lanes"] * (query.lanes_same_way > 1)
+    parts += [None if query.opposite_lane is None else "opposite" if query.opposite_lane else "one-way"]
+    parts += [f"from-{side}" for side in query.conflicting_from]
+    return "-".join(part for part in parts if part is not None)
 
 
 def _spread(candidates: list[_Candidate]) -> list[Route]:
@@ -132,20 +128,6 @@ def _spread(candidates: list[_Candidate]) -> list[Route]:
         for i, c in enumerate(candidates)
     ]
     return [route for *_, route in sorted(keyed, key=lambda entry: entry[:3])]
-
-
-def _named(route: Route, name: str) -> Route:
-    return Route(
-        id=name,
-        map_name=route.map_name,
-        maneuver=route.maneuver,
-        place=route.place,
-        control=route.control,
-        line=route.line,
-        lane_ids=route.lane_ids,
-        event_at=route.event_at,
-        junction=route.junction,
-    )
 
 
 def _in_words(query: RouteQuery) -> str:
@@ -177,9 +159,9 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
         place, control = _place_of(intersection), junction_control(intersection)
         if query.place not in (None, Place.JUNCTION, place) or query.control not in (None, control):
             continue
-        maneuvers = [m for m in intersection.maneuvers if _TURNS.get(m.type.name) is query.maneuver]
+        maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]
         for maneuver in sorted(maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid)):
-            route = _junction_route(maneuver, intersection, map_name, place, control, APPROACHES[variant])
+            route = _junction_route(network, maneuver, map_name, place, control, APPROACHES[variant])
             if route is None or not _offers(maneuver.startLane, query):
                 continue
             if not query.conflicting_from or set(query.conflicting_from) <= {
@@ -189,163 +171,114 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
 
 
 def _junction_route(
-    maneuver: Any, intersection: Any, map_name: str, place: Place, control: Control, approach: float
+    network: Any, maneuver: Any, map_name: str, place: Place, control: Control, approach: float
 ) -> Route | None:
-    before, after = _centre(maneuver.startLane), _centre(maneuver.endLane)
-    if before.length < approach + 2 or after.length < 15 or maneuver.connectingLane is None:
+    runs = lane_runs(network)
+    before, after = runs[maneuver.startLane.uid], runs[maneuver.endLane.uid]
+    start, end = before.line.length - approach, min(EXIT, after.line.length)
+    if start < 2 or end < 15:
         return None
     line = Polyline.join(
-        before.between(before.length - approach, before.length),
-        _centre(maneuver.connectingLane),
-        after.between(0.0, min(EXIT, after.length)),
+        before.line.between(start, before.line.length),
+        Polyline(maneuver.connectingLane.centerline.points),
+        after.line.between(0.0, end),
     )
+    if not _goes(line, TURNS[maneuver.type.name]):
+        return None
     return Route(
         id="",
         map_name=map_name,
-        maneuver=_TURNS[maneuver.type.name],
+        maneuver=TURNS[maneuver.type.name],
         place=place,
         control=control,
         line=line.resampled(1.0),
-        lane_ids=(maneuver.startLane.uid, maneuver.connectingLane.uid, maneuver.endLane.uid),
+        lane_ids=(
+            *before.ids_between(start, before.line.length),
+            maneuver.connectingLane.uid,
+            *after.ids_between(0.0, end),
+        ),
         event_at=approach,
-        junction=str(intersection.uid),
+        junction=str(maneuver.intersection.uid),
     )
 
 
-@lru_cache(maxsize=1024)
-def conflicting_paths(network: Any, route: Route) -> tuple[CrossingPath, ...]:
-    """The ways of other vehicles through a route's junction that meet the route.
-
-    Args:
-        network: Scenic's road network.
-        route: The ego's route; one without a junction has no conflicts.
-
-    Returns:
-        Straight ways first, then left turns, then right turns; each at most once per pair of lanes.
-    """
-    if route.junction is None:
-        return ()
-    intersection = network.elements[route.junction]
-    start = network.elements[route.lane_ids[0]]
-    found = [
-        path
-        for maneuver in sorted(intersection.maneuvers, key=lambda m: (m.startLane.uid, m.endLane.uid))
-        if maneuver.startLane.road is not start.road or maneuver.startLane.group is not start.group
-        if (path := _crossing(maneuver, route)) is not None
-    ]
-    order = list(_TURNS.values())
-    return tuple(sorted(found, key=lambda path: order.index(path.turn)))
+def _goes(line: Polyline, maneuver: Maneuver) -> bool:
+    """Whether a whole route turns as its manoeuvre says; on a winding approach it may not."""
+    turned = _turned(line, 0.0, line.length)
+    if maneuver is Maneuver.STRAIGHT:
+        return abs(turned) < _CURVED_ROAD
+    return _LEAST_TURNED < (turned if maneuver is Maneuver.LEFT_TURN else -turned) < _MOST_TURNED
 
 
-def _crossing(maneuver: Any, route: Route) -> CrossingPath | None:
-    turn = _TURNS.get(maneuver.type.name)
-    if turn is None or maneuver.connectingLane is None:
-        return None
-    before = _centre(maneuver.startLane)
-    side = _from_side(before.heading_at(before.length) - route.line.heading_at(route.event_at))
-    if side is None:
-        return None
-    line = _way(maneuver)
-    entry = int(before.length)
-    reach = line.points[entry : entry + 60]
-    distance = np.hypot(
-        reach[:, None, 0] - route.line.points[None, :, 0], reach[:, None, 1] - route.line.points[None, :, 1]
-    )
-    near = np.flatnonzero(distance.min(axis=1) < MEETING)
-    if near.size == 0:
-        return None
-    first = int(near[0])
-    return CrossingPath(
-        line=line,
-        turn=turn,
-        from_side=side,
-        entry=before.length,
-        meets_at=float(entry + first),
-        ego_meets_at=float(distance[first].argmin()),
-    )
-
-
-@lru_cache(maxsize=4096)
-def _centre(lane: Any) -> Polyline:
-    """The centre line of a lane."""
-    return Polyline(lane.centerline.points)
-
-
-@lru_cache(maxsize=4096)
-def _way(maneuver: Any) -> Polyline:
-    """The line of a vehicle that does a manoeuvre, from the start of its lane to the end of the one after."""
-    lanes = (maneuver.startLane, maneuver.connectingLane, maneuver.endLane)
-    return Polyline.join(*(_centre(lane) for lane in lanes)).resampled(1.0)
-
-
-def _from_side(difference: float) -> str | None:
-    """Where somebody comes from whose heading differs from the ego's by so much [rad]."""
-    turned = math.degrees((difference + math.pi) % (2 * math.pi) - math.pi)
-    if abs(turned) > 135:
-        return "oncoming"
-    if 45 <= turned:
-        return "right"
-    return "left" if turned <= -45 else None
+def _turned(line: Polyline, start: float, end: float) -> float:
+    """Difference of heading [rad, positive = left] between two arc lengths [m]."""
+    return math.remainder(line.heading_at(end) - line.heading_at(start), 2 * math.pi)
 
 
 # Open road
 
 
 def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
-    onset = ONSETS[variant]
-    for lane in sorted(network.lanes, key=lambda lane: lane.uid):
-        if lane.road not in network.roads or not _offers(lane, query):
+    wanted = query.place or Place.ROAD
+    for run in dict.fromkeys(lane_runs(network).values()):
+        window = next(islice(_windows(run, wanted), variant, None), None)
+        if window is None or not _offers(run.lane_at(window[0]), query):
             continue
-        centre = _centre(lane)
-        if centre.length < onset + OPEN_ROAD + 5:
-            continue
-        own = centre.between(onset, onset + OPEN_ROAD)
-        place = _shape(own)
-        if place is None or (query.place or Place.ROAD) is not place:
-            continue
-        found = _on_road(lane, centre, own, onset, query)
+        found = _on_road(run, *window, query)
         if found is not None:
             line, lanes, event_at = found
             route = Route(
                 id="",
                 map_name=map_name,
                 maneuver=query.maneuver,
-                place=place,
+                place=wanted,
                 control=Control.NONE,
                 line=line.resampled(1.0),
                 lane_ids=lanes,
                 event_at=event_at,
             )
-            yield _Candidate(variant, str(lane.road.uid), route)
+            yield _Candidate(variant, str(run.lanes[0].road.uid), route)
 
 
-def _shape(line: Polyline) -> Place | None:
-    """ROAD for a straight line, CURVE for a bend, None for what is neither."""
-    bend = abs(line.heading_at(line.length) - line.heading_at(0.0))
-    bend = min(bend, 2 * math.pi - bend)
-    if bend < _STRAIGHT_ROAD:
+def _windows(run: LaneRun, wanted: Place) -> Iterator[tuple[float, float]]:
+    """Where a route may start and end on a run [m]; only if no long one fits, short ones are looked for closely."""
+    found = False
+    for length, first, step in ((OPEN_ROAD, FIRST_ONSET, ONSET_STEP), (SHORT_ROAD, FINE_STEP, FINE_STEP)):
+        if found:
+            return
+        for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
+            if _shape(run.line, onset, onset + length) is wanted:
+                found = True
+                yield onset, onset + length
+
+
+def _shape(line: Polyline, start: float, end: float) -> Place | None:
+    """ROAD for a straight part of a line, CURVE for a bend, None for what is neither."""
+    turns = [abs(_turned(line, start, s)) for s in np.linspace(start, end, 9).tolist()]
+    if max(turns) < _STRAIGHT_ROAD:
         return Place.ROAD
-    return Place.CURVE if bend > _CURVED_ROAD else None
+    return Place.CURVE if turns[-1] > _CURVED_ROAD else None
 
 
 def _on_road(
-    lane: Any, centre: Polyline, own: Polyline, onset: float, query: RouteQuery
+    run: LaneRun, onset: float, end: float, query: RouteQuery
 ) -> tuple[Polyline, tuple[str, ...], float] | None:
-    """Line, lanes and event of a route that starts in a lane and does the query's manoeuvre."""
+    """Line, lanes and event of a route that starts in a run of lanes and does the query's manoeuvre."""
+    own = run.line.between(onset, end)
     if query.maneuver is Maneuver.STRAIGHT:
-        return own, (lane.uid,), own.length / 2
-    side = 1 if query.maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.BYPASS) else -1
-    beside = _neighbour(lane, onset + CHANGE_AT, centre, side)
-    if beside is None or _opposes(lane, beside) != (query.maneuver is Maneuver.BYPASS):
+        return own, run.ids_between(onset, end), own.length / 2
+    bypass = query.maneuver is Maneuver.BYPASS
+    leaves, returns = (BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING) if bypass else (CHANGE_AT, None)
+    side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
+    used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
+    beside = [_neighbour(run, s, side) for s in used]
+    if any(lane is None or _opposes(run.lane_at(onset), lane) != bypass for lane in beside):
         return None
-    other = _centre(beside)
-    x, y = own.point_at(CHANGE_AT)
-    gap = other.project(x, y)[1]
-    shift = abs(gap) * side
-    if query.maneuver is Maneuver.BYPASS:
-        line = _shifted(own, shift, BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING)
-        return line, (lane.uid, beside.uid), BLOCKER_AT
-    return _shifted(own, shift, CHANGE_AT, None), (lane.uid, beside.uid), CHANGE_AT
+    if bypass and len(run.lane_at(onset).group.lanes) > 1:
+        return None  # with a second lane of its own a driver need not use the opposite one
+    shift = side * abs(Polyline(beside[0].centerline.points).project(*own.point_at(leaves))[1])
+    lanes = (*run.ids_between(onset, used[0]), *dict.fromkeys(lane.uid for lane in beside))
+    return _shifted(own, shift, leaves, returns), lanes, BLOCKER_AT if bypass else CHANGE_AT
 
 
 def _shifted(line: Polyline, left: float, out_at: float, back_at: float | None) -> Polyline:
@@ -367,10 +300,10 @@ def _smooth(t: np.ndarray) -> np.ndarray:
     return t * t * (3 - 2 * t)
 
 
-def _neighbour(lane: Any, at: float, centre: Polyline, side: int) -> Any:
-    """The lane beside another at an arc length: left for side 1, right for -1; None if there is none."""
-    x, y = centre.point_at(at)
-    section = next((s for s in lane.sections if s.containsPoint((x, y))), lane.sections[0])
+def _neighbour(run: LaneRun, at: float, side: int) -> Any:
+    """The lane beside a run at an arc length: left for side 1, right for -1; None if there is none."""
+    lane, point = run.lane_at(at), run.line.point_at(at)
+    section = next((s for s in lane.sections if s.containsPoint(point)), lane.sections[0])
     beside = section._laneToLeft if side > 0 else section._laneToRight
     return None if beside is None else beside.lane
 

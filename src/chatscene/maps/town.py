@@ -48,7 +48,12 @@ def plan() -> tuple[Street, ...]:
         Street(id=number, start=nodes[a], end=nodes[b], lanes=2 if _on_avenue(a, b) else 1)
         for number, (a, b) in enumerate(pairs, start=1)
     ]
-    corners = [((0, 1), (1, 0), (0, 0)), ((2, 0), (3, 1), (3, 0)), ((3, 2), (2, 3), (3, 3)), ((1, 3), (0, 2), (0, 3))]
+    corners = [
+        ((0, 1), (1, 0), (0, 0)),
+        ((2, 0), (3, 1), (3, 0)),
+        ((3, 2), (2, 3), (3, 3)),
+        ((1, 3), (0, 2), (0, 3)),
+    ]
     for a, b, (i, j) in corners:
         corner = ((i - 1.5) * BLOCK, (j - 1.5) * BLOCK)
         streets.append(

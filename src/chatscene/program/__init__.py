@@ -1,0 +1,1 @@
+"""Step 4 of 9: programs that mean what was said."""

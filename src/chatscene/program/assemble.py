@@ -25,16 +25,13 @@ CLASSES: dict[AdversaryKind, str] = {
 HEADER_PROVIDES = ("AdvClass", "ego")
 
 
-def assemble(
-    scenario: Scenario, behavior: Snippet, geometry: Snippet, spawn: Snippet, adversary: AdversaryKind
-) -> ScenicProgram:
+def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adversary: AdversaryKind) -> ScenicProgram:
     """Join three snippets.
 
     Args:
         scenario: What the program expresses; its text becomes a comment.
-        behavior: Defines `AdvBehavior`.
-        geometry: Defines `egoRoute`, `egoSpawnPt` and what else the place offers.
-        spawn: Places `AdvAgent` and whatever stands beside it.
+        triple: The behavior, which defines `AdvBehavior`; the geometry, which defines `egoRoute`, `egoSpawnPt` and
+            what else the place offers; the spawn, which places `AdvAgent` and whatever stands beside it.
         adversary: The class of the adversary.
 
     Returns:
@@ -43,13 +40,13 @@ def assemble(
     Raises:
         NamesNotClosed: A part needs a name that no other part provides.
     """
-    parts = (behavior, geometry, spawn)
-    provided = {name for part in parts for name in part.provides} | set(HEADER_PROVIDES)
-    for part in parts:
+    behavior, geometry, spawn = triple
+    provided = {name for part in triple for name in part.provides} | set(HEADER_PROVIDES)
+    for part in triple:
         missing = sorted(set(part.requires) - provided)
         if missing:
             raise NamesNotClosed(
-                f"snippet {part.id!r} needs {', '.join(missing)}, which none of {', '.join(p.id for p in parts)} provides"
+                f"snippet {part.id!r} needs {', '.join(missing)}, which none of {', '.join(p.id for p in triple)} provides"
             )
     said = "\n".join(textwrap.wrap(" ".join(scenario.text.split()), 100, initial_indent="# ", subsequent_indent="# "))
     source = "\n\n".join(
@@ -65,7 +62,7 @@ def assemble(
     return ScenicProgram(
         scenario_id=scenario.id,
         source=source,
-        parameters=tuple(sorted((p for part in parts for p in part.parameters), key=lambda p: p.name)),
-        snippet_ids=tuple(part.id for part in parts),
+        parameters=tuple(sorted((p for part in triple for p in part.parameters), key=lambda p: p.name)),
+        snippet_ids=tuple(part.id for part in triple),
         digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
     )

@@ -17,7 +17,15 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
-PROBES = (0.5, 0.25, 0.75, 0.4, 0.6, 0.1, 0.9)  # where in every range the probing scenes lie, the middle first
+PROBES = (
+    0.5,
+    0.25,
+    0.75,
+    0.4,
+    0.6,
+    0.1,
+    0.9,
+)  # where in every range the probing scenes lie, the middle first
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

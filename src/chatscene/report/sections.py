@@ -10,28 +10,20 @@ from html import escape
 from itertools import groupby
 from typing import Any
 
+from chatscene.evaluate.score import COLUMNS, wilson
 from chatscene.report.highlight import highlight
 from chatscene.report.ranges import plot_ranges
 from chatscene.runs import RunRecord, Status
 
 Row = Mapping[str, Any]
 
+_METRIC_NAMES = {column: name for name, column in COLUMNS.items()}
 _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", "spawn": "Spawn position"}
-
-
-def wilson(hits: int, trials: int, z: float = 1.96) -> tuple[float, float]:
-    """Wilson's score interval of a rate, in [0, 1]; 95 % by default (Wilson 1927)."""
-    if trials == 0:
-        return 0.0, 1.0
-    rate, spread = hits / trials, z * z / trials
-    centre = (rate + spread / 2) / (1 + spread)
-    half = z / (1 + spread) * math.sqrt(rate * (1 - rate) / trials + spread / (4 * trials))
-    return max(centre - half, 0.0), min(centre + half, 1.0)
 
 
 def heading(record: RunRecord) -> str:
     """The sentence, and how far the run came where it did not end well."""
-    return f'<h1><q>{escape(record.text.strip())}</q></h1>{_banner(record)}'
+    return f"<h1><q>{escape(record.text.strip())}</q></h1>{_banner(record)}"
 
 
 def _banner(record: RunRecord) -> str:
@@ -57,8 +49,16 @@ def verdict(scenes: Sequence[Row]) -> str:
     fastest = max((row["impact_speed"] or 0.0 for row in ran), default=0.0)
     tiles = [
         (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
-        (f"{fastest:.1f} m/s", "hardest impact", "speed of approach at contact" if hits else "nothing collided"),
-        (f"{kept}", "scenes kept", f"{fill_ins} of them without a collision" if fill_ins else "collision first, then lowest score"),
+        (
+            f"{fastest:.1f} m/s",
+            "hardest impact",
+            "speed of approach at contact" if hits else "nothing collided",
+        ),
+        (
+            f"{kept}",
+            "scenes kept",
+            f"{fill_ins} of them without a collision" if fill_ins else "collision first, then lowest score",
+        ),
         (f"{len(scenes) - len(ran)}", "draws rejected", f"of {len(scenes)}; the reasons are below"),
     ]
     cells = "".join(
@@ -90,10 +90,7 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
             ("Impact<small>m/s</small>", ' class="n"'),
             ("Score", ' class="n"'),
             ("As said", ""),
-            *(
-                (f"{escape(short(name))}<small>{escape(units[name])}</small>", ' class="n"')
-                for name in parameters
-            ),
+            *((f"{escape(short(name))}<small>{escape(units[name])}</small>", ' class="n"') for name in parameters),
         )
     )
     body = "".join(_scene_line(row, parameters, row["scene_id"] in shown) for row in scenes)
@@ -106,6 +103,12 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
 def short(parameter: str) -> str:
     """A parameter's name for a heading."""
     return parameter.removeprefix("OPT_").replace("_", " ").lower()
+
+
+def metric_label(column: str) -> str:
+    """A metric's name in words, with its abbreviation: ``collision rate (CR)``."""
+    name = _METRIC_NAMES.get(column)
+    return f"{name.replace('_', ' ')} ({column.upper()})" if name else column.replace("_", " ")
 
 
 def scene_label(scene_id: str) -> str:
@@ -137,7 +140,7 @@ def _scene_line(row: Row, parameters: Sequence[str], replayable: bool) -> str:
 
 
 def _number(value: float | None, digits: int = 2) -> str:
-    return "–" if value is None or math.isnan(value) else f"{value:.{digits}f}"
+    return "" if value is None or math.isnan(value) else f"{value:.{digits}f}"
 
 
 def understanding(explanation: Row) -> str:
@@ -208,9 +211,7 @@ def _candidate(match: Row, chosen: bool) -> str:
 def _ruled_out(ruled_out: Sequence[Row]) -> str:
     if not ruled_out:
         return ""
-    items = "".join(
-        f"<li><code>{escape(out['snippet_id'])}</code> {escape(out['reason'])}</li>" for out in ruled_out
-    )
+    items = "".join(f"<li><code>{escape(out['snippet_id'])}</code> {escape(out['reason'])}</li>" for out in ruled_out)
     return f"<h3>Ruled out</h3><ul class=notes>{items}</ul>"
 
 
@@ -283,7 +284,8 @@ def provenance(record: RunRecord) -> str:
         "Time": timings or "not recorded",
     }
     items = "".join(f"<div><dt>{name}</dt><dd>{escape(value)}</dd></div>" for name, value in facts.items())
-    return f'<pre class="code wrap" tabindex="0"><code>{escape(command(record))}</code></pre><dl class="facts">{items}</dl>'
+    again = f'<pre class="code wrap" tabindex="0"><code>{escape(command(record))}</code></pre>'
+    return f'{again}<dl class="facts">{items}</dl>'
 
 
 def command(record: RunRecord) -> str:

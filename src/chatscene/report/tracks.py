@@ -99,17 +99,24 @@ def extent(episode: Episode, margin: float = MARGIN) -> Box:
 
 
 def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, Any]:
-    """The parts of the map's drawing that reach into any of the boxes, in differences of centimetres."""
-    near = [shapely.box(*box) for box in sorted(set(boxes))]
-    around = shapely.union_all(near) if near else shapely.Polygon()
+    """The parts of the map's drawing that reach into any of the boxes, in differences of centimetres.
+
+    Args:
+        drawing: What `chatscene.maps.drawing.map_drawing` gives, and ``routes`` by name; anything may be missing.
+        boxes: Where the drives are.
+    """
+    around = shapely.union_all([shapely.box(*box) for box in sorted(set(boxes))])
     packed: dict[str, Any] = {
-        kind: [_pack_line(line) for line in drawing.get(kind, ()) if _reaches(line, around)]
-        for kind in ("roads", "junctions", "sidewalks", "stop_lines")
+        kind: [[_pack_line(ring) for ring in area] for area in drawing.get(kind, ()) if _reaches(area[0], around)]
+        for kind in ("sidewalks", "shoulders", "roads", "junctions")
     }
-    packed["lane_lines"] = [
-        {"style": line.get("style", "solid"), "points": _pack_line(line["points"])}
-        for line in drawing.get("lane_lines", ())
+    packed["lane_boundaries"] = [
+        {"kind": line["kind"], "points": _pack_line(line["points"])}
+        for line in drawing.get("lane_boundaries", ())
         if _reaches(line["points"], around)
+    ]
+    packed["stop_lines"] = [
+        _pack_line(line["points"]) for line in drawing.get("stop_lines", ()) if _reaches(line["points"], around)
     ]
     packed["routes"] = {name: _pack_line(line) for name, line in drawing.get("routes", {}).items()}
     return packed

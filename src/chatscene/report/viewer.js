@@ -32,6 +32,16 @@ function unpackLine(differences) {
   return points;
 }
 
+/** An area as one path: its outer ring, then its holes. */
+function unpackArea(rings) {
+  const area = new Path2D();
+  for (const ring of rings) {
+    unpackLine(ring).forEach(([x, y], i) => (i ? area.lineTo(x, y) : area.moveTo(x, y)));
+    area.closePath();
+  }
+  return area;
+}
+
 function unpackDrive(drive) {
   const count = drive.steps;
   const actors = drive.actors.map((a) => ({
@@ -44,11 +54,12 @@ function unpackDrive(drive) {
 }
 
 const map = {
-  roads: content.map.roads.map(unpackLine),
-  junctions: content.map.junctions.map(unpackLine),
-  sidewalks: content.map.sidewalks.map(unpackLine),
+  sidewalks: content.map.sidewalks.map(unpackArea),
+  shoulders: content.map.shoulders.map(unpackArea),
+  roads: content.map.roads.map(unpackArea),
+  junctions: content.map.junctions.map(unpackArea),
   stops: content.map.stop_lines.map(unpackLine),
-  lines: content.map.lane_lines.map((line) => ({ style: line.style, points: unpackLine(line.points) })),
+  lines: content.map.lane_boundaries.map((line) => ({ kind: line.kind, points: unpackLine(line.points) })),
   routes: Object.fromEntries(Object.entries(content.map.routes).map(([name, line]) => [name, unpackLine(line)])),
 };
 
@@ -62,7 +73,7 @@ let colours = {};
 
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "road", "paint", "centre",
+  for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "shoulder", "road", "paint", "centre",
     "stop", "route", "label", "green", "yellow", "red", "card", "ink", "soft", "line", "hit"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
@@ -95,21 +106,22 @@ function path(points, closed) {
   if (closed) canvas.closePath();
 }
 
-function fillAll(polygons, colour) {
+function fillAll(areas, colour) {
   canvas.fillStyle = canvas.strokeStyle = colour;
   canvas.lineWidth = 0.06; // closes the hairlines between neighbours
-  for (const polygon of polygons) { path(polygon, true); canvas.fill(); canvas.stroke(); }
+  for (const area of areas) { canvas.fill(area, "evenodd"); canvas.stroke(area); }
 }
 
 function drawMap() {
   fillAll(map.sidewalks, colours.sidewalk);
+  fillAll(map.shoulders, colours.shoulder);
   fillAll(map.roads, colours.road);
   fillAll(map.junctions, colours.road);
   canvas.lineCap = "butt";
   for (const line of map.lines) {
-    canvas.strokeStyle = line.style === "centre" ? colours.centre : colours.paint;
+    canvas.strokeStyle = line.kind === "centre" ? colours.centre : colours.paint;
     canvas.lineWidth = Math.max(0.14, 1 / camera.zoom);
-    canvas.setLineDash(line.style === "dashed" ? [3, 4.5] : []);
+    canvas.setLineDash(line.kind === "dashed" ? [3, 4.5] : []);
     path(line.points); canvas.stroke();
   }
   canvas.setLineDash([]);
@@ -207,7 +219,7 @@ function drawProp(length, width) {
 function drawCrash() {
   const hit = crash();
   if (!hit || !hit.at || step < hit.step - 0.5) return;
-  const [x, y] = hit.at, radius = Math.max(1.5, 13 / camera.zoom);
+  const [x, y] = hit.at, radius = Math.max(2, 19 / camera.zoom);
   const star = [];
   for (let i = 0; i < 20; i++) {
     const angle = i * Math.PI / 10, r = i % 2 ? radius * 0.5 : radius;
@@ -230,7 +242,8 @@ function drawWords(width, height) {
   for (const actor of drive.actors) {
     if (actor.role !== "ego" && actor.role !== "adversary" || camera.zoom < 3) continue;
     const [x, y] = toScreen(at(actor.x, step), at(actor.y, step));
-    const lift = Math.max(actor.length, actor.width) / 2 * camera.zoom + 8;
+    const half = Math.max(actor.length, actor.width) / 2 * camera.zoom;
+    const lift = actor.role === "ego" ? half + 8 : -half - 20; // on two sides, as they meet
     canvas.lineWidth = 3;
     canvas.strokeStyle = colours.ground; canvas.fillStyle = colours.label;
     canvas.strokeText(actor.name, x, y - lift); canvas.fillText(actor.name, x, y - lift);
@@ -257,8 +270,8 @@ function draw() {
   canvas.translate(-camera.x, -camera.y);
   drawMap(); drawRoute(); drawSignals();
   drive.actors.forEach(drawTrail);
+  drawCrash(); // under the actors, so that they stay in sight
   [...drive.actors].reverse().forEach(drawActor);
-  drawCrash();
   canvas.restore();
   drawWords(width, height);
   drawSpeeds();

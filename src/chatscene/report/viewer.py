@@ -55,7 +55,13 @@ def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
     def rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
         score = row["overall_score"]
-        return not row["selected"], row["fill_in"], not row["collision"], 1.0 if score is None else score, row["scene_id"]
+        return (
+            not row["selected"],
+            row["fill_in"],
+            not row["collision"],
+            1.0 if score is None else score,
+            row["scene_id"],
+        )
 
     return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
 
@@ -117,7 +123,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "impact": row["impact_speed"],
         "kept": row["selected"],
         "metrics": {
-            name.replace("_", " "): round(value, 3) for name, value in metrics_of(row).items() if isfinite(value)
+            sections.metric_label(name): round(value, 3) for name, value in metrics_of(row).items() if isfinite(value)
         },
         "drive": drive,
     }

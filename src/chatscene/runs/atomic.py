@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -27,14 +27,12 @@ _REMEDIES = {
 
 
 @contextmanager
-def writing(path: Path) -> Iterator[None]:
+def writing(path: Path) -> Generator[None]:
     """Turn an `OSError` raised inside into a `RunError` that names `path` and says what to do."""
     try:
         yield
     except OSError as error:
-        remedy = _REMEDIES.get(
-            error.errno or 0, f"{error.strerror or error}; choose another folder with --out"
-        )
+        remedy = _REMEDIES.get(error.errno or 0, f"{error.strerror or error}; choose another folder with --out")
         raise RunError(f"cannot write {path}: {remedy}") from error
 
 
@@ -77,9 +75,7 @@ def read_json(path: Path) -> Any:
     except OSError as error:
         raise RunError(f"cannot read {path}: {error.strerror or error}") from error
     except ValueError as error:
-        raise RunError(
-            f"{path} is not valid JSON ({error}); it was changed or damaged after it was written"
-        ) from error
+        raise RunError(f"{path} is not valid JSON ({error}); it was changed or damaged after it was written") from error
 
 
 def sweep(folder: Path) -> None:

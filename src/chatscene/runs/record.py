@@ -153,9 +153,7 @@ def settings_of(record: RunRecord) -> Settings:
             retrieval=RetrievalSettings(**given.get("retrieval", {})),
         )
     except TypeError as error:
-        raise SettingsError(
-            f"the run's settings are not those of this version of chatscene: {error}"
-        ) from error
+        raise SettingsError(f"the run's settings are not those of this version of chatscene: {error}") from error
 
 
 def first_problem(error: ValidationError) -> str:

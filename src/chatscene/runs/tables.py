@@ -118,9 +118,7 @@ _FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.name
 def write_table(path: Path, table: Table) -> None:
     """Write a Parquet file, whole or not at all."""
     sink = io.BytesIO()
-    pq.write_table(
-        table, sink, compression="zstd", compression_level=3, version="2.6", row_group_size=1 << 20
-    )
+    pq.write_table(table, sink, compression="zstd", compression_level=3, version="2.6", row_group_size=1 << 20)
     write_bytes(path, sink.getvalue())
 
 
@@ -164,13 +162,9 @@ def scenes_table(
     """
     scenes = [scene for part in parts for scene in part.scenes]
     parameters = sorted({name for scene in scenes for name in scene.values})
-    metrics = list(
-        dict.fromkeys(name for scene in scenes for name in scene.metrics if name != "overall_score")
-    )
+    metrics = list(dict.fromkeys(name for scene in scenes for name in scene.metrics if name != "overall_score"))
     if taken := sorted(_FIXED.intersection(metrics)):
-        raise RunError(
-            f"a metric may not have the name of another column of scenes.parquet: {', '.join(taken)}"
-        )
+        raise RunError(f"a metric may not have the name of another column of scenes.parquet: {', '.join(taken)}")
     numbers = [(name, pa.float64()) for name in (*parameters, *metrics)]
     schema = pa.schema(
         [
@@ -181,9 +175,7 @@ def scenes_table(
             *_SCENE_TAIL,
         ]
     )
-    rows = [
-        _scene_row(part, scene, selected or {}, avoidable or {}) for part in parts for scene in part.scenes
-    ]
+    rows = [_scene_row(part, scene, selected or {}, avoidable or {}) for part in parts for scene in part.scenes]
     return pa.Table.from_pylist(rows, schema=schema)
 
 
@@ -227,8 +219,7 @@ def signals_table(parts: Sequence[Part]) -> Table:
 def ranges_table(parts: Sequence[Part]) -> Table:
     """One row per block and parameter."""
     rows = [
-        row.model_dump()
-        | {"scenario_id": part.scenario_id, "route_id": route_id(part.route), "block": part.block}
+        row.model_dump() | {"scenario_id": part.scenario_id, "route_id": route_id(part.route), "block": part.block}
         for part in parts
         for row in part.ranges
     ]

@@ -15,9 +15,7 @@ LEAST = 2  # collisions before anything moves
 DECIMALS = 2  # the released code rounds bounds
 
 
-def refine(
-    declared: Sequence[ParameterRange], collided: Sequence[Mapping[str, float]]
-) -> tuple[ParameterRange, ...]:
+def refine(declared: Sequence[ParameterRange], collided: Sequence[Mapping[str, float]]) -> tuple[ParameterRange, ...]:
     """The ranges for the next block: mean ± population deviation of what collided, inside the declared ranges.
 
     Parameters move independently of each other. All blocks so far count, not only the last.

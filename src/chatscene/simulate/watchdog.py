@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from types import FrameType
 
@@ -12,7 +12,7 @@ from chatscene.errors import StuckBehavior
 
 
 @contextmanager
-def time_limit(seconds: float, what: str) -> Iterator[None]:
+def time_limit(seconds: float, what: str) -> Generator[None]:
     """Interrupt the block after `seconds` of wall time.
 
     Works in the main thread, where signals arrive; worker processes run their work there. In other threads the

@@ -80,9 +80,7 @@ class Metrics:
     @property
     def safety_level(self) -> float:
         """Safety level in [0, 1] (weights 5 and 1, of 8)."""
-        return (
-            5 * (1 - self.collision_rate) + 3 - self.red_light - self.stop_sign - self.off_road
-        ) / 8
+        return (5 * (1 - self.collision_rate) + 3 - self.red_light - self.stop_sign - self.off_road) / 8
 
     @property
     def functionality_level(self) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,7 +41,7 @@ class Polyline:
         self._s = [0.0]
         self._hx: list[float] = []
         self._hy: list[float] = []
-        for (x0, y0), (x1, y1) in zip(kept, kept[1:], strict=False):
+        for (x0, y0), (x1, y1) in pairwise(kept):
             step = math.hypot(x1 - x0, y1 - y0)
             self._hx.append((x1 - x0) / step)
             self._hy.append((y1 - y0) / step)
@@ -128,9 +129,7 @@ class Polyline:
         stops = np.append(np.arange(0.0, self.length - 1e-6, spacing), self.length)
         arc = np.array(self._s)
         return Polyline(
-            np.column_stack(
-                (np.interp(stops, arc, self.points[:, 0]), np.interp(stops, arc, self.points[:, 1]))
-            )
+            np.column_stack((np.interp(stops, arc, self.points[:, 0]), np.interp(stops, arc, self.points[:, 1])))
         )
 
     def between(self, start: float, end: float) -> Polyline:

@@ -1,0 +1,1 @@
+"""What a snippet may use: classes, behaviors, places."""

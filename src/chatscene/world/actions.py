@@ -25,9 +25,9 @@ class DriveAction(Action):
         self.steer = steer
         self.reverse = reverse
 
-    def applyTo(self, obj: Any, sim: Any) -> None:  # noqa: N802, ARG002 - Scenic's name and signature
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802, ARG002 - Scenic's name and signature
         """Hand the controls to the agent."""
-        obj.setControls(self.throttle, self.brake, self.steer, self.reverse)
+        agent.setControls(self.throttle, self.brake, self.steer, self.reverse)
 
 
 class WalkAction(Action):
@@ -44,6 +44,6 @@ class WalkAction(Action):
         self.course = course
         self.speed = speed
 
-    def applyTo(self, obj: Any, sim: Any) -> None:  # noqa: N802, ARG002
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802, ARG002
         """Hand the wish to the agent."""
-        obj.setWalk(self.course, self.speed)
+        agent.setWalk(self.course, self.speed)

@@ -20,7 +20,7 @@ class Placed:
 
     @property
     def pose(self: Any) -> Pose:
-        """x [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
+        """X [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
         return self.position.x, self.position.y, self.heading + QUARTER, self.speed
 
 

@@ -12,9 +12,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import scenic.syntax.translator as translator
 from scenic.core.errors import ScenicError
-from scenic.syntax import veneer
+from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.maps.network import install_network_memo
@@ -44,6 +43,7 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
 
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     """Scenic text to Python code, its requirements, and the hash by which Scenic tells programs apart."""
+    tree: Any
     tree, requirements = translator.compileScenicAST(
         translator.parse_string(source, "exec", filename=filename), filename=filename
     )
@@ -71,9 +71,7 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
     install_network_memo()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
     try:
-        return translator.scenarioFromString(
-            source, filename=filename, params=parameters, model=MODEL, mode2D=True
-        )
+        return translator.scenarioFromString(source, filename=filename, params=parameters, model=MODEL, mode2D=True)
     except ChatSceneError:
         raise
     except ScenicError as error:

@@ -32,9 +32,11 @@ def curve_speeds(line: Polyline) -> list[float]:
     length = np.hypot(step[:, 0], step[:, 1])
     heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
     # Curvature over a window of segments, so that a kink between two straight pieces is not a hairpin.
-    turn = np.abs(np.gradient(np.convolve(np.pad(heading, 2, mode="edge"), np.ones(5) / 5, mode="valid"))) if len(
-        heading
-    ) > 1 else np.zeros(1)
+    turn = (
+        np.abs(np.gradient(np.convolve(np.pad(heading, 2, mode="edge"), np.ones(5) / 5, mode="valid")))
+        if len(heading) > 1
+        else np.zeros(1)
+    )
     cap = np.sqrt(CURVE_ACCELERATION * length / np.maximum(turn, 1e-6))
     speeds: list[float] = cap.tolist()
     for i in range(len(speeds) - 2, -1, -1):

@@ -1,0 +1,1 @@
+"""The embedded simulator: deterministic, in this process, no server."""

@@ -10,11 +10,12 @@ import numpy as np
 
 from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, controls
+from chatscene.errors import ProgramError
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
-from chatscene.simulate.embedded.dynamics import Body
+from chatscene.simulate.embedded.dynamics import Body, VehicleBody
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
 from chatscene.simulate.embedded.staging import Stage
@@ -106,9 +107,7 @@ class _Run:
         self._through = through
         self._view = RouteView(route.line)
         self._moving = [body for body in drive.bodies if type(body) is not Body]
-        self._vehicles = [
-            body for obj, body in zip(drive.objects, drive.bodies, strict=True) if obj.isVehicle
-        ][1:]
+        self._vehicles = [body for obj, body in zip(drive.objects, drive.bodies, strict=True) if obj.isVehicle][1:]
         self._rows: list[float] = []
         self._offsets: list[float] = []
         self._contacts: list[Event] = []
@@ -118,10 +117,10 @@ class _Run:
     def to_the_end(self, ego: EgoPolicy) -> str | None:
         """Step until the episode ends; the reason if the program itself rejects it."""
         drive, body, view = self._drive, self._drive.bodies[0], self._view
+        if not isinstance(body, VehicleBody):
+            raise ProgramError(f"the ego must be a vehicle, not a {type(drive.objects[0]).__name__}")
         act, observe, ahead = ego.act, view.observe, self._vehicle_ahead
-        limit = min(
-            self._settings.max_steps, int(self._route.length * SECONDS_PER_METRE / self._settings.dt)
-        )
+        limit = min(self._settings.max_steps, int(self._route.length * SECONDS_PER_METRE / self._settings.dt))
         for step in itertools.count():
             observation = observe(body.x, body.y, body.heading, body.speed, ahead(body))
             self._record()
@@ -181,7 +180,7 @@ class _Run:
         """Everything that happened, with the events that follow from the tracks."""
         tracks = self._tracks()
         states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt)
-        off_road, events = self._around.events(tracks[0], states, self._settings.dt)
+        off_road, events = self._around.events(tracks[0], states)
         return Episode(
             scene_id=scene.id,
             ego=ego,
@@ -201,9 +200,7 @@ class _Run:
         steps = len(self._offsets)
         moving = iter(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
         tracks: list[Track] = []
-        for obj, body, (name, role) in zip(
-            self._drive.objects, self._drive.bodies, self._names, strict=True
-        ):
+        for obj, body, (name, role) in zip(self._drive.objects, self._drive.bodies, self._names, strict=True):
             if type(body) is Body:
                 state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
             else:

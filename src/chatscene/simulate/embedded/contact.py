@@ -29,16 +29,15 @@ def contact_side(ego: Body, other: Body) -> str:
     The nearest point of the other's outline (corners and centre projected onto the ego's box) decides: it lies
     at an end if it is further out along the ego than its flank region, else on a flank.
     """
-    best: tuple[float, float] | None = None
-    best_distance = float("inf")
+    along, across = 0.0, 0.0
+    nearest = float("inf")
     for u, v in ((1, 1), (1, -1), (-1, 1), (-1, -1), (0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)):
         px = other.x + u * other.half_length * other.cos - v * other.half_width * other.sin - ego.x
         py = other.y + u * other.half_length * other.sin + v * other.half_width * other.cos - ego.y
-        along, across = px * ego.cos + py * ego.sin, py * ego.cos - px * ego.sin
-        outside = max(abs(along) - ego.half_length, 0.0) ** 2 + max(abs(across) - ego.half_width, 0.0) ** 2
-        if outside < best_distance or best is None:
-            best, best_distance = (along, across), outside
-    along, across = best if best is not None else (0.0, 0.0)
+        ahead, left = px * ego.cos + py * ego.sin, py * ego.cos - px * ego.sin
+        outside = max(abs(ahead) - ego.half_length, 0.0) ** 2 + max(abs(left) - ego.half_width, 0.0) ** 2
+        if outside < nearest:
+            along, across, nearest = ahead, left, outside
     if along >= _NEAR_END * ego.half_length:
         return "front"
     if along <= -_NEAR_END * ego.half_length:

@@ -20,6 +20,7 @@ AIR_DRAG = 0.0008  # [1/m]; with `drag`, a car coasts from 15 to 10 m/s in about
 REVERSE_SPEED = 6.0  # [m/s], largest speed backwards
 LEAST_REVERSAL = 0.05  # [m/s], below which the gear may change
 
+
 class Body:
     """A body that does not move, and the common state of those that do.
 
@@ -30,7 +31,19 @@ class Body:
         length, width: [m].
     """
 
-    __slots__ = ("cos", "half_length", "half_width", "heading", "length", "radius", "sin", "speed", "width", "x", "y")
+    __slots__ = (
+        "cos",
+        "half_length",
+        "half_width",
+        "heading",
+        "length",
+        "radius",
+        "sin",
+        "speed",
+        "width",
+        "x",
+        "y",
+    )
 
     def __init__(self, x: float, y: float, heading: float, length: float, width: float) -> None:
         self.x = x

@@ -79,9 +79,7 @@ class RouteSurroundings:
             for line in self._lines
         )
 
-    def events(
-        self, ego: Track, signals: tuple[SignalTrack, ...], dt: float
-    ) -> tuple[NDArray[np.bool_], list[Event]]:
+    def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""
         off_road = self._lane_map.off_road(np.column_stack((ego.x, ego.y)))
         events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in _onsets(off_road)]
@@ -92,7 +90,7 @@ class RouteSurroundings:
             if signal.role == "ego" and (step := crossing_step(ego, signal)) is not None and signal.state[step] == "r"
         ]
         if self._control is Control.STOP_SIGN:
-            events += self._stop_signs(ego, dt)
+            events += self._stop_signs(ego)
         return off_road, events
 
     def _lane_invasions(self, ego: Track) -> list[Event]:
@@ -102,7 +100,7 @@ class RouteSurroundings:
         changed = (lane[1:] != lane[:-1]) & ~inside[1:] & ~inside[:-1] & (lane[:-1] >= 0)
         return [Event(kind=EventKind.LANE_INVASION, step=int(i) + 1) for i in np.flatnonzero(changed)]
 
-    def _stop_signs(self, ego: Track, dt: float) -> list[Event]:
+    def _stop_signs(self, ego: Track) -> list[Event]:
         events: list[Event] = []
         for line in self._lines:
             step = crossing_step(ego, line) if self._own(line) else None
@@ -120,7 +118,7 @@ def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
     px, py = track.x - line.x0, track.y - line.y0
     lx, ly = line.x1 - line.x0, line.y1 - line.y0
     side = lx * py - ly * px
-    change = np.flatnonzero((side[:-1] * side[1:] < 0))
+    change = np.flatnonzero(side[:-1] * side[1:] < 0)
     for i in change.tolist():
         share = side[i] / (side[i] - side[i + 1])
         along = (px[i] + share * (px[i + 1] - px[i])) * lx + (py[i] + share * (py[i + 1] - py[i])) * ly

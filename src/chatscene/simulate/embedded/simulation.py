@@ -12,7 +12,7 @@ from typing import Any
 
 import scenic.core.dynamics as scenic_dynamics
 from scenic.core.distributions import RejectionException
-from scenic.core.dynamics.actions import _EndScenarioAction, _EndSimulationAction
+from scenic.core.dynamics import actions as scenic_actions
 from scenic.core.dynamics.guards import GuardViolation
 from scenic.core.dynamics.utils import RejectSimulationException
 from scenic.core.object_types import disableDynamicProxyFor, setDynamicProxyFor
@@ -24,6 +24,10 @@ from chatscene.simulate.embedded.dynamics import Body, make_body
 from chatscene.world.actors import QUARTER
 from chatscene.world.control import Pose
 
+_ENDINGS: tuple[type, ...] = (
+    scenic_actions._EndSimulationAction,
+    scenic_actions._EndScenarioAction,
+)
 _CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
 
 
@@ -34,14 +38,14 @@ class LivePose:
 
     @property
     def pose(self) -> Pose:
-        """x [m], y [m], heading [rad, 0 = +x], speed [m/s]."""
+        """X [m], y [m], heading [rad, 0 = +x], speed [m/s]."""
         body = self.body
         return body.x, body.y, body.heading, body.speed
 
     @property
     def position(self) -> Vector:
         """Centre [m]."""
-        return Vector(self.body.x, self.body.y, 0.0)
+        return Vector(self.body.x, self.body.y)
 
     @property
     def heading(self) -> float:
@@ -67,7 +71,7 @@ class LivePose:
     def velocity(self) -> Vector:
         """[m/s]."""
         body = self.body
-        return Vector(body.speed * body.cos, body.speed * body.sin, 0.0)
+        return Vector(body.speed * body.cos, body.speed * body.sin)
 
     @property
     def elevation(self) -> float:
@@ -225,7 +229,7 @@ class Drive(EmbeddedSimulation):
             elif len(actions) == 1 and isinstance(actions[0], list | tuple):
                 actions = actions[0]
             for action in actions:
-                if isinstance(action, _EndSimulationAction | _EndScenarioAction):
+                if isinstance(action, _ENDINGS):
                     self.done = str(action)
                 else:
                     action.applyTo(agent, self)
@@ -238,8 +242,6 @@ class Drive(EmbeddedSimulation):
 
     def _check_conditions(self) -> None:
         scenario = self._scenario
-        reason = (
-            scenario._step() or scenario._runMonitors() or scenario._checkSimulationTerminationConditions()
-        )
+        reason = scenario._step() or scenario._runMonitors() or scenario._checkSimulationTerminationConditions()
         if reason is not None:
             self.done = str(reason)

@@ -29,8 +29,8 @@ class _InOrder(SampleChecker):
     def setRequirements(self, requirements: Any) -> None:  # noqa: N802 - Scenic's name
         super().setRequirements([req for req in requirements if hasattr(req, "prob")])
 
-    def checkRequirementsInner(self, sample: Any) -> str | None:  # noqa: N802
-        for req in self.requirements:
+    def checkRequirementsInner(self, sample: Any) -> Any:  # noqa: N802
+        for req in self.requirements or ():
             if req.active and req.falsifiedBy(sample):
                 self.reason = str(req.violationMsg)
                 return self.reason

@@ -1,0 +1,214 @@
+"""The library of snippets: one reviewed file each, with a header that is parsed.
+
+A file ``library/<component>/<name>.scenic`` begins with lines ``#: …`` that hold TOML; the rest is Scenic. The
+header's contract (what it requires, what it provides, its parameters) is computed from the code by `names_of` and
+must equal it, which `chatscene library lint` checks.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import tomllib
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from chatscene.errors import SnippetError
+from chatscene.terms.scenario import Component
+from chatscene.terms.snippet import Snippet
+
+PACKAGED = Path(__file__).parent / "library"
+MARK = "#:"
+UNITS = ("m", "m/s", "s", "rad", "1")
+REPHRASINGS = 5  # at least
+
+_KEYS = {
+    "description", "rephrasings", "adversaries", "requires", "provides", "origin", "slots", "parameters",
+}  # fmt: skip
+_adapter: TypeAdapter[Snippet] = TypeAdapter(Snippet)
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """Snippets, sorted by id.
+
+    Attributes:
+        snippets: All of them.
+    """
+
+    snippets: tuple[Snippet, ...]
+    _by_id: dict[str, Snippet] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_by_id", {snippet.id: snippet for snippet in self.snippets})
+
+    def __len__(self) -> int:
+        return len(self.snippets)
+
+    def __iter__(self) -> Iterator[Snippet]:
+        return iter(self.snippets)
+
+    def of(self, component: Component) -> tuple[Snippet, ...]:
+        """The snippets of one component."""
+        return tuple(snippet for snippet in self.snippets if snippet.component is component)
+
+    def get(self, snippet_id: str) -> Snippet:
+        """The snippet of that id.
+
+        Raises:
+            SnippetError: There is none; the nearest id is given.
+        """
+        if snippet_id in self._by_id:
+            return self._by_id[snippet_id]
+        near = difflib.get_close_matches(snippet_id, self._by_id, n=1, cutoff=0.3)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise SnippetError(f"there is no snippet {snippet_id!r}{hint}")
+
+
+def load_library(folder: Path | None = None) -> Library:
+    """The packaged library, or that in a folder of the same layout.
+
+    Raises:
+        SnippetError: A file is malformed, or the folder has no snippet.
+    """
+    return _packaged() if folder is None else _load(folder)
+
+
+@lru_cache(maxsize=1)
+def _packaged() -> Library:
+    return _load(PACKAGED)
+
+
+def _load(folder: Path) -> Library:
+    paths = sorted(path for component in Component for path in (folder / component.value).glob("*.scenic"))
+    if not paths:
+        raise SnippetError(
+            f"{folder} holds no snippet; a library has folders {', '.join(Component)} with .scenic files in them"
+        )
+    return Library(tuple(sorted((load_snippet(path) for path in paths), key=lambda s: s.id)))
+
+
+def load_snippet(path: Path) -> Snippet:
+    """Read one file.
+
+    Raises:
+        SnippetError: Its header is missing, is not TOML, or lacks or mistakes a key.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise SnippetError(f"{path} cannot be read: {error}") from error
+    lines = text.splitlines()
+    end = next((i for i, line in enumerate(lines) if not line.startswith(MARK)), len(lines))
+    header = "\n".join(line.removeprefix(MARK) for line in lines[:end])
+    try:
+        fields = tomllib.loads(header)
+    except tomllib.TOMLDecodeError as error:
+        raise SnippetError(f"{path}: the header (lines that start with {MARK!r}) is not TOML: {error}") from error
+    _check_keys(path, fields)
+    component = path.parent.name
+    try:
+        snippet = _adapter.validate_python(
+            {**fields, "id": f"{component}/{path.stem}", "component": component, "source": "\n".join(lines[end:])}
+        )
+    except ValidationError as error:
+        problem = error.errors()[0]
+        where = ".".join(str(part) for part in problem["loc"])
+        raise SnippetError(f"{path}: {where}: {problem['msg']}") from error
+    _check_text(path, snippet)
+    return snippet
+
+
+def _check_keys(path: Path, fields: dict[str, Any]) -> None:
+    missing = sorted({"description", "rephrasings"} - fields.keys())
+    if missing:
+        raise SnippetError(f"{path}: the header lacks {', '.join(missing)}")
+    unknown = sorted(fields.keys() - _KEYS)
+    if unknown:
+        raise SnippetError(f"{path}: the header has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(_KEYS))}")
+
+
+def _check_text(path: Path, snippet: Snippet) -> None:
+    texts = [text.casefold() for text in (snippet.description, *snippet.rephrasings)]
+    if len(set(texts)) < REPHRASINGS + 1:
+        raise SnippetError(f"{path}: needs at least {REPHRASINGS} rephrasings, each different")
+    for p in snippet.parameters:
+        if not p.name.startswith("OPT_"):
+            raise SnippetError(f"{path}: parameter {p.name!r} must start with OPT_")
+        if p.low > p.high:
+            raise SnippetError(f"{path}: parameter {p.name!r} runs from {p.low:g} to {p.high:g}")
+        if p.unit not in UNITS:
+            raise SnippetError(f"{path}: parameter {p.name!r} has unit {p.unit!r}; known: {', '.join(UNITS)}")
+
+
+# What the code itself says
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CodeNames:
+    """The contract of a piece of Scenic, computed from the code.
+
+    Attributes:
+        requires: Names it reads that neither it nor the world model defines, sorted.
+        provides: Names it defines at the top level, sorted.
+        parameters: ``param OPT_… = Range(low, high)``: name to (low, high).
+    """
+
+    requires: tuple[str, ...]
+    provides: tuple[str, ...]
+    parameters: dict[str, tuple[float, float]]
+
+
+def names_of(source: str, known: Collection[str]) -> CodeNames:
+    """Compute the contract of a piece of Scenic from its syntax tree.
+
+    Args:
+        source: Scenic text.
+        known: Names that the world model and Python define.
+
+    Raises:
+        SnippetError: It is not Scenic.
+    """
+    from scenic.core.errors import ScenicError
+    from scenic.syntax.parser import parse_string
+
+    try:
+        tree = parse_string(source, "exec")
+    except ScenicError as error:
+        raise SnippetError(f"line {getattr(error, 'lineno', '?')}: {error}") from error
+    read: set[str] = set()
+    bound: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name):
+            (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
+        elif isinstance(node, ast.arg):
+            bound.add(node.arg)
+    provides = {name for node in tree.body for name in _defined(node)}
+    return CodeNames(
+        requires=tuple(sorted(read - bound - provides - set(known))),
+        provides=tuple(sorted(provides)),
+        parameters=_opt_parameters(tree),
+    )
+
+
+def _defined(node: ast.AST) -> Iterator[str]:
+    """Names that one top-level statement defines."""
+    if isinstance(name := getattr(node, "name", None), str):
+        yield name
+    if isinstance(node, ast.Assign):
+        yield from (t.id for target in node.targets for t in ast.walk(target) if isinstance(t, ast.Name))
+
+
+def _opt_parameters(tree: ast.AST) -> dict[str, tuple[float, float]]:
+    """Parameters whose value is a literal range; Scenic parses ``param`` into its own node."""
+    found: dict[str, tuple[float, float]] = {}
+    for node in ast.walk(tree):
+        name, value = getattr(node, "identifier", None), getattr(node, "value", None)
+        if isinstance(name, str) and isinstance(value, ast.Call) and len(value.args) == 2:
+            found[name] = (float(ast.literal_eval(value.args[0])), float(ast.literal_eval(value.args[1])))
+    return found
