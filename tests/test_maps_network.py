@@ -75,7 +75,7 @@ def test_a_broken_map_is_refused_with_the_file_and_the_fault(
 def test_the_town_cut_in_half_is_refused(tmp_path: Path, cache: Path) -> None:
     path = tmp_path / "half.xodr"
     path.write_bytes(TOWN.read_bytes()[:100_000])
-    with pytest.raises(MapError, match="truncated|cut off"):
+    with pytest.raises(MapError, match=r"truncated|cut off"):
         load_network(path)
 
 

@@ -6,6 +6,7 @@ import logging
 import math
 import xml.etree.ElementTree as ET
 from collections import Counter
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -121,7 +122,7 @@ def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture) 
 @settings(max_examples=15, deadline=None)
 @given(
     angles=st.lists(st.integers(0, 11), min_size=3, max_size=4, unique=True).filter(
-        lambda found: all((b - a) % 12 >= 3 for a, b in zip(sorted(found), [*sorted(found)[1:], min(found)]))
+        lambda found: all((b - a) % 12 >= 3 for a, b in pairwise([*sorted(found), min(found)]))
     ),
     lanes=st.integers(1, 2),
 )
@@ -134,7 +135,7 @@ def test_reference_lines_join_end_to_end_without_a_kink(angles: list[int], lanes
     for road in ET.fromstring(write_opendrive("star", streets)).iter("road"):
         pieces = [_piece(geometry) for geometry in road.iter("geometry")]
         assert math.isclose(sum(piece["length"] for piece in pieces), float(road.get("length", "0")), abs_tol=1e-6)
-        for before, after in zip(pieces, pieces[1:], strict=False):
+        for before, after in pairwise(pieces):
             x, y, heading = _end(before)
             assert math.isclose(before["s"] + before["length"], after["s"], abs_tol=1e-6)
             assert math.hypot(after["x"] - x, after["y"] - y) < 1e-4

@@ -1,19 +1,19 @@
 """Step 8 of 9: from episodes to the ten metrics and the overall score.
 
-Paper: appendix C.1. Constants and quirks: SafeBench, ``metric_util.py``; decision 0003 lists what `corrected` mode
-mends.
+Paper: appendix "Detailed Metric". Constants and quirks: SafeBench, ``metric_util.py``; decision 0003 lists them and
+what `corrected` mode mends.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from chatscene.errors import SettingsError
-from chatscene.terms.episode import Ending, Episode, EventKind, Track
+from chatscene.terms.episode import Array, Episode, EventKind, Track
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 
 MOST_OFF_ROAD = 50.0  # [m]
@@ -27,35 +27,52 @@ TAU = 2 * math.pi
 
 
 def measure(episode: Episode) -> Measurements:
-    """The raw numbers of one episode."""
-    ego, dt = episode.ego_track, episode.dt
+    """The raw numbers of one episode.
+
+    An episode of T rows has T - 1 steps; row 0 is the state before the first. Metres off the road, acceleration and
+    yaw are taken over the steps, the distance to the route over the rows.
+    """
+    ego, duration = episode.ego_track, episode.duration
     kinds = [event.kind for event in episode.events]
-    duration = episode.duration
-    turned = np.diff(ego.heading)
-    wrapped = np.diff(np.pi - (np.pi - ego.heading) % TAU)
-    step = np.hypot(np.diff(ego.x), np.diff(ego.y))
-    # The reference extends the off-road flag by one frame.
-    off = episode.off_road[1:] | episode.off_road[:-1]
     return Measurements(
         collided=EventKind.COLLISION in kinds,
         red_lights=kinds.count(EventKind.RED_LIGHT),
         stop_signs=kinds.count(EventKind.STOP_SIGN),
-        off_road=float(step[off].sum()),
+        off_road=_metres_off_road(episode),
         distance_to_route=float(episode.distance_to_route.mean()),
         completion=episode.route_completion,
-        time=duration if episode.ending is Ending.ARRIVED else None,
-        acceleration=float(_acceleration(ego, dt).mean()),
-        yaw_rate=float(np.abs(wrapped).sum() / duration) if duration else 0.0,
-        yaw_rate_unwrapped=float(np.abs(turned).sum() / duration) if duration else 0.0,
+        time=duration if episode.route_completion >= 1.0 else None,
+        acceleration=_mean_acceleration(ego, episode.dt),
+        yaw_rate=_turned(_reference_yaw(ego.heading)) / duration if duration else 0.0,
+        yaw_rate_unwrapped=_turned(ego.heading) / duration if duration else 0.0,
         lane_invasions=kinds.count(EventKind.LANE_INVASION),
         duration=duration,
     )
 
 
-def _acceleration(ego: Track, dt: float) -> NDArray[np.float64]:
-    """(T,) magnitude [m/s²] of the change of velocity; 0 in row 0."""
+def _metres_off_road(episode: Episode) -> float:
+    """Length [m] of the steps that begin or end off the road: the reference carries the flag one frame on."""
+    ego, off = episode.ego_track, episode.off_road
+    steps = np.hypot(np.diff(ego.x), np.diff(ego.y))
+    return float(steps[off[1:] | off[:-1]].sum())
+
+
+def _mean_acceleration(ego: Track, dt: float) -> float:
+    """Mean magnitude [m/s²] of the change of the velocity vector per step, so that cornering counts."""
+    if len(ego.speed) < 2:
+        return 0.0
     vx, vy = ego.speed * np.cos(ego.heading), ego.speed * np.sin(ego.heading)
-    return np.hypot(np.diff(vx, prepend=vx[:1]), np.diff(vy, prepend=vy[:1])) / dt
+    return float(np.hypot(np.diff(vx), np.diff(vy)).mean() / dt)
+
+
+def _turned(heading: Array) -> float:
+    """Sum [rad] of the changes of heading."""
+    return float(np.abs(np.diff(heading)).sum())
+
+
+def _reference_yaw(heading: Array) -> Array:
+    """Our heading as the reference sees it: CARLA's yaw, clockwise from the same +x, in (-π, π], not unwrapped."""
+    return np.pi - (heading + np.pi) % TAU
 
 
 def score(measurements: Sequence[Measurements], *, mode: Mode = Mode.PAPER) -> Metrics:
@@ -63,8 +80,8 @@ def score(measurements: Sequence[Measurements], *, mode: Mode = Mode.PAPER) -> M
 
     Args:
         measurements: One per episode; a set is scored as a whole, because time is averaged over those that arrive.
-        mode: `paper` as the reference computes them; `corrected` unwraps yaw, gives an unfinished run the longest
-            time rather than the shortest, and keeps every number in [0, 1].
+        mode: `paper` computes as the reference does; `corrected` unwraps yaw, gives an unfinished run the longest
+            time rather than none, and clips each number into [0, 1].
 
     Raises:
         SettingsError: The set is empty.
@@ -116,27 +133,55 @@ COLUMNS: dict[str, str] = {
 
 
 def columns(measurements: Measurements) -> dict[str, float]:
-    """The ten numbers of one episode in paper mode, and its overall score, by the names they have in tables."""
+    """The ten numbers of one episode and its overall score, paper mode, by their names in ``scenes.parquet``."""
     metrics = score([measurements])
     row = {column: float(getattr(metrics, name)) for name, column in COLUMNS.items()}
     return {**row, "overall_score": metrics.overall_score}
 
 
-def average_displacement(first: Track, second: Track) -> float:
-    """Mean distance [m] between two adversaries at equal times, over the steps that both tracks have.
+def average_displacement(tracks: Sequence[Track]) -> float:
+    """ADE: how far apart adversaries are at equal times [m], averaged over every pair of scenes.
 
-    The paper gives neither the pairing nor what happens to tracks of unequal length; ours pairs the scenes kept
-    for the same scenario and route, and compares while both run.
+    Paper, section 4 ("Metrics"). The paper gives neither the pairing nor the rule for unequal lengths; ours pairs
+    the scenes of one scenario on one route, and compares two tracks while both run. The mean over several
+    scenarios and routes is the mean of their values.
+
+    Args:
+        tracks: The adversary's track from each scene of one scenario on one route, at the same time step.
+
+    Raises:
+        SettingsError: Fewer than two tracks: there is no pair.
     """
+    if len(tracks) < 2:
+        raise SettingsError(f"displacement compares pairs of tracks, and there are {len(tracks)}; keep more scenes")
+    return _mean([_distance(first, second) for first, second in combinations(tracks, 2)])
+
+
+def _distance(first: Track, second: Track) -> float:
+    """Mean distance [m] over the steps both tracks have."""
     steps = min(len(first.x), len(second.x))
     return float(np.hypot(first.x[:steps] - second.x[:steps], first.y[:steps] - second.y[:steps]).mean())
 
 
 def wilson(successes: int, trials: int, z: float = 1.959964) -> tuple[float, float]:
-    """The Wilson score interval of a rate (95 % by default); (0, 1) where nothing was tried."""
+    """The Wilson score interval of a rate; (0, 1) where nothing was tried.
+
+    Wilson (1927), "Probable inference, the law of succession, and statistical inference".
+
+    Args:
+        successes: How often it happened.
+        trials: How often it could have.
+        z: Standard deviations of the normal distribution; the default gives 95 %.
+
+    Raises:
+        SettingsError: More successes than trials, or a negative number of them.
+    """
+    if not 0 <= successes <= trials:
+        raise SettingsError(f"{successes} successes in {trials} trials make no rate")
     if trials == 0:
         return 0.0, 1.0
     rate = successes / trials
     spread = z * math.sqrt(rate * (1 - rate) / trials + z * z / (4 * trials * trials))
     centre, scale = rate + z * z / (2 * trials), 1 + z * z / trials
-    return max(0.0, (centre - spread) / scale), min(1.0, (centre + spread) / scale)
+    # The rate itself is always inside; rounding must not push a rate of 0 or 1 out.
+    return max(0.0, min(rate, (centre - spread) / scale)), min(1.0, max(rate, (centre + spread) / scale))

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import accumulate
 from typing import Any
 
 from chatscene.terms.polyline import Polyline
+
+_SEAM = 0.5  # [m]; roads of a map that follow one another do not quite touch
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,32 +43,45 @@ class LaneRun:
 def lane_runs(network: Any) -> dict[str, LaneRun]:
     """The run that each lane outside junctions belongs to, by Scenic's lane id; sorted by id."""
     lanes = {lane.uid: lane for road in network.roads for lane in road.lanes}
-    after = {uid: following for uid, lane in lanes.items() if (following := _next(lane)) in lanes}
+    after = {uid: following for uid, lane in lanes.items() if (following := _next(lane)) and following in lanes}
     entries = Counter(after.values())
     after = {uid: following for uid, following in after.items() if entries[following] == 1}
     linked = set(after.values())
     runs: dict[str, LaneRun] = {}
-    for uid in sorted(lanes, key=lambda u: (u in linked, u)):  # the first of each run first; a ring starts anywhere
-        chain: list[str] = []
-        while uid not in runs and uid not in chain:
-            chain.append(uid)
-            uid = after.get(uid, uid)  # noqa: PLW2901 - walks along the run
-        if chain:
-            runs |= dict.fromkeys(chain, _run([lanes[name] for name in chain]))
+    for first in sorted(lanes, key=lambda uid: (uid in linked, uid)):  # where runs begin; a ring begins anywhere
+        if first not in runs:
+            chain = _chain(first, after)
+            runs |= dict.fromkeys(chain, _run([lanes[uid] for uid in chain]))
     return dict(sorted(runs.items()))
 
 
+def _chain(first: str, after: dict[str, str]) -> list[str]:
+    chain = [first]
+    while (following := after.get(chain[-1])) is not None and following != first:
+        chain.append(following)
+    return chain
+
+
 def _next(lane: Any) -> str | None:
-    """Where a lane leads without a junction and without a choice."""
+    """Where a lane leads without a junction and without a choice; a lane that merges into another ends there."""
     if len(lane.maneuvers) != 1 or lane.maneuvers[0].connectingLane is not None:
         return None
-    return str(lane.maneuvers[0].endLane.uid)
+    following = lane.maneuvers[0].endLane
+    joined = math.dist(lane.centerline.points[-1][:2], following.centerline.points[0][:2]) < _SEAM
+    return str(following.uid) if joined else None
 
 
 def _run(lanes: list[Any]) -> LaneRun:
     lines = [Polyline(lane.centerline.points) for lane in lanes]
-    return LaneRun(
-        tuple(lanes),
-        Polyline.join(*lines),
-        tuple(sum(line.length for line in lines[: i + 1]) for i in range(len(lines))),
-    )
+    ends = tuple(accumulate(line.length for line in lines))
+    return LaneRun(tuple(lanes), Polyline(_forward(Polyline.join(*lines).points.tolist())), ends)
+
+
+def _forward(points: list[list[float]]) -> list[list[float]]:
+    """Points without those that step back, as Scenic's centre lines do where sections of a lane overlap."""
+    kept = points[:2]
+    for x, y in points[2:]:
+        (x0, y0), (x1, y1) = kept[-2:]
+        if (x - x1) * (x1 - x0) + (y - y1) * (y1 - y0) > 0:
+            kept.append([x, y])
+    return kept

@@ -272,7 +272,7 @@ def _on_road(
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
     used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
     beside = [_neighbour(run, s, side) for s in used]
-    if any(lane is None or _opposes(run.lane_at(onset), lane) != bypass for lane in beside):
+    if any(lane is None or _opposes(run.lane_at(s), lane) != bypass for s, lane in zip(used, beside, strict=True)):
         return None
     if bypass and len(run.lane_at(onset).group.lanes) > 1:
         return None  # with a second lane of its own a driver need not use the opposite one

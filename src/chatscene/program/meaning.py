@@ -29,6 +29,7 @@ OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
+TURNED = math.radians(30)  # a vehicle that stops midway through its turn is seen to turn from here on
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +159,7 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
     if slots.adversary is not None and track.kind != CLASSES[slots.adversary]:
         failures.append(f"adversary: said {slots.adversary}, it is a {track.kind}")
     if slots.side is not None:
-        left = float(seen.offset[0] if route.junction is None else seen.across[0])
+        left = _left_of_ego(seen, route)
         if (left > 0) != (slots.side is Side.LEFT):
             failures.append(f"side: said {slots.side}, it starts {abs(left):.1f} m to the {_side(left)}")
     if slots.position is not None and not POSITIONS[slots.position](seen):
@@ -173,6 +174,18 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
     if slots.blocker and not any(_blocks(track, route) for track in _others(episode, Role.OCCLUDER)):
         failures.append("blocker: nothing is parked in the ego's lane")
     return failures
+
+
+def _left_of_ego(seen: Seen, route: Route) -> float:
+    """How far to the left [m] the adversary starts: of the ego's start, or of the route it stands beside.
+
+    Somebody at the kerb who faces the road comes from that side of the road, also where the road has turned.
+    """
+    if route.junction is None:
+        return float(seen.offset[0])
+    along, _, _ = route.line.project(float(seen.track.x[0]), float(seen.track.y[0]))
+    faces_road = abs(math.sin(float(seen.track.heading[0]) - route.line.heading_at(along))) > math.sin(math.radians(45))
+    return float(seen.offset[0] if faces_road and abs(seen.offset[0]) < 20.0 else seen.across[0])
 
 
 def _side(left: float) -> str:
@@ -353,8 +366,8 @@ ACTIONS: dict[Action, Callable[[Seen], bool]] = {
     Action.SWERVE: _swerves,
     Action.PACE: _paces,
     Action.RUN_LIGHT: _runs_light,
-    Action.TURN_LEFT: lambda s: _turned(s) > math.radians(45),
-    Action.TURN_RIGHT: lambda s: _turned(s) < -math.radians(45),
+    Action.TURN_LEFT: lambda s: _turned(s) > TURNED,
+    Action.TURN_RIGHT: lambda s: _turned(s) < -TURNED,
     Action.ONCOMING: lambda s: bool((np.abs(s.bearing) > math.radians(120))[_speed(s) > STANDING].any()),
     Action.HESITATE: _hesitates,
     Action.DIAGONAL: _diagonal,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
@@ -84,9 +85,9 @@ def contact_point(episode: Episode, event: Event) -> list[float]:
     x, y, heading = float(ego.x[step]), float(ego.y[step]), float(ego.heading[step])
     other = next((track for track in episode.tracks if track.actor == event.other), ego)
     dx, dy = float(other.x[step]) - x, float(other.y[step]) - y
-    cos, sin = np.cos(heading), np.sin(heading)
-    along = float(np.clip(dx * cos + dy * sin, -ego.length / 2, ego.length / 2))
-    across = float(np.clip(dy * cos - dx * sin, -ego.width / 2, ego.width / 2))
+    cos, sin = math.cos(heading), math.sin(heading)
+    along = min(max(dx * cos + dy * sin, -ego.length / 2), ego.length / 2)
+    across = min(max(dy * cos - dx * sin, -ego.width / 2), ego.width / 2)
     return [round(x + along * cos - across * sin, 2), round(y + along * sin + across * cos, 2)]
 
 

@@ -68,7 +68,7 @@ const map = {
 const view = $("view"), speeds = $("speeds");
 const canvas = view.getContext("2d"), chart = speeds.getContext("2d");
 const camera = { x: 0, y: 0, zoom: 8, follow: true };
-let shown = 0, drive = null, step = 0, playing = false, last = 0;
+let shown = 0, drive = null, step = 0, playing = false, timer = 0, last = 0;
 let colours = {};
 
 function readColours() {
@@ -404,21 +404,28 @@ function seek(when) {
   draw();
 }
 
+/** A timer and not animation frames: those stop where nothing is painted, as in headless browsers. */
 function play(on) {
   if (on && step >= drive.steps - 1) step = 0;
+  clearInterval(timer);
   playing = on;
-  last = 0;
-  if (on) requestAnimationFrame(tick);
+  last = performance.now();
+  if (on) timer = setInterval(tick, 1000 / 60);
   draw();
 }
 
-function tick(now) {
-  if (!playing) return;
-  if (last) step += Math.min(now - last, 250) / 1000 * Number($("rate").value) / drive.dt;
+function tick() {
+  const now = performance.now();
+  step += Math.min(now - last, 250) / 1000 * Number($("rate").value) / drive.dt;
   last = now;
-  if (step >= drive.steps - 1) { step = drive.steps - 1; playing = false; }
-  draw();
-  if (playing) requestAnimationFrame(tick);
+  if (step < drive.steps - 1) draw();
+  else pause();
+}
+
+function pause() {
+  clearInterval(timer);
+  playing = false;
+  seek(step);
 }
 
 function choose(index, start) {
@@ -435,8 +442,8 @@ function choose(index, start) {
 
 const KEYS = {
   " ": () => play(!playing), k: () => play(!playing),
-  ArrowLeft: () => { playing = false; seek(Math.ceil(step) - 1); },
-  ArrowRight: () => { playing = false; seek(Math.floor(step) + 1); },
+  ArrowLeft: () => { pause(); seek(Math.ceil(step) - 1); },
+  ArrowRight: () => { pause(); seek(Math.floor(step) + 1); },
   Home: () => seek(0), End: () => seek(drive.steps - 1),
   f: () => { follow(!camera.follow); draw(); }, 0: showWhole,
   "+": () => zoomBy(1.25), "=": () => zoomBy(1.25), "-": () => zoomBy(0.8),
@@ -445,7 +452,7 @@ const KEYS = {
 
 function listen() {
   $("play").addEventListener("click", () => play(!playing));
-  $("time").addEventListener("input", (event) => { playing = false; seek(Number(event.target.value)); });
+  $("time").addEventListener("input", (event) => { pause(); seek(Number(event.target.value)); });
   $("follow").addEventListener("click", KEYS.f);
   $("whole").addEventListener("click", showWhole);
   $("closer").addEventListener("click", () => zoomBy(1.25));
@@ -490,7 +497,7 @@ function listenToPointer() {
   }, { passive: false });
   const jump = (event) => {
     const share = (event.offsetX - INSET) / (speeds.clientWidth - 2 * INSET);
-    playing = false;
+    pause();
     seek(share * (drive.steps - 1));
   };
   speeds.addEventListener("pointerdown", jump);

@@ -1,13 +1,13 @@
 """Step 6 of 9: move the ranges to where collisions were.
 
-Paper: section 3.3, step iv. Released code: ``scenic_utils.py``.
+Paper: section 3.3, step iv. Released code: ``scenic_utils.py``; decision 0004 says what we keep of it and what not.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from statistics import fmean, pstdev
 
 from chatscene.terms.snippet import ParameterRange
 
@@ -18,12 +18,11 @@ DECIMALS = 2  # the released code rounds bounds
 def refine(declared: Sequence[ParameterRange], collided: Sequence[Mapping[str, float]]) -> tuple[ParameterRange, ...]:
     """The ranges for the next block: mean ± population deviation of what collided, inside the declared ranges.
 
-    Parameters move independently of each other. All blocks so far count, not only the last.
-    Deviation from the released code: bounds are clipped after they are rounded (decision 0004).
+    Parameters move independently of each other, and every block so far counts, not only the last.
 
     Args:
         declared: The ranges of the program.
-        collided: The values of every scene so far in which the ego collided.
+        collided: The values of every scene so far in which the ego collided, in the parameters' units.
 
     Returns:
         A range per parameter; the declared ones while fewer than two scenes have collided.
@@ -34,10 +33,8 @@ def refine(declared: Sequence[ParameterRange], collided: Sequence[Mapping[str, f
 
 
 def _moved(declared: ParameterRange, values: Sequence[float]) -> ParameterRange:
-    mean = math.fsum(values) / len(values)
-    deviation = math.sqrt(math.fsum((value - mean) ** 2 for value in values) / len(values))
-    return replace(
-        declared,
-        low=declared.clip(round(mean - deviation, DECIMALS)),
-        high=declared.clip(round(mean + deviation, DECIMALS)),
-    )
+    mean, deviation = fmean(values), pstdev(values)
+    low = round(max(mean - deviation, declared.low), DECIMALS)
+    high = round(min(mean + deviation, declared.high), DECIMALS)
+    # Rounding may step over a declared bound; the released code lets it, we do not.
+    return replace(declared, low=declared.clip(low), high=declared.clip(high))

@@ -1,6 +1,6 @@
 """The ten metrics of an ego, their levels and the overall score, as nouns.
 
-Paper: appendix C.1; constants: SafeBench, ``metric_util.py``.
+Paper: appendix "Detailed Metric"; constants and weights: SafeBench, ``metric_util.py``.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ class Measurements:
         completion: Share of the route driven, in [0, 1].
         time: Duration [s] if the route was completed, else None.
         acceleration: Mean magnitude of acceleration [m/s²].
-        yaw_rate: Summed heading change over duration [rad/s], wrapped as the reference does not unwrap.
-        yaw_rate_unwrapped: The same, unwrapped [rad/s].
+        yaw_rate: Summed change of yaw over duration [rad/s], a full turn for each crossing of ±π.
+        yaw_rate_unwrapped: The same without those turns [rad/s].
         lane_invasions: Number of lane invasions.
         duration: Duration [s].
     """

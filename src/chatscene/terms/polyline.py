@@ -93,8 +93,9 @@ class Polyline:
                 search ends at the first local minimum. None searches the whole line.
 
         Returns:
-            Arc length [m] of the nearest point, signed lateral offset [m, positive = left of the line], and
-            the segment's index, to pass as `near` next time.
+            Arc length [m] of the nearest point; signed distance to the line [m, positive = left of it], where
+            beyond an end the line is taken to go straight on; and the segment's index, to pass as `near` next
+            time.
         """
         if near is None:
             p = self.points
@@ -110,10 +111,13 @@ class Polyline:
             near, best = near - 1, d2
         rx, ry = x - self._x[near], y - self._y[near]
         hx, hy = self._hx[near], self._hy[near]
-        along = rx * hx + ry * hy
-        length = self._s[near + 1] - self._s[near]
-        along = 0.0 if along < 0.0 else length if along > length else along
-        return self._s[near] + along, hx * ry - hy * rx, near
+        along, across = rx * hx + ry * hy, hx * ry - hy * rx
+        start, end = self._s[near], self._s[near + 1]
+        if along < 0.0:  # outside a corner, unless it is the start of the line
+            return start, math.copysign(math.hypot(along, across), across) if near > 0 else across, near
+        if (beyond := along - (end - start)) > 0.0:
+            return end, math.copysign(math.hypot(beyond, across), across) if near < last else across, near
+        return start + along, across, near
 
     def _distance2(self, i: int, x: float, y: float) -> float:
         rx, ry = x - self._x[i], y - self._y[i]
@@ -125,8 +129,9 @@ class Polyline:
         return beyond * beyond + across * across
 
     def resampled(self, spacing: float) -> Polyline:
-        """The same line with points `spacing` [m] apart (the last gap may be shorter)."""
-        stops = np.append(np.arange(0.0, self.length - 1e-6, spacing), self.length)
+        """The same line with points `spacing` [m] of arc length apart (the last gap may be shorter)."""
+        gaps = max(math.ceil((self.length - 2e-3) / spacing), 1)  # none so short that its end would be dropped
+        stops = np.append(np.arange(gaps) * spacing, self.length)
         arc = np.array(self._s)
         return Polyline(
             np.column_stack((np.interp(stops, arc, self.points[:, 0]), np.interp(stops, arc, self.points[:, 1])))

@@ -30,12 +30,13 @@ behavior BrakeOnPath(path, brake=1.0, left=0):
         tracker.allowed(self.pose, 0)
         take DriveAction(0, brake, tracker.steer(self.pose))
 
-behavior ThrottleOnPath(path, throttle, left=0):
-    """Follow a path with the pedal held down, heedless of curves. Never ends."""
+behavior ThrottleOnPath(path, throttle, left=0, top=17):
+    """Follow a path with the pedal held down, heedless of curves, up to a `top` speed. Never ends."""
     tracker = trackerFor(self, path, left)
     while True:
-        tracker.allowed(self.pose, 100)
-        take DriveAction(throttle, 0, tracker.steer(self.pose))
+        pose = self.pose
+        tracker.allowed(pose, top)
+        take DriveAction(throttle if pose[3] < top else 0, 0, tracker.steer(pose))
 
 behavior SwerveOnPath(path, speed, left):
     """Leave the line of a path abruptly, to `left` beside it (negative: right), heedless of curves."""
@@ -53,19 +54,19 @@ behavior WeaveOnPath(path, speed, amplitude, period):
         time = (simulation().currentTime - start) * simulation().timestep
         take DriveAction(*tracker.controls(self.pose, speed, amplitude * math.sin(2 * math.pi * time / period)))
 
-behavior PaceOnPath(path, other, ahead=0, top=25):
-    """Keep `ahead` in front of another actor, measured along a path beside it."""
+behavior PaceOnPath(path, other, ahead=0, top=25, least=0):
+    """Keep `ahead` in front of another actor, measured along a path beside it, between two speeds."""
     tracker = trackerFor(self, path, 0)
     near = None
     while True:
         along, near = progressOn(path, other, near)
         tracker.allowed(self.pose, top)
-        wish = max(0, other.pose[3] + 0.8 * (along + ahead - tracker.along))
+        wish = max(least, other.pose[3] + 0.8 * (along + ahead - tracker.along))
         take DriveAction(*tracker.controls(self.pose, min(wish, top)))
 
-behavior KeepStation(path, other):
+behavior KeepStation(path, other, least=5):
     """Hold the present distance to another actor along a path, as traffic in the next lane does."""
-    do PaceOnPath(path, other, progressOn(path, self)[0] - progressOn(path, other)[0])
+    do PaceOnPath(path, other, progressOn(path, self)[0] - progressOn(path, other)[0], least=least)
 
 behavior ReverseStraight(speed):
     """Drive straight backwards."""

@@ -14,9 +14,9 @@ from scenic.domains.driving.model import *
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Placed, Walking
 from chatscene.world.behaviors import *
-from chatscene.world.places import (adjacentPath, besideRoad, choose_route as _choose_route, crossingDirection,
-    directionOn, distanceLeft, extended, gap, levelOn, maximum, neighbourPath, offsetFrom, ownLane, pointOn,
-    progressOn, restsWithin, trafficFrom, wayOf)
+from chatscene.world.places import (adjacentPath, besideRoad, brakingDistance, choose_route as _choose_route,
+    crossingDirection, directionOn, distanceLeft, extended, gap, headway, levelOn, maximum, neighbourPath, offsetFrom,
+    ownLane, pointOn, progressOn, restsWithin, trafficFrom, wayOf)
 from chatscene.world.limits import LIMITS as _LIMITS
 
 if 'route' not in globalParameters:

@@ -282,7 +282,17 @@ def distanceLeft(path: Any, agent: Any, to: float) -> float:  # noqa: N802
     return to - line_of(path).project(agent.pose[0], agent.pose[1])[0]
 
 
+def headway(path: Any, a: Any, b: Any) -> float:
+    """How far [m] actor `a` still has to go on a path until it is level with actor `b`; negative when past it."""
+    return distanceLeft(path, a, line_of(path).project(b.pose[0], b.pose[1])[0])
+
+
+def brakingDistance(agent: Any) -> float:  # noqa: N802
+    """How far [m] an agent still goes if it brakes now as hard as it can."""
+    brake = next(LIMITS[cls.__name__].brake for cls in type(agent).__mro__ if cls.__name__ in LIMITS)
+    return agent.pose[3] ** 2 / (2 * brake)
+
+
 def restsWithin(path: Any, agent: Any, distance: float) -> bool:  # noqa: N802
     """Whether an agent that heads for a path and brakes now would stop no farther than `distance` [m] from it."""
-    brake = next(LIMITS[cls.__name__].brake for cls in type(agent).__mro__ if cls.__name__ in LIMITS)
-    return abs(offsetFrom(path, agent)) - agent.pose[3] ** 2 / (2 * brake) < distance
+    return abs(offsetFrom(path, agent)) - brakingDistance(agent) < distance

@@ -15,16 +15,16 @@
 #: actions = ["cross", "stop"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.0
+#: low = 1.2
 #: high = 5.0
 #: unit = "m/s"
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 8.0
-#: high = 25.0
+#: low = 2.0
+#: high = 26.0
 #: unit = "m"
-#: meaning = "distance to the ego at which the adversary starts to move"
+#: meaning = "how far the ego still has to go when the adversary starts to move"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
 #: low = 0.0
@@ -32,11 +32,11 @@
 #: unit = "m"
 #: meaning = "how far from the ego's line it comes to rest"
 
-param OPT_ADV_SPEED = Range(1, 5)
-param OPT_ADV_DISTANCE = Range(8, 25)
+param OPT_ADV_SPEED = Range(1.2, 5)
+param OPT_ADV_DISTANCE = Range(2, 26)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()

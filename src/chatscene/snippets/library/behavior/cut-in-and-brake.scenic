@@ -12,10 +12,11 @@
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: actions = ["cut-in", "brake"]
+#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -31,7 +32,7 @@
 #: unit = "1"
 #: meaning = "how hard it brakes"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_ADV_SPEED = Range(5, 9)
 param OPT_BRAKE = Range(0.4, 1)
 

@@ -7,7 +7,7 @@
 #:   "The person hurries across flat out, without looking.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego"]
+#: requires = ["ego", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
@@ -20,14 +20,14 @@
 #: meaning = "how fast it runs"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
-#: high = 22.0
+#: low = 2.0
+#: high = 16.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to run"
+#: meaning = "how far the ego still has to go when it starts to run"
 
 param OPT_ADV_SPEED = Range(3.5, 7)
-param OPT_ADV_DISTANCE = Range(6, 22)
+param OPT_ADV_DISTANCE = Range(2, 16)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED)

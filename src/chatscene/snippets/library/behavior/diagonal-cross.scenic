@@ -20,10 +20,10 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 8.0
-#: high = 28.0
+#: low = 5.0
+#: high = 35.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_ANGLE"
 #: low = 0.45
@@ -32,9 +32,9 @@
 #: meaning = "how far its way turns from straight across"
 
 param OPT_ADV_SPEED = Range(1, 4.5)
-param OPT_ADV_DISTANCE = Range(8, 28)
+param OPT_ADV_DISTANCE = Range(5, 35)
 param OPT_ADV_ANGLE = Range(0.45, 0.95)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_ANGLE if offsetFrom(egoRoute, self) > 0 else -globalParameters.OPT_ADV_ANGLE)

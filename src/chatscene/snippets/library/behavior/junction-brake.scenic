@@ -7,17 +7,17 @@
 #:   "Instead of clearing the junction, the car loses speed abruptly.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advEntry", "advTrajectory", "ego"]
+#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["brake"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 6.0
@@ -35,9 +35,9 @@
 #: low = 0.0
 #: high = 8.0
 #: unit = "m"
-#: meaning = "how far into the intersection it brakes"
+#: meaning = "how far before the place where their ways meet it brakes"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(6, 11)
 param OPT_BRAKE = Range(0.4, 1)
 param OPT_BRAKE_DISTANCE = Range(0, 8)
@@ -45,6 +45,6 @@ param OPT_BRAKE_DISTANCE = Range(0, 8)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -globalParameters.OPT_BRAKE_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < globalParameters.OPT_BRAKE_DISTANCE
     do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE)

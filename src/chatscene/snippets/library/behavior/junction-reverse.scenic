@@ -7,17 +7,17 @@
 #:   "The other car pulls in before the ego and then drives backwards.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["stop", "reverse"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 3.0
@@ -27,9 +27,9 @@
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
 #: low = 0.0
-#: high = 5.0
+#: high = 4.5
 #: unit = "m"
-#: meaning = "how far from the ego's line it stops"
+#: meaning = "how far beyond where their ways meet it stops"
 #: [[parameters]]
 #: name = "OPT_ADV_BACK"
 #: low = 1.5
@@ -37,16 +37,16 @@
 #: unit = "m/s"
 #: meaning = "how fast it backs up"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(3, 8)
-param OPT_STOP_DISTANCE = Range(0, 5)
+param OPT_STOP_DISTANCE = Range(0, 4.5)
 param OPT_ADV_BACK = Range(1.5, 4)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
     do BrakeOnPath(advTrajectory) until self.pose[3] < 0.05
     do Halt() for 0.5 seconds
     do ReverseStraight(globalParameters.OPT_ADV_BACK)

@@ -7,17 +7,17 @@
 #:   "The other car alternates gas and brake while it crosses.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["accelerate", "brake"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_THROTTLE"
 #: low = 0.6
@@ -37,7 +37,7 @@
 #: unit = "s"
 #: meaning = "how long each phase lasts"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_THROTTLE = Range(0.6, 1)
 param OPT_BRAKE = Range(0.4, 1)
 param OPT_ADV_PERIOD = Range(1, 2)
@@ -45,7 +45,7 @@ param OPT_ADV_PERIOD = Range(1, 2)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     while True:
         do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_ADV_PERIOD seconds
         do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE) for 0.5 * globalParameters.OPT_ADV_PERIOD seconds

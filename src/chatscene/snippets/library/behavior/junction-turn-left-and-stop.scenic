@@ -7,17 +7,17 @@
 #:   "The left-turning vehicle stops short and blocks the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advEntry", "advTrajectory", "ego", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["turn-left", "stop"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0
@@ -27,17 +27,17 @@
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
 #: low = 0.0
-#: high = 2.0
+#: high = 4.5
 #: unit = "m"
-#: meaning = "how far from the ego's line it comes to rest"
+#: meaning = "how far beyond where their ways meet it comes to rest"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(4, 9)
-param OPT_STOP_DISTANCE = Range(0, 2)
+param OPT_STOP_DISTANCE = Range(0, 4.5)
 
 advTurn = "left-turn"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -4 and restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
     do BrakeOnPath(advTrajectory)

@@ -7,17 +7,17 @@
 #:   "The approaching motorbike wobbles erratically across the intersection.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["weave", "swerve"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 5.0
@@ -37,7 +37,7 @@
 #: unit = "s"
 #: meaning = "how long a full swing takes"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(5, 9)
 param OPT_ADV_AMPLITUDE = Range(1.2, 2.5)
 param OPT_ADV_PERIOD = Range(2, 3.5)
@@ -45,5 +45,5 @@ param OPT_ADV_PERIOD = Range(2, 3.5)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do WeaveOnPath(advTrajectory, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_AMPLITUDE, globalParameters.OPT_ADV_PERIOD)

@@ -14,8 +14,8 @@
 #: actions = ["accelerate"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -25,7 +25,7 @@
 #: unit = "1"
 #: meaning = "how far the pedal is pressed"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_THROTTLE = Range(0.5, 1)
 
 behavior AdvBehavior():

@@ -14,8 +14,8 @@
 #: actions = ["brake", "accelerate"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -37,7 +37,7 @@
 #: unit = "m/s"
 #: meaning = "how fast it drives afterwards"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_BRAKE = Range(0.4, 1)
 param OPT_BRAKE_TIME = Range(0.7, 1.6)
 param OPT_ADV_SPEED = Range(7, 12)

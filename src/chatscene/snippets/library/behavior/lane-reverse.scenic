@@ -14,8 +14,8 @@
 #: actions = ["stop", "reverse"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -31,7 +31,7 @@
 #: unit = "m/s"
 #: meaning = "how fast it backs up"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_BRAKE = Range(0.5, 1)
 param OPT_ADV_SPEED = Range(1.5, 4.5)
 

@@ -7,17 +7,17 @@
 #:   "The approaching vehicle suddenly hooks right into the road the ego is taking.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advEntry", "advTrajectory", "ego"]
+#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["turn-right"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 5.0
@@ -26,18 +26,18 @@
 #: meaning = "how fast it approaches"
 #: [[parameters]]
 #: name = "OPT_SWERVE_DISTANCE"
-#: low = 0.0
-#: high = 8.0
+#: low = 2.0
+#: high = 14.0
 #: unit = "m"
-#: meaning = "how far into the intersection it turns"
+#: meaning = "how far before the place where their ways meet it turns"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(5, 10)
-param OPT_SWERVE_DISTANCE = Range(0, 8)
+param OPT_SWERVE_DISTANCE = Range(2, 14)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advEntry) < -globalParameters.OPT_SWERVE_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < globalParameters.OPT_SWERVE_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED, -1.5708)

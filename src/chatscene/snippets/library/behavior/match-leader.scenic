@@ -14,12 +14,12 @@
 #: actions = ["slow"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 
 behavior AdvBehavior():
     do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE

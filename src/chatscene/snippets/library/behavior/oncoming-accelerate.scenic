@@ -15,14 +15,14 @@
 #: position = "oncoming"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 2.0
-#: high = 6.0
+#: low = 0.5
+#: high = 3.0
 #: unit = "m/s"
 #: meaning = "how fast it drives at first"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 25.0
-#: high = 70.0
+#: low = 10.0
+#: high = 45.0
 #: unit = "m"
 #: meaning = "distance to the ego at which it accelerates"
 #: [[parameters]]
@@ -32,8 +32,8 @@
 #: unit = "1"
 #: meaning = "how far the pedal is pressed"
 
-param OPT_ADV_SPEED = Range(2, 6)
-param OPT_ADV_DISTANCE = Range(25, 70)
+param OPT_ADV_SPEED = Range(0.5, 3)
+param OPT_ADV_DISTANCE = Range(10, 45)
 param OPT_THROTTLE = Range(0.5, 1)
 
 behavior AdvBehavior():

@@ -21,8 +21,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 28.0
+#: low = 3.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "distance to the ego at which it enters the lane"
 #: [[parameters]]
@@ -39,7 +39,7 @@
 #: meaning = "how far from the ego's line it comes to rest"
 
 param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(10, 28)
+param OPT_ADV_DISTANCE = Range(3, 20)
 param OPT_ADV_ANGLE = Range(0.6, 1)
 param OPT_STOP_DISTANCE = Range(0, 1)
 

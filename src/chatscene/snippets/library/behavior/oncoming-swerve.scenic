@@ -1,18 +1,19 @@
-#: description = "The oncoming motorcyclist unexpectedly swerves into the ego's lane."
+#: description = "The oncoming car unexpectedly swerves into the ego's lane."
 #: rephrasings = [
-#:   "A rider coming the other way veers across the centre line.",
-#:   "The approaching motorbike jerks over in front of the ego.",
+#:   "A driver coming the other way veers across the centre line.",
+#:   "The approaching vehicle jerks over in front of the ego.",
 #:   "Opposing traffic suddenly leaves its line and heads into the ego's side.",
-#:   "The adversary from ahead lurches sideways toward the vehicle.",
+#:   "The adversary from ahead lurches sideways toward the ego.",
 #:   "The car driving toward the ego yanks the wheel over.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "ego"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
 #: actions = ["oncoming", "swerve"]
 #: position = "oncoming"
+#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0
@@ -27,14 +28,14 @@
 #: meaning = "distance to the ego at which it swerves"
 #: [[parameters]]
 #: name = "OPT_SWERVE"
-#: low = 1.2
+#: low = 1.5
 #: high = 3.5
 #: unit = "m"
 #: meaning = "how far it swerves"
 
 param OPT_ADV_SPEED = Range(4, 10)
 param OPT_ADV_DISTANCE = Range(12, 40)
-param OPT_SWERVE = Range(1.2, 3.5)
+param OPT_SWERVE = Range(1.5, 3.5)
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE

@@ -7,7 +7,7 @@
 #:   "The car coming the other way crosses the centre line and stays in the ego's path.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory", "ego", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
@@ -15,27 +15,36 @@
 #: position = "oncoming"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 4.0
-#: high = 8.0
+#: low = 5.0
+#: high = 9.0
 #: unit = "m/s"
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 12.0
-#: high = 32.0
+#: low = 5.0
+#: high = 45.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it turns"
+#: meaning = "how far before the middle of its way the ego is when the adversary sets off"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 14.0
+#: high = 26.0
+#: unit = "m"
+#: meaning = "how far beyond that middle it turns"
 #: [[parameters]]
 #: name = "OPT_ADV_ANGLE"
 #: low = 0.5
-#: high = 1.2
+#: high = 1.1
 #: unit = "rad"
 #: meaning = "how sharply it turns"
 
-param OPT_ADV_SPEED = Range(4, 8)
-param OPT_ADV_DISTANCE = Range(12, 32)
-param OPT_ADV_ANGLE = Range(0.5, 1.2)
+param OPT_ADV_SPEED = Range(5, 9)
+param OPT_ADV_DISTANCE = Range(5, 45)
+param OPT_ADV_REACH = Range(14, 26)
+param OPT_ADV_ANGLE = Range(0.5, 1.1)
 
 behavior AdvBehavior():
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do MoveAhead(globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_ANGLE)
+    do Halt() until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(egoRoute, self, egoRoute.eventAt) > -globalParameters.OPT_ADV_REACH
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_ANGLE) until abs(offsetFrom(ownLane(egoRoute), self)) < 0.5 + brakingDistance(self)
+    do Halt()

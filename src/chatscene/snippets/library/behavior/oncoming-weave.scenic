@@ -21,8 +21,8 @@
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_ADV_AMPLITUDE"
-#: low = 1.2
-#: high = 2.5
+#: low = 0.8
+#: high = 1.4
 #: unit = "m"
 #: meaning = "how far it swings to either side"
 #: [[parameters]]
@@ -33,7 +33,7 @@
 #: meaning = "how long a full swing takes"
 
 param OPT_ADV_SPEED = Range(4, 8)
-param OPT_ADV_AMPLITUDE = Range(1.2, 2.5)
+param OPT_ADV_AMPLITUDE = Range(0.8, 1.4)
 param OPT_ADV_PERIOD = Range(2.5, 4.5)
 
 behavior AdvBehavior():

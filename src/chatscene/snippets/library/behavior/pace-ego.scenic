@@ -14,12 +14,12 @@
 #: actions = ["pace"]
 #: [[parameters]]
 #: name = "OPT_ADV_AHEAD"
-#: low = -2.0
-#: high = 4.0
+#: low = -7.0
+#: high = 7.5
 #: unit = "m"
 #: meaning = "how far ahead of the ego it stays"
 
-param OPT_ADV_AHEAD = Range(-2, 4)
+param OPT_ADV_AHEAD = Range(-7, 7.5)
 
 behavior AdvBehavior():
     do PaceOnPath(advTrajectory, ego, globalParameters.OPT_ADV_AHEAD)

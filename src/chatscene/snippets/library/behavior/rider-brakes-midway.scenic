@@ -20,10 +20,10 @@
 #: meaning = "how fast it rides"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 8.0
-#: high = 24.0
+#: low = 4.0
+#: high = 28.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts"
+#: meaning = "how far the ego still has to go when it starts"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
 #: low = 0.0
@@ -32,10 +32,10 @@
 #: meaning = "how far from the ego's line it comes to rest"
 
 param OPT_ADV_SPEED = Range(3, 6)
-param OPT_ADV_DISTANCE = Range(8, 24)
+param OPT_ADV_DISTANCE = Range(4, 28)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()

@@ -20,15 +20,15 @@
 #: meaning = "how fast it rides"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 28.0
+#: low = 6.0
+#: high = 40.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts"
+#: meaning = "how far the ego still has to go when it starts"
 
 param OPT_ADV_SPEED = Range(1.5, 3.8)
-param OPT_ADV_DISTANCE = Range(10, 28)
+param OPT_ADV_DISTANCE = Range(6, 40)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 2.5
     do DrivePath(egoRoute, globalParameters.OPT_ADV_SPEED)

@@ -7,7 +7,7 @@
 #:   "Against the red light a car rushes through faster and faster.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
@@ -15,14 +15,14 @@
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it accelerates"
+#: meaning = "how far the ego still is from where their ways meet when it accelerates"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.5
-#: high = 4.0
+#: low = 0.8
+#: high = 2.5
 #: unit = "m/s"
 #: meaning = "how fast it approaches"
 #: [[parameters]]
@@ -32,12 +32,12 @@
 #: unit = "1"
 #: meaning = "how far the pedal is pressed"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
-param OPT_ADV_SPEED = Range(1.5, 4)
+param OPT_ADV_DISTANCE = Range(12, 48)
+param OPT_ADV_SPEED = Range(0.8, 2.5)
 param OPT_THROTTLE = Range(0.5, 1)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE)

@@ -7,7 +7,7 @@
 #:   "A person with a walking frame inches across the road.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego"]
+#: requires = ["ego", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
@@ -20,14 +20,14 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 15.0
-#: high = 40.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 
 param OPT_ADV_SPEED = Range(0.6, 1.4)
-param OPT_ADV_DISTANCE = Range(15, 40)
+param OPT_ADV_DISTANCE = Range(12, 48)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED)

@@ -26,10 +26,10 @@
 #: meaning = "how fast it runs in the end"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 28.0
+#: low = 6.0
+#: high = 40.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_REACH"
 #: low = 1.0
@@ -39,10 +39,10 @@
 
 param OPT_ADV_SPEED = Range(0.8, 2)
 param OPT_ADV_SPRINT = Range(4.5, 7)
-param OPT_ADV_DISTANCE = Range(10, 28)
+param OPT_ADV_DISTANCE = Range(6, 40)
 param OPT_ADV_REACH = Range(1, 3)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
     do MoveAhead(globalParameters.OPT_ADV_SPRINT)

@@ -20,10 +20,10 @@
 #: meaning = "how fast it runs"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
-#: high = 22.0
+#: low = 2.0
+#: high = 16.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to run"
+#: meaning = "how far the ego still has to go when it starts to run"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
 #: low = 0.0
@@ -32,10 +32,10 @@
 #: meaning = "how far from the ego's line it comes to rest"
 
 param OPT_ADV_SPEED = Range(4, 7)
-param OPT_ADV_DISTANCE = Range(6, 22)
+param OPT_ADV_DISTANCE = Range(2, 16)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()

@@ -7,7 +7,7 @@
 #:   "The cyclist pedals over in spurts, standing still between them.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
-#: requires = ["ego"]
+#: requires = ["ego", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
@@ -20,10 +20,10 @@
 #: meaning = "how fast it goes in a burst"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 12.0
-#: high = 32.0
+#: low = 10.0
+#: high = 45.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_BURST"
 #: low = 0.6
@@ -38,12 +38,12 @@
 #: meaning = "how long it stands between bursts"
 
 param OPT_ADV_SPEED = Range(1.5, 4)
-param OPT_ADV_DISTANCE = Range(12, 32)
+param OPT_ADV_DISTANCE = Range(10, 45)
 param OPT_ADV_BURST = Range(0.6, 1.2)
 param OPT_STOP_TIME = Range(0.3, 0.8)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     while True:
         do MoveAhead(globalParameters.OPT_ADV_SPEED) for globalParameters.OPT_ADV_BURST seconds
         do Halt() until self.pose[3] < 0.1

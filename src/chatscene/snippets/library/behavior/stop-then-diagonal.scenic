@@ -20,10 +20,10 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 28.0
+#: low = 6.0
+#: high = 40.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_ANGLE"
 #: low = 0.45
@@ -44,13 +44,13 @@
 #: meaning = "how long it stands"
 
 param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(10, 28)
+param OPT_ADV_DISTANCE = Range(6, 40)
 param OPT_ADV_ANGLE = Range(0.45, 1)
 param OPT_STOP_DISTANCE = Range(1, 3)
 param OPT_STOP_TIME = Range(0.5, 1.5)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt() until self.pose[3] < 0.1
     do Halt() for globalParameters.OPT_STOP_TIME seconds

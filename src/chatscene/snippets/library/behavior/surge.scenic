@@ -14,8 +14,8 @@
 #: actions = ["accelerate", "brake"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -37,7 +37,7 @@
 #: unit = "s"
 #: meaning = "how long each phase lasts"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_THROTTLE = Range(0.6, 1)
 param OPT_BRAKE = Range(0.35, 1)
 param OPT_ADV_PERIOD = Range(1.2, 2.2)

@@ -14,8 +14,8 @@
 #: actions = ["swerve"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 0.0
-#: high = 25.0
+#: low = -15.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -37,7 +37,7 @@
 #: unit = "s"
 #: meaning = "for how long"
 
-param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_ADV_SPEED = Range(5, 9)
 param OPT_SWERVE = Range(1.2, 2.8)
 param OPT_SWERVE_TIME = Range(1, 2)

@@ -20,10 +20,10 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 8.0
-#: high = 28.0
+#: low = 5.0
+#: high = 35.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_REACH"
 #: low = 0.0
@@ -32,10 +32,10 @@
 #: meaning = "how far from the ego's line it turns back"
 
 param OPT_ADV_SPEED = Range(1.5, 5)
-param OPT_ADV_DISTANCE = Range(8, 28)
+param OPT_ADV_DISTANCE = Range(5, 35)
 param OPT_ADV_REACH = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH)
     do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159)

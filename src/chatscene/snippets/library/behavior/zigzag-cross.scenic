@@ -7,7 +7,7 @@
 #:   "The pedestrian's course over the road swings erratically left and right.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego"]
+#: requires = ["ego", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
@@ -20,10 +20,10 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 28.0
+#: low = 6.0
+#: high = 40.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it starts to move"
+#: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
 #: name = "OPT_ADV_ANGLE"
 #: low = 0.6
@@ -32,11 +32,11 @@
 #: meaning = "how far each leg slants"
 
 param OPT_ADV_SPEED = Range(1.5, 4)
-param OPT_ADV_DISTANCE = Range(10, 28)
+param OPT_ADV_DISTANCE = Range(6, 40)
 param OPT_ADV_ANGLE = Range(0.6, 1)
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_ANGLE) for 0.6 seconds
     while True:
         do MoveAhead(globalParameters.OPT_ADV_SPEED, -2 * globalParameters.OPT_ADV_ANGLE) for 1.2 seconds

@@ -15,14 +15,14 @@
 #: leader = true
 #: [[parameters]]
 #: name = "OPT_GEO_Y"
-#: low = 6.0
-#: high = 22.0
+#: low = 5.5
+#: high = 9.0
 #: unit = "m"
 #: meaning = "how far ahead of the ego it starts"
 #: [[parameters]]
 #: name = "OPT_LEADER_Y"
-#: low = 18.0
-#: high = 35.0
+#: low = 40.0
+#: high = 55.0
 #: unit = "m"
 #: meaning = "how far ahead of the ego the slow vehicle starts"
 #: [[parameters]]
@@ -32,8 +32,8 @@
 #: unit = "m/s"
 #: meaning = "how fast the slow vehicle drives"
 
-param OPT_GEO_Y = Range(6, 22)
-param OPT_LEADER_Y = Range(18, 35)
+param OPT_GEO_Y = Range(5.5, 9)
+param OPT_LEADER_Y = Range(40, 55)
 param OPT_LEADER_SPEED = Range(1.5, 3.8)
 
 advTrajectory = adjacentLane

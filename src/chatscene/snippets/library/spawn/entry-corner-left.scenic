@@ -22,13 +22,13 @@
 #: meaning = "how far beyond the start of the intersection it starts, along the ego's route"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.6
-#: high = 4.0
+#: low = 0.4
+#: high = 2.5
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_GEO_Y = Range(-8, -0.5)
-param OPT_GEO_X = Range(0.6, 4)
+param OPT_GEO_X = Range(0.4, 2.5)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, egoRoute.eventAt + globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, egoRoute.eventAt + globalParameters.OPT_GEO_Y, "left"),

@@ -22,13 +22,13 @@
 #: meaning = "how far beyond the intersection it starts, along the ego's route"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.6
-#: high = 4.0
+#: low = 0.4
+#: high = 2.5
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_GEO_Y = Range(-2, 6)
-param OPT_GEO_X = Range(0.6, 4)
+param OPT_GEO_X = Range(0.4, 2.5)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, junctionExit + globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, junctionExit + globalParameters.OPT_GEO_Y, "left"),

@@ -22,13 +22,13 @@
 #: meaning = "how far beyond the intersection it starts, along the ego's route"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.6
+#: low = 1.2
 #: high = 4.0
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_GEO_Y = Range(-2, 6)
-param OPT_GEO_X = Range(0.6, 4)
+param OPT_GEO_X = Range(1.2, 4)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, junctionExit + globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, junctionExit + globalParameters.OPT_GEO_Y, "right"),

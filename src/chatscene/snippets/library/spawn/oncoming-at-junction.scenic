@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["AdvBehavior", "AdvClass", "advTurn", "oncomingTraffic"]
-#: provides = ["AdvAgent", "advEntry", "advTrajectory"]
+#: provides = ["AdvAgent", "advMeeting", "advTrajectory", "egoMeeting"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"
 #: [slots]
 #: position = "oncoming"
@@ -16,14 +16,15 @@
 #: [[parameters]]
 #: name = "OPT_GEO_Y"
 #: low = 3.5
-#: high = 18.0
+#: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the intersection it starts"
 
-param OPT_GEO_Y = Range(3.5, 18)
+param OPT_GEO_Y = Range(3.5, 20)
 
 advTrajectory = wayOf(oncomingTraffic, advTurn)
-advEntry = advTrajectory.entry
-AdvAgent = new AdvClass at pointOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
-    facing directionOn(advTrajectory, advEntry - globalParameters.OPT_GEO_Y),
+advMeeting = advTrajectory.meets_at
+egoMeeting = advTrajectory.ego_meets_at
+AdvAgent = new AdvClass at pointOn(advTrajectory, advTrajectory.entry - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, advTrajectory.entry - globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

@@ -22,13 +22,13 @@
 #: meaning = "how far along the middle of the bypass the parked car stands"
 #: [[parameters]]
 #: name = "OPT_GEO_Y"
-#: low = 15.0
-#: high = 50.0
+#: low = 14.0
+#: high = 70.0
 #: unit = "m"
 #: meaning = "how far beyond the middle of the bypass it starts"
 
 param OPT_BLOCKER_Y = Range(-3, 3)
-param OPT_GEO_Y = Range(15, 50)
+param OPT_GEO_Y = Range(14, 70)
 
 new Car at pointOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_BLOCKER_Y),
     facing directionOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_BLOCKER_Y),

@@ -22,8 +22,8 @@
 #: meaning = "how far ahead of the ego it starts"
 #: [[parameters]]
 #: name = "OPT_LEADER_Y"
-#: low = 18.0
-#: high = 35.0
+#: low = 40.0
+#: high = 55.0
 #: unit = "m"
 #: meaning = "how far ahead of the ego the slow vehicle starts"
 #: [[parameters]]
@@ -34,7 +34,7 @@
 #: meaning = "how fast the slow vehicle drives"
 
 param OPT_GEO_Y = Range(-3, 4.5)
-param OPT_LEADER_Y = Range(18, 35)
+param OPT_LEADER_Y = Range(40, 55)
 param OPT_LEADER_SPEED = Range(1.5, 3.8)
 
 advTrajectory = extended(rightLane, 20)

@@ -23,8 +23,8 @@
 #: meaning = "how far along the middle of the bypass the parked car stands"
 #: [[parameters]]
 #: name = "OPT_GEO_Y"
-#: low = 4.0
-#: high = 14.0
+#: low = 6.5
+#: high = 16.0
 #: unit = "m"
 #: meaning = "how far beyond the middle of the bypass it starts"
 #: [[parameters]]
@@ -35,7 +35,7 @@
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_BLOCKER_Y = Range(-3, 3)
-param OPT_GEO_Y = Range(4, 14)
+param OPT_GEO_Y = Range(6.5, 16)
 param OPT_GEO_X = Range(0.6, 3.5)
 
 new Car at pointOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_BLOCKER_Y),

@@ -23,12 +23,12 @@
 #: [[parameters]]
 #: name = "OPT_GEO_X"
 #: low = 0.6
-#: high = 5.0
+#: high = 3.0
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(0.6, 5)
+param OPT_GEO_X = Range(0.6, 3)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "left"),

@@ -22,13 +22,13 @@
 #: meaning = "how far along the ego's route it starts"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.6
+#: low = 1.2
 #: high = 5.0
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(0.6, 5)
+param OPT_GEO_X = Range(1.2, 5)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),

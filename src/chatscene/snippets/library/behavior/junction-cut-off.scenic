@@ -2,23 +2,22 @@
 #: rephrasings = [
 #:   "A car forces its way before the ego and stays there.",
 #:   "The adversary dives in ahead, leaving the ego no room.",
-#:   "The other driver barges into the ego's lane on red.",
+#:   "The other driver barges into the ego's lane.",
 #:   "Coming from the side, a vehicle takes the ego's way from it.",
 #:   "The crossing car slots in right before the ego's bonnet.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
-#: origin = "base scenario red-light-running; own code"
+#: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
-#: actions = ["run-light", "cut-in"]
-#: control = "signal"
+#: actions = ["cut-in"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
-#: meaning = "distance to the ego at which it sets off"
+#: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 6.0
@@ -32,13 +31,13 @@
 #: unit = "m/s"
 #: meaning = "how fast it goes on in front of the ego"
 
-param OPT_ADV_DISTANCE = Range(18, 45)
+param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(6, 11)
 param OPT_SLOW_SPEED = Range(1, 5)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 3.5
     do DrivePath(egoRoute, globalParameters.OPT_SLOW_SPEED)
