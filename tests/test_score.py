@@ -228,7 +228,7 @@ def test_the_wilson_interval_of_known_cases() -> None:
 
 
 @few
-@given(st.integers(1, 500), share=st.floats(0, 1), z=st.floats(0, 4))
+@given(st.integers(1, 500), st.floats(0, 1), st.floats(0, 4))
 def test_a_wilson_interval_holds_its_rate_and_stays_a_rate(trials: int, share: float, z: float) -> None:
     successes = round(share * trials)
     low, high = wilson(successes, trials, z)

@@ -108,7 +108,7 @@ function path(points, closed) {
 
 function fillAll(areas, colour) {
   canvas.fillStyle = canvas.strokeStyle = colour;
-  canvas.lineWidth = 0.06; // closes the hairlines between neighbours
+  canvas.lineWidth = 0.14; // closes the hairlines between neighbours
   for (const area of areas) { canvas.fill(area, "evenodd"); canvas.stroke(area); }
 }
 

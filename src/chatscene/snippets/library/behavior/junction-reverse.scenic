@@ -36,11 +36,18 @@
 #: high = 4.0
 #: unit = "m/s"
 #: meaning = "how fast it backs up"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK_TIME"
+#: low = 1.0
+#: high = 4.0
+#: unit = "s"
+#: meaning = "for how long"
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(3, 8)
 param OPT_STOP_DISTANCE = Range(0, 4.5)
 param OPT_ADV_BACK = Range(1.5, 4)
+param OPT_ADV_BACK_TIME = Range(1, 4)
 
 advTurn = "straight"
 
@@ -49,4 +56,5 @@ behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
     do BrakeOnPath(advTrajectory) until self.pose[3] < 0.05
     do Halt() for 0.5 seconds
-    do ReverseStraight(globalParameters.OPT_ADV_BACK)
+    do ReverseStraight(globalParameters.OPT_ADV_BACK) for globalParameters.OPT_ADV_BACK_TIME seconds
+    do Halt()

@@ -26,14 +26,14 @@
 #: meaning = "how fast it turns"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
-#: low = 0.0
-#: high = 4.5
+#: low = 1.5
+#: high = 6.5
 #: unit = "m"
 #: meaning = "how far beyond where their ways meet it comes to rest"
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(4, 9)
-param OPT_STOP_DISTANCE = Range(0, 4.5)
+param OPT_STOP_DISTANCE = Range(1.5, 6.5)
 
 advTurn = "left-turn"
 

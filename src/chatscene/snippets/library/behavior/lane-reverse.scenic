@@ -26,17 +26,25 @@
 #: meaning = "how hard it brakes first"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.5
-#: high = 4.5
+#: low = 1.0
+#: high = 3.5
 #: unit = "m/s"
 #: meaning = "how fast it backs up"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK_TIME"
+#: low = 1.0
+#: high = 4.0
+#: unit = "s"
+#: meaning = "for how long"
 
 param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_BRAKE = Range(0.5, 1)
-param OPT_ADV_SPEED = Range(1.5, 4.5)
+param OPT_ADV_SPEED = Range(1, 3.5)
+param OPT_ADV_BACK_TIME = Range(1, 4)
 
 behavior AdvBehavior():
     do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
     do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE) until self.pose[3] < 0.05
     do Halt() for 0.5 seconds
-    do ReverseStraight(globalParameters.OPT_ADV_SPEED)
+    do ReverseStraight(globalParameters.OPT_ADV_SPEED) for globalParameters.OPT_ADV_BACK_TIME seconds
+    do Halt()

@@ -18,9 +18,16 @@
 #: high = 20.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = -4.0
+#: high = 14.0
+#: unit = "m"
+#: meaning = "how far ahead of the leading vehicle it stays"
 
 param OPT_ADV_DISTANCE = Range(-15, 20)
+param OPT_ADV_AHEAD = Range(-4, 14)
 
 behavior AdvBehavior():
     do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
-    do PaceOnPath(advTrajectory, LeadingAgent)
+    do PaceOnPath(advTrajectory, LeadingAgent, globalParameters.OPT_ADV_AHEAD)

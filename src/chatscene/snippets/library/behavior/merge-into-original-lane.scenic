@@ -26,14 +26,14 @@
 #: meaning = "how fast it drives at most"
 #: [[parameters]]
 #: name = "OPT_ADV_BEHIND"
-#: low = 6.0
-#: high = 10.0
+#: low = 8.0
+#: high = 12.0
 #: unit = "m"
 #: meaning = "how far behind the leading vehicle it stays"
 
 param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_ADV_SPEED = Range(6, 10)
-param OPT_ADV_BEHIND = Range(6, 10)
+param OPT_ADV_BEHIND = Range(8, 12)
 
 behavior AdvBehavior():
     do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE

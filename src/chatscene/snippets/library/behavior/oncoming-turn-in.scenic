@@ -21,14 +21,14 @@
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 5.0
-#: high = 45.0
+#: low = 12.0
+#: high = 48.0
 #: unit = "m"
 #: meaning = "how far before the middle of its way the ego is when the adversary sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_REACH"
-#: low = 14.0
-#: high = 26.0
+#: low = 12.0
+#: high = 28.0
 #: unit = "m"
 #: meaning = "how far beyond that middle it turns"
 #: [[parameters]]
@@ -39,8 +39,8 @@
 #: meaning = "how sharply it turns"
 
 param OPT_ADV_SPEED = Range(5, 9)
-param OPT_ADV_DISTANCE = Range(5, 45)
-param OPT_ADV_REACH = Range(14, 26)
+param OPT_ADV_DISTANCE = Range(12, 48)
+param OPT_ADV_REACH = Range(12, 28)
 param OPT_ADV_ANGLE = Range(0.5, 1.1)
 
 behavior AdvBehavior():

@@ -1,0 +1,384 @@
+"""Step 2 of 9: a sentence to a sub-description per component, and typed slots.
+
+Paper: section 3.3, step ii. The reference asks a language model; this reader is deterministic and needs none. It
+cuts the sentence into clauses, finds whose clause each is (the ego's or the adversary's), and reads each with the
+patterns of `chatscene.agent.lexicon`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from dataclasses import dataclass
+
+from chatscene.agent import lexicon as words
+from chatscene.errors import SettingsError
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    BaseScenario,
+    Control,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Scenario,
+    Side,
+    Slots,
+    SubDescriptions,
+)
+
+LONGEST = 2000  # characters; a situation fits into a paragraph
+
+_SENTENCE = re.compile(r"[;.!?]+|\bwhen\b|\bwhile\b|\bas\b(?! if)|\bbut\b|,")
+_ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
+_TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
+
+
+@dataclass(frozen=True, slots=True)
+class _Clauses:
+    """A sentence, sorted by whom it speaks of.
+
+    Attributes:
+        whole: All of it, mended, without what the ego then has to do.
+        ego: What is said of the ego.
+        adversary: What is said of the adversary.
+    """
+
+    whole: str
+    ego: str
+    adversary: str
+
+
+def decompose(text: str) -> Scenario:
+    """Read a sentence.
+
+    Args:
+        text: English, one situation.
+
+    Returns:
+        What was understood; slots that were not said are unfilled.
+
+    Raises:
+        SettingsError: The text is empty or longer than `LONGEST`.
+    """
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    plain = " ".join(plain.split())
+    if not plain:
+        raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
+    if len(plain) > LONGEST:
+        raise SettingsError(
+            f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}"
+        )
+    lowered = plain.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
+    mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), lowered)
+    clauses = _clauses(mended)
+    notes = [f"read {a!r} as {b!r}" for a, b in _changes(lowered, mended)]
+    slots = _slots(clauses, notes)
+    return Scenario(
+        id=_id(plain),
+        text=plain,
+        base=_base(slots),
+        parts=_parts(clauses, slots),
+        slots=slots,
+        notes=tuple(notes),
+    )
+
+
+def _id(text: str) -> str:
+    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:4]) or "scenario"
+    return f"{stem[:40]}-{hashlib.blake2b(text.encode(), digest_size=3).hexdigest()}"
+
+
+def _changes(before: str, after: str) -> list[tuple[str, str]]:
+    pairs = zip(re.findall(r"[a-z]+", before), re.findall(r"[a-z]+", after), strict=False)
+    return [(a, b) for a, b in pairs if a != b]
+
+
+# Clauses
+
+
+def _clauses(text: str) -> _Clauses:
+    text = words.REACTION.sub("", text)
+    ego: list[str] = []
+    adversary: list[str] = []
+    subject = "ego"
+    for clause in (part.strip() for part in _SENTENCE.split(text)):
+        if clause:
+            subject = _subject(clause) or subject
+            (ego if subject == "ego" else adversary).append(clause)
+    spoken = ", ".join(adversary)
+    if words.ADVERSARIAL.search(spoken):  # whoever is called so is meant, whoever else may drive about
+        spoken = spoken[words.ADVERSARIAL.search(spoken).start() :]  # type: ignore[union-attr]
+    return _Clauses(text, ", ".join(ego), spoken)
+
+
+def _subject(clause: str) -> str | None:
+    """Who does something in a clause: the first of the two that is mentioned as more than an object."""
+    bare = _without_things(words.EGO_AS_OBJECT.sub(" ", clause))
+    if words.ADVERSARIAL.search(clause):
+        return "adversary"
+    ego = words.EGO.search(bare)
+    other = min((m.start() for p in words.KINDS.values() if (m := p.search(bare))), default=None)
+    encounters = re.search(r"\b(?:encounters?|meets?|faces?|yielding to|yields? to)\b", bare)
+    if ego and encounters and other is not None and encounters.start() < other:
+        return "adversary" if not words.BLOCKING.search(clause) and "yield" not in encounters[0] else "ego"
+    if ego is None:
+        return None if other is None else "adversary"
+    return "ego" if other is None or ego.start() < other else "adversary"
+
+
+def _without_things(text: str) -> str:
+    """A text without what stands about or drives in the background."""
+    for pattern in (*words.OCCLUDERS.values(), words.LEADER, words.BACKGROUND):
+        text = pattern.sub(" ", text)
+    return text
+
+
+# Slots
+
+
+def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
+    kind = _kind(clauses)
+    occluder = _occluder(clauses)
+    leader = bool(words.LEADER.search(clauses.ego)) or None
+    parked = any(words.OCCLUDERS[o].search(clauses.whole) for o in (Occluder.PARKED_CAR, Occluder.PARKED_TRUCK))
+    bypass = bool(words.BYPASS.search(clauses.whole)) and parked
+    blocker = (bypass or (parked and bool(words.BLOCKING.search(clauses.ego)))) or None
+    actions = _actions(clauses, kind)
+    side = _side(clauses.adversary)
+    maneuver = Maneuver.BYPASS if blocker else _maneuver(clauses, side, notes)
+    control = _control(clauses, actions)
+    place = _place(clauses, maneuver, actions)
+    if maneuver is None and (place is not None or control is not None):
+        maneuver = Maneuver.STRAIGHT
+    position = _position(clauses, kind, actions, side, maneuver, occluder if not blocker else None, place)
+    if position is Position.ONCOMING and not actions:
+        actions = (Action.ONCOMING,)
+    if kind is None and (actions or position):
+        notes.append("who the adversary is was not said")
+    if not actions:
+        notes.append("what the adversary does was not understood")
+    return Slots(
+        adversary=kind,
+        actions=actions,
+        side=side,
+        position=position,
+        occluder=None if blocker else occluder,
+        maneuver=maneuver,
+        place=place,
+        control=control,
+        leader=leader,
+        blocker=blocker,
+    )
+
+
+def _kind(clauses: _Clauses) -> AdversaryKind | None:
+    """The kind mentioned first in what is said of the adversary."""
+    for text in (clauses.adversary, clauses.whole):
+        bare = _without_things(text)
+        if text is clauses.whole:
+            bare = words.EGO.sub(" ", words.EGO_AS_OBJECT.sub(" ", bare))
+        found = [(m.start(), i, kind) for i, (kind, p) in enumerate(words.KINDS.items()) if (m := p.search(bare))]
+        if found:
+            return min(found)[2]
+    return None
+
+
+def _occluder(clauses: _Clauses) -> Occluder | None:
+    if not words.HIDING.search(clauses.whole):
+        return None
+    return next((occluder for occluder, p in words.OCCLUDERS.items() if p.search(clauses.whole)), None)
+
+
+def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]:
+    text = clauses.adversary
+    for pattern in words.OCCLUDERS.values():
+        text = pattern.sub(" ", text)
+    text = re.sub(r"\bstop(?:-| )signs?\b|\bslow(?:-| )?moving\b|\bcrossing (?=car|vehicle|truck|bus|traffic)", " ", text)
+    found = {action for action, pattern in words.ACTIONS.items() if _says(pattern, text)}
+    if kind is not None and kind not in _ON_FOOT:
+        found -= {Action.CROSS, Action.DIAGONAL}
+        if re.search(r"\b(?:dash|dart|sprint|rush)", text):
+            found.add(Action.ACCELERATE)
+    if kind is AdversaryKind.PEDESTRIAN:
+        found -= {Action.CUT_IN, Action.CHANGE_LANE}
+    if words.FEINT.search(text):
+        found = (found - {Action.CROSS}) | {Action.BRAKE, Action.STOP}
+    if Action.SLOW in found and not words.MATCHING.search(text) and re.search(r"\bslow(?:s|ing)? down\b", text):
+        found = (found - {Action.SLOW}) | {Action.BRAKE}
+    if words.MATCHING.search(text):
+        found = (found - {Action.BRAKE, Action.PACE, Action.STOP}) | {Action.SLOW}
+    if Action.PACE in found:
+        found -= {Action.STOP}
+    if words.ERRATIC.search(text) and kind not in _ON_FOOT:
+        found.add(Action.SWERVE)
+    turn = _turn(text)
+    if turn is not None:
+        found.add(turn)
+    if Action.CUT_IN in found and turn is not None and Action.RUN_LIGHT not in found and "oncoming" not in text:
+        found -= {Action.CUT_IN}
+    if len(found) > 1:
+        found -= {Action.ONCOMING}
+    return tuple(action for action in Action if action in found)
+
+
+def _turn(text: str) -> Action | None:
+    if _says(words.LEFT_TURN, text):
+        return Action.TURN_LEFT
+    return Action.TURN_RIGHT if _says(words.RIGHT_TURN, text) else None
+
+
+def _says(pattern: re.Pattern[str], text: str) -> bool:
+    """Whether a pattern occurs without a negation before it."""
+    return any(not words.NEGATED.search(text[: m.start()].rstrip()) for m in pattern.finditer(text))
+
+
+def _side(text: str) -> Side | None:
+    """The side of the ego on which the adversary is; where it turns to does not count."""
+    found = words.SIDE.search(words.TURNING_WORDS.sub(" ", text))
+    return Side(found[1]) if found else None
+
+
+def _maneuver(clauses: _Clauses, side: Side | None, notes: list[str]) -> Maneuver | None:
+    text = clauses.ego
+    if words.LEFT_TURN.search(text):
+        return Maneuver.LEFT_TURN
+    if words.RIGHT_TURN.search(text):
+        return Maneuver.RIGHT_TURN
+    if words.LANE_CHANGE.search(text):
+        stated = words.SIDE.search(text)
+        if stated is None and side is None:
+            notes.append("to which side the ego changes lanes was not said; the left is assumed")
+        to = stated[1] if stated else side or "left"
+        return Maneuver.LANE_CHANGE_RIGHT if to == "right" else Maneuver.LANE_CHANGE_LEFT
+    return Maneuver.STRAIGHT if re.search(r"\bstraight\b|\bgo(?:es|ing)? through\b", text) else None
+
+
+def _control(clauses: _Clauses, actions: tuple[Action, ...]) -> Control | None:
+    if Action.RUN_LIGHT in actions or words.UNPROTECTED.search(clauses.whole):
+        return Control.SIGNAL
+    return next((control for control, p in words.CONTROLS.items() if p.search(clauses.whole)), None)
+
+
+def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, ...]) -> Place | None:
+    if maneuver in (Maneuver.BYPASS, Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
+        return Place.ROAD
+    junction = maneuver in _TURNS or Action.RUN_LIGHT in actions or words.PLACES[Place.JUNCTION].search(clauses.whole)
+    for place in (Place.THREE_WAY, Place.FOUR_WAY):
+        if words.PLACES[place].search(clauses.whole):
+            return place
+    if junction:
+        return Place.JUNCTION
+    for place in (Place.CURVE, Place.ROAD):
+        if words.PLACES[place].search(clauses.whole):
+            return place
+    return None
+
+
+def _position(  # noqa: PLR0911 - one line per place, most telling first
+    clauses: _Clauses,
+    kind: AdversaryKind | None,
+    actions: tuple[Action, ...],
+    side: Side | None,
+    maneuver: Maneuver | None,
+    occluder: Occluder | None,
+    place: Place | None,
+) -> Position | None:
+    text = clauses.adversary
+    junction = place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
+    if occluder is not None:
+        return Position.ROADSIDE
+    if words.FAR.search(text) and kind in _ON_FOOT:
+        return Position.FAR_CORNER if maneuver in _TURNS else Position.ROADSIDE
+    if words.ONCOMING.search(text):
+        return Position.ONCOMING
+    if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)):
+        return None if maneuver in _TURNS else Position.ROADSIDE
+    if words.BESIDE.search(text):
+        return Position.BESIDE
+    if side is not None and words.BEHIND.search(text):
+        return Position.BEHIND_BESIDE
+    if maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT) or words.NEIGHBOUR.search(text):
+        return Position.AHEAD_BESIDE
+    if junction and side is not None:
+        ahead = maneuver is Maneuver.RIGHT_TURN and words.AHEAD.search(text)
+        return Position.AHEAD_BESIDE if ahead else Position.CROSSING
+    if Action.RUN_LIGHT in actions or words.CROSSING.search(text):
+        return Position.CROSSING
+    if words.BEHIND.search(text):
+        return Position.BEHIND
+    return Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
+
+
+# What goes on
+
+
+def _base(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
+    """The base scenario that a set of slots belongs to."""
+    on_foot = slots.adversary in _ON_FOOT
+    if slots.maneuver is Maneuver.BYPASS:
+        return BaseScenario.VEHICLE_PASSING
+    if slots.maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
+        return BaseScenario.LANE_CHANGING
+    if Action.RUN_LIGHT in slots.actions:
+        return BaseScenario.RED_LIGHT_RUNNING
+    if slots.maneuver in _TURNS and on_foot:
+        return BaseScenario.TURNING_OBSTACLE
+    if slots.maneuver is Maneuver.LEFT_TURN:
+        return BaseScenario.UNPROTECTED_LEFT_TURN
+    if slots.maneuver is Maneuver.RIGHT_TURN:
+        return BaseScenario.RIGHT_TURN
+    if slots.place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY):
+        return BaseScenario.CROSSING_NEGOTIATION
+    return BaseScenario.STRAIGHT_OBSTACLE if slots.adversary is not None else None
+
+
+def _parts(clauses: _Clauses, slots: Slots) -> SubDescriptions:
+    """A text per component: the adversary's own words, and facts put into the words the library uses."""
+    return SubDescriptions(
+        behavior=clauses.adversary or clauses.whole,
+        geometry=_geometry_in_words(slots, clauses.ego),
+        spawn=_spawn_in_words(slots),
+    )
+
+
+def _geometry_in_words(slots: Slots, said: str) -> str:
+    does = {
+        Maneuver.LEFT_TURN: "turns left",
+        Maneuver.RIGHT_TURN: "turns right",
+        Maneuver.LANE_CHANGE_LEFT: "changes to the left lane",
+        Maneuver.LANE_CHANGE_RIGHT: "changes to the right lane",
+        Maneuver.BYPASS: "goes around a vehicle parked in its lane",
+    }.get(slots.maneuver or Maneuver.STRAIGHT, "drives straight")
+    where = {
+        Place.CURVE: "around a curve",
+        Place.THREE_WAY: "at a three-way intersection",
+        Place.FOUR_WAY: "at a four-way intersection",
+        Place.JUNCTION: "at an intersection",
+    }.get(slots.place or Place.ROAD, "on a road")
+    how = {
+        Control.SIGNAL: " with traffic lights",
+        Control.STOP_SIGN: " with stop signs",
+        Control.NONE: " without traffic lights",
+    }.get(slots.control, "") if slots.control else ""
+    return f"The ego {does} {where}{how}. {said}".strip()
+
+
+def _spawn_in_words(slots: Slots) -> str:
+    side = f" on the {slots.side}" if slots.side else ""
+    where = {
+        Position.AHEAD: "ahead of the ego in the same lane",
+        Position.ROADSIDE: f"at the side of the road{side} ahead of the ego",
+        Position.BESIDE: f"level with the ego in the neighbouring lane{side}",
+        Position.AHEAD_BESIDE: f"ahead of the ego in the neighbouring lane{side}",
+        Position.BEHIND: "behind the ego in the same lane",
+        Position.BEHIND_BESIDE: f"behind the ego in the neighbouring lane{side}",
+        Position.ONCOMING: "coming toward the ego from the opposite direction",
+        Position.CROSSING: f"coming from the {slots.side or 'side'} arm of the intersection",
+        Position.FAR_CORNER: f"on the opposite sidewalk{side} of the road the ego turns into",
+    }.get(slots.position, f"ahead of the ego{side}") if slots.position else f"ahead of the ego{side}"
+    hidden = f", hidden behind a {slots.occluder.replace('-', ' ')}" if slots.occluder else ""
+    leader = ", and a slow car leads the ego" if slots.leader else ""
+    blocked = ", beyond a car parked in the ego's lane" if slots.blocker else ""
+    return f"The adversary is {where}{hidden}{leader}{blocked}."

@@ -1,0 +1,85 @@
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from chatscene.errors import SettingsError
+from chatscene.search.select import Candidate, Selected, select
+
+few = settings(max_examples=60)
+
+
+def candidate(scene_id: str, collided: bool, score: float) -> Candidate:
+    return Candidate(scene_id=scene_id, collided=collided, overall_score=score)
+
+
+crowds = st.lists(
+    st.builds(
+        candidate,
+        st.integers(0, 99).map(lambda n: f"scene-{n:03d}"),
+        st.booleans(),
+        st.sampled_from([0.2, 0.4, 0.4, 0.6, 0.8]),
+    ),
+    max_size=12,
+    unique_by=lambda c: c.scene_id,
+)
+
+
+def test_collisions_come_first_and_the_lowest_scores_among_them() -> None:
+    scenes = [
+        candidate("a", False, 0.1),
+        candidate("b", True, 0.5),
+        candidate("c", True, 0.3),
+        candidate("d", True, 0.4),
+    ]
+    kept = select(scenes, count=2)
+    assert kept == (Selected(scene_id="c", fill_in=False), Selected(scene_id="d", fill_in=False))
+
+
+def test_too_few_collisions_are_filled_up_with_the_lowest_scores_and_flagged() -> None:
+    scenes = [candidate("a", False, 0.9), candidate("b", True, 0.95), candidate("c", False, 0.7)]
+    kept = select(scenes, count=2)
+    assert kept == (Selected(scene_id="b", fill_in=False), Selected(scene_id="c", fill_in=True))
+
+
+def test_without_any_collision_everything_kept_is_a_fill_in() -> None:
+    kept = select([candidate("a", False, 0.9), candidate("b", False, 0.7)], count=1)
+    assert kept == (Selected(scene_id="b", fill_in=True),)
+
+
+def test_what_is_kept_stands_in_the_order_of_ids_not_of_scores() -> None:
+    kept = select([candidate("z", True, 0.1), candidate("a", True, 0.2)], count=2)
+    assert [each.scene_id for each in kept] == ["a", "z"]
+
+
+def test_equal_scores_are_decided_by_id() -> None:
+    scenes = [candidate(name, True, 0.5) for name in "dbca"]
+    assert [each.scene_id for each in select(scenes, count=2)] == ["a", "b"]
+
+
+@few
+@given(crowds, st.integers(1, 5))
+def test_selection_does_not_depend_on_the_order_of_the_candidates(crowd: list[Candidate], count: int) -> None:
+    assert select(crowd, count=count) == select(iter(crowd[::-1]), count=count)
+
+
+@few
+@given(crowds, st.integers(1, 5))
+def test_as_many_are_kept_as_asked_for_or_as_there_are(crowd: list[Candidate], count: int) -> None:
+    kept = select(crowd, count=count)
+    assert len(kept) == min(count, len(crowd))
+    assert sum(not each.fill_in for each in kept) == min(count, sum(each.collided for each in crowd))
+
+
+@few
+@given(crowds, st.integers(1, 5))
+def test_nothing_left_out_is_worth_more_than_anything_kept(crowd: list[Candidate], count: int) -> None:
+    kept = {each.scene_id for each in select(crowd, count=count)}
+    inside = [(not c.collided, c.overall_score) for c in crowd if c.scene_id in kept]
+    outside = [(not c.collided, c.overall_score) for c in crowd if c.scene_id not in kept]
+    assert not outside or max(inside) <= min(outside)
+
+
+@pytest.mark.parametrize("count", [0, -1])
+def test_keeping_nothing_is_refused(count: int) -> None:
+    with pytest.raises(SettingsError, match="at least one"):
+        select([], count=count)
