@@ -33,6 +33,7 @@ LONGEST = 2000  # characters; a situation fits into a paragraph
 _SENTENCE = re.compile(r"[;.!?]+|\bwhen\b|\bwhile\b|\bas\b(?! if)|\bbut\b|,")
 _ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 _TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
+_JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,8 +154,8 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
     if maneuver is None and (place is not None or control is not None):
         maneuver = Maneuver.STRAIGHT
     position = _position(clauses, kind, actions, side, maneuver, occluder if not blocker else None, place)
-    if position is Position.ONCOMING and not actions:
-        actions = (Action.ONCOMING,)
+    if position is Position.ONCOMING:
+        actions = _of_oncoming(actions, kind, place)
     if kind is None and (actions or position):
         notes.append("who the adversary is was not said")
     if not actions:
@@ -218,8 +219,19 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
         found.add(turn)
     if Action.CUT_IN in found and turn is not None and Action.RUN_LIGHT not in found and "oncoming" not in text:
         found -= {Action.CUT_IN}
-    if len(found) > 1:
-        found -= {Action.ONCOMING}
+    return tuple(action for action in Action if action in found)
+
+
+def _of_oncoming(
+    actions: tuple[Action, ...], kind: AdversaryKind | None, place: Place | None
+) -> tuple[Action, ...]:
+    """What somebody who comes toward the ego does.
+
+    On open road, coming toward the ego is itself what he does, and on foot he enters the lane rather than crosses
+    it; at a junction it only says from where he comes.
+    """
+    found = set(actions) - ({Action.CROSS} if kind is AdversaryKind.PEDESTRIAN else set())
+    found = found - {Action.ONCOMING} if place in _JUNCTIONS and len(found) > 1 else found | {Action.ONCOMING}
     return tuple(action for action in Action if action in found)
 
 
@@ -286,7 +298,7 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
     place: Place | None,
 ) -> Position | None:
     text = clauses.adversary
-    junction = place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
+    junction = place in _JUNCTIONS
     if occluder is not None:
         return Position.ROADSIDE
     if words.FAR.search(text) and kind in _ON_FOOT:
@@ -294,7 +306,7 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
     if words.ONCOMING.search(text):
         return Position.ONCOMING
     if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)):
-        return None if maneuver in _TURNS else Position.ROADSIDE
+        return Position.ROADSIDE
     if words.BESIDE.search(text):
         return Position.BESIDE
     if side is not None and words.BEHIND.search(text):
@@ -306,6 +318,8 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
         return Position.AHEAD_BESIDE if ahead else Position.CROSSING
     if Action.RUN_LIGHT in actions or words.CROSSING.search(text):
         return Position.CROSSING
+    if words.UNPROTECTED.search(clauses.whole):
+        return Position.ONCOMING  # that is what it is unprotected against
     if words.BEHIND.search(text):
         return Position.BEHIND
     return Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
@@ -329,7 +343,7 @@ def _base(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
         return BaseScenario.UNPROTECTED_LEFT_TURN
     if slots.maneuver is Maneuver.RIGHT_TURN:
         return BaseScenario.RIGHT_TURN
-    if slots.place in (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY):
+    if slots.place in _JUNCTIONS:
         return BaseScenario.CROSSING_NEGOTIATION
     return BaseScenario.STRAIGHT_OBSTACLE if slots.adversary is not None else None
 

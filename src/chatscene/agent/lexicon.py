@@ -209,7 +209,13 @@ def mended(word: str) -> str:
     if len(word) < 5 or word in _KNOWN or not word.isalpha() or _is_word(word):
         return word
     near = difflib.get_close_matches(word, _KNOWN, n=1, cutoff=0.84)
-    return near[0] if near and near[0][0] == word[0] else word
+    if not near or near[0][0] != word[0] or _stem(near[0]) == _stem(word):
+        return word  # another form of the word is no typo
+    return near[0]
+
+
+def _stem(word: str) -> str:
+    return re.sub(r"(?:e?s|e?d|ing|ly|e)$", "", word)
 
 
 def _is_word(word: str) -> bool:

@@ -6,7 +6,8 @@ whole library: every behavior with every kind of adversary it names, every geome
 
 from __future__ import annotations
 
-import ast
+import builtins
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -107,9 +108,7 @@ def check_code(snippet: Snippet) -> Iterator[Finding]:
 
 
 def _other_randomness(source: str, ranges: int) -> str:
-    from scenic.syntax.parser import parse_string
-
-    names = [node.id for node in ast.walk(parse_string(source, "exec")) if isinstance(node, ast.Name)]
+    names = re.findall(r"\b[A-Za-z_]\w*", re.sub(r"#.*", "", source))
     others = sorted({name for name in names if name in RANDOM and name != "Range"})
     return ", ".join(others) or ("Range" if names.count("Range") > ranges else "")
 
@@ -119,12 +118,12 @@ def world_names() -> frozenset[str]:
     """Every name that a program finds defined: Python's, Scenic's and the world model's."""
     # A program can say itself what it finds.
     scenario = compile_program(
-        "model chatscene.world.model\nparam names = tuple(sorted([*globals(), *dir(__builtins__)]))\nego = new Car\n",
+        "model chatscene.world.model\nparam names = tuple(globals())\nego = new Car\n",
         map_path=resolve_map("town"),
         route=0,
         filename="<names>",
     )
-    return frozenset(scenario.params["names"])
+    return frozenset((*scenario.params["names"], *dir(builtins), "self"))
 
 
 # Partners

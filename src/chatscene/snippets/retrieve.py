@@ -23,7 +23,7 @@ from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet
 OF_COMPONENT: dict[Component, tuple[str, ...]] = {
     Component.BEHAVIOR: ("actions",),
     Component.GEOMETRY: ("maneuver", "place", "control"),
-    Component.SPAWN: ("side", "position", "occluder", "leader", "blocker"),
+    Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker"),
 }
 CONFLICT = 1.5  # what one contradicted fact costs; more than any similarity can make up for
 UNASKED = 0.12  # what one thing nobody asked for costs: an occluder, a leader, a further action

@@ -7,7 +7,7 @@
 #:   "First full throttle, then full brake: the vehicle beside is unreadable.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

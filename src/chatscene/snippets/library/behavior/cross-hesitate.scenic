@@ -7,7 +7,7 @@
 #:   "The adversary enters the lane, stands undecided, then moves again.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

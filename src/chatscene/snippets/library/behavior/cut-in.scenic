@@ -7,7 +7,7 @@
 #:   "The motorbike slips over into the ego's lane just ahead.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The person hurries across flat out, without looking.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The cyclist drifts over the street slantwise.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -8,7 +8,7 @@
 #:   "A fake crossing: it darts forward and halts at the very margin of the roadway.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario turning-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Having forced its way in, the car stands still in the junction.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The lorry rolls straight across before the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The other car pulls in before the ego and then drives backwards.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

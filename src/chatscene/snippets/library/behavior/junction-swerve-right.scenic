@@ -7,7 +7,7 @@
 #:   "The incoming car dodges to the right without warning.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

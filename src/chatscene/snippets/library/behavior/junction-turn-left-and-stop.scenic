@@ -7,7 +7,7 @@
 #:   "The left-turning vehicle stops short and blocks the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The motorcyclist sweeps left over the crossroads ahead of the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The motorbike dabs the brakes violently and pulls away once more.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

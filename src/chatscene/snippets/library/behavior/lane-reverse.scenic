@@ -7,7 +7,7 @@
 #:   "The van comes to a stand and backs into the traffic behind it.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

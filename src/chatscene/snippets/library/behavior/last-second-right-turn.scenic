@@ -7,7 +7,7 @@
 #:   "The approaching vehicle suddenly hooks right into the road the ego is taking.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The driver in the target lane falls into step with the slow leader.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["LeadingAgent", "advTrajectory", "ego", "egoRoute"]
+#: requires = ["LeadingAgent", "advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

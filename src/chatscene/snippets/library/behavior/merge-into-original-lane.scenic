@@ -7,7 +7,7 @@
 #:   "The car next to the ego switches abruptly to the ego's initial lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["LeadingAgent", "advTrajectory", "ego", "egoRoute"]
+#: requires = ["LeadingAgent", "advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The oncoming motorbike rushes at the ego faster and faster.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

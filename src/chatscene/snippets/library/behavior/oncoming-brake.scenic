@@ -7,7 +7,7 @@
 #:   "The motorbike from the other direction brakes to a stop in front of the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

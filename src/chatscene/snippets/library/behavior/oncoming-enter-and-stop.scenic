@@ -7,7 +7,7 @@
 #:   "The jogger running toward the vehicle swings into the lane and stops dead.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

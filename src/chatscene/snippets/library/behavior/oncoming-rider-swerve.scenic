@@ -7,7 +7,7 @@
 #:   "The biker riding toward the ego darts across its lane.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

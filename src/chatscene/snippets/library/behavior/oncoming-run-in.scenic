@@ -7,7 +7,7 @@
 #:   "Facing the ego, a runner rushes into the roadway.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

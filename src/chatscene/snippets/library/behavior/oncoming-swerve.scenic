@@ -7,7 +7,7 @@
 #:   "The car driving toward the ego yanks the wheel over.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The car coming the other way crosses the centre line and stays in the ego's path.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The car shadows the ego door to door.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego"]
+#: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

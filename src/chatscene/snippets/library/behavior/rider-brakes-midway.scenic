@@ -7,7 +7,7 @@
 #:   "The rider skids to a stop right before the ego and blocks the way.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario turning-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The rider merges from beside the road and forces the ego to tuck in behind.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

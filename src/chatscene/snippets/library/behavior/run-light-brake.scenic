@@ -7,7 +7,7 @@
 #:   "Cross traffic overruns the stop line on red and brakes in the middle.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "A motorcyclist sails through on red in front of the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["advTrajectory", "ego", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]

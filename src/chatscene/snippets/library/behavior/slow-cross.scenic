@@ -7,7 +7,7 @@
 #:   "A person with a walking frame inches across the road.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The cyclist rolls into the lane and suddenly pedals hard.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The runner darts out abruptly and blocks the lane by standing in it.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The cyclist pedals over in spurts, standing still between them.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The motorbike lunges forward and checks itself again and again.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "ego", "egoRoute"]
+#: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

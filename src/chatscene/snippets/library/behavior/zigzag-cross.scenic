@@ -7,7 +7,7 @@
 #:   "The pedestrian's course over the road swings erratically left and right.",
 #: ]
 #: adversaries = ["pedestrian"]
-#: requires = ["ego", "egoRoute"]
+#: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "With its light green, the ego goes right.",
 #: ]
 #: adversaries = []
-#: requires = ["ego"]
+#: requires = []
 #: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

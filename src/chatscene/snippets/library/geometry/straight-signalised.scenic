@@ -7,7 +7,7 @@
 #:   "Green for the ego, red for those who come from the sides.",
 #: ]
 #: adversaries = []
-#: requires = ["ego"]
+#: requires = []
 #: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]

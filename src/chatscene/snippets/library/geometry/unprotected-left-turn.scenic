@@ -7,7 +7,7 @@
 #:   "At a crossing with signals the ego turns left in front of oncoming traffic.",
 #: ]
 #: adversaries = []
-#: requires = ["ego"]
+#: requires = []
 #: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
 #: origin = "base scenario unprotected-left-turn; own code"
 #: [slots]

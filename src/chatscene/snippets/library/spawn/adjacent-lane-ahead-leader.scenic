@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it beside, and a slow car leads the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "adjacentLane", "egoRoute"]
+#: requires = ["AdvBehavior", "adjacentLane", "egoRoute"]
 #: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it beside.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "adjacentLane"]
+#: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "In the blind spot beside, a few car lengths back.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "adjacentLane"]
+#: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Right next to it beside, in the adjoining lane, and a slow car leads the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "adjacentLane", "egoRoute"]
+#: requires = ["AdvBehavior", "adjacentLane", "egoRoute"]
 #: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

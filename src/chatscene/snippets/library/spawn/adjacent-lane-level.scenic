@@ -7,7 +7,7 @@
 #:   "Right next to it beside, in the adjoining lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "adjacentLane"]
+#: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

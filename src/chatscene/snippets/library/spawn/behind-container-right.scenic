@@ -7,7 +7,7 @@
 #:   "It stands beyond a construction container at the right edge.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "It waits around the corner of a kiosk at the right kerb.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

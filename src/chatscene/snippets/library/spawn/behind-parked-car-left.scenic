@@ -7,7 +7,7 @@
 #:   "The ego cannot see it past the car that is parked ahead on the left.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

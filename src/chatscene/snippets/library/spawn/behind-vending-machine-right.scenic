@@ -7,7 +7,7 @@
 #:   "Behind a dispenser ahead on the right.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Initially at the left, heading for the crossing.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["AdvBehavior", "AdvClass", "advTurn", "trafficFromLeft"]
+#: requires = ["AdvBehavior", "advTurn", "trafficFromLeft"]
 #: provides = ["AdvAgent", "advMeeting", "advTrajectory", "egoMeeting"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"
 #: [slots]

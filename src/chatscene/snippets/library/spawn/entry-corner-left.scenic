@@ -7,7 +7,7 @@
 #:   "The cyclist is on the left front of the ego at the crossing.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario turning-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Past the crossing, at the right-hand corner.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute", "junctionExit"]
+#: requires = ["AdvBehavior", "egoRoute", "junctionExit"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario turning-obstacle; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Right before the junction it hugs the right-hand kerb, ahead of the ego.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

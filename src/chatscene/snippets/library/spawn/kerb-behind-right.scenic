@@ -7,7 +7,7 @@
 #:   "In the right-hand blind spot, about to undertake the ego.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]

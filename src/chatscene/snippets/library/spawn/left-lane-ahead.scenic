@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it on the left.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "leftLane"]
+#: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

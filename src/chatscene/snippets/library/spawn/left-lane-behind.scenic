@@ -7,7 +7,7 @@
 #:   "In the blind spot on the left, a few car lengths back.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "leftLane"]
+#: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

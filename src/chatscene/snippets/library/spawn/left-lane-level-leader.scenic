@@ -7,7 +7,7 @@
 #:   "Right next to it on the left, in the adjoining lane, and a slow car leads the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute", "leftLane"]
+#: requires = ["AdvBehavior", "egoRoute", "leftLane"]
 #: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Right next to it on the left, in the adjoining lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "leftLane"]
+#: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "From the opposite direction, heading for the same junction.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["AdvBehavior", "AdvClass", "advTurn", "oncomingTraffic"]
+#: requires = ["AdvBehavior", "advTurn", "oncomingTraffic"]
 #: provides = ["AdvAgent", "advMeeting", "advTrajectory", "egoMeeting"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"
 #: [slots]

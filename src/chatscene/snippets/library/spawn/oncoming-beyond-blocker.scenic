@@ -7,7 +7,7 @@
 #:   "In the counter lane, farther on than the car that obstructs the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["AdvBehavior", "AdvClass", "blockedLane", "egoRoute", "oppositeLane"]
+#: requires = ["AdvBehavior", "blockedLane", "egoRoute", "oppositeLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "The motorcyclist rides toward the ego in the counter lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute", "oppositeLane"]
+#: requires = ["AdvBehavior", "egoRoute", "oppositeLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

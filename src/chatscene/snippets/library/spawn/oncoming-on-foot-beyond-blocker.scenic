@@ -7,7 +7,7 @@
 #:   "The walker comes the other way, behind the obstruction.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "blockedLane", "egoRoute"]
+#: requires = ["AdvBehavior", "blockedLane", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "An oncoming pedestrian at the edge of the roadway.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it on the right, and a slow car leads the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute", "rightLane"]
+#: requires = ["AdvBehavior", "egoRoute", "rightLane"]
 #: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

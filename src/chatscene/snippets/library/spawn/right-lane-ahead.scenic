@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it on the right.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "rightLane"]
+#: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

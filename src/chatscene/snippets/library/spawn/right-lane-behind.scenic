@@ -7,7 +7,7 @@
 #:   "In the blind spot on the right, a few car lengths back.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "rightLane"]
+#: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -7,7 +7,7 @@
 #:   "Right next to it on the right, in the adjoining lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "rightLane"]
+#: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]

@@ -8,7 +8,7 @@
 #:   "The cyclist is at the edge of the roadway, left front.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "AdvClass", "egoRoute"]
+#: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
