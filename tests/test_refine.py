@@ -34,8 +34,8 @@ def test_a_range_moves_to_mean_and_population_deviation_rounded_to_two_places() 
 
 def test_a_range_is_clipped_to_the_declared_one() -> None:
     (moved,) = refine([SPEED], [{"OPT_ADV_SPEED": 0.5}, {"OPT_ADV_SPEED": 4.9}, {"OPT_ADV_SPEED": 5.0}])
-    assert moved.high == 5.0
-    assert moved.low == pytest.approx(1.39)
+    # mean 3.4667, deviation 2.0982
+    assert (moved.low, moved.high) == (1.37, 5.0)
 
 
 def test_only_the_bounds_of_a_parameter_change() -> None:
@@ -58,13 +58,6 @@ def test_parameters_move_independently_of_each_other() -> None:
     speed, gap = refine([SPEED, GAP], speeds)
     assert speed == refine([SPEED], speeds)[0]
     assert (gap.low, gap.high) == (7.0, 7.0)
-
-
-def test_ranges_may_widen_again_because_the_declared_ones_are_refined_each_time() -> None:
-    early = [{"OPT_ADV_SPEED": 2.0}, {"OPT_ADV_SPEED": 2.2}]
-    (narrow,) = refine([SPEED], early)
-    (wide,) = refine([SPEED], [*early, {"OPT_ADV_SPEED": 4.0}])
-    assert wide.high > narrow.high
 
 
 def test_rounding_never_steps_over_a_declared_bound() -> None:

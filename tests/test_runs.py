@@ -333,6 +333,16 @@ def test_what_a_run_was_started_with_is_what_it_continues_with(tmp_path: Path) -
         settings_of(read_record(run))
 
 
+def test_a_report_that_fails_after_the_search_does_not_undo_it(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    before, scenes = _contents(run.path), read_scenes(run)
+    update(run, status=Status.FAILED, reason="no room for the report")
+    assert read_scenes(run) == scenes
+    assert resume(run) == {}
+    assert read_record(run).status is Status.DONE
+    assert _contents(run.path) == before
+
+
 def test_seconds_add_up_over_a_resumed_run_and_a_failure_is_forgotten(tmp_path: Path) -> None:
     run = started(tmp_path / "run")
     update(run, status=Status.FAILED, reason="no more coffee", timings={"search": 1.5})

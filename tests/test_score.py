@@ -70,8 +70,8 @@ BY_HAND: list[tuple[str, list[Episode], float, float]] = [
     ("time_spent", [episode(track([0.0] * 901), completion=1.0)], 1.5, 1.0),
     # 0 then 0.8 m/s in 0.1 s: 0 and 8 m/s², on average half of 8.
     ("acceleration", [episode(track([0, 0, 0], speed=[1.0, 1.0, 1.8]))], 0.5, 0.5),
-    # Steady speed through a quarter turn: the velocity changes by sqrt(2)·v.
-    ("acceleration", [episode(track([0, 0], heading=[0, math.pi / 2], speed=[0.4, 0.4]))], math.sqrt(0.5), math.sqrt(0.5)),
+    # Steady 0.4 m/s, turned by 60°: the velocity changes by as much as it is.
+    ("acceleration", [episode(track([0, 0], heading=[0, math.pi / 3], speed=[0.4, 0.4]))], 0.5, 0.5),
     ("acceleration", [episode(track([0, 0], speed=[2.0, 0.0]))], 2.5, 1.0),
     # 0.06 rad there and 0.06 rad back in 0.2 s: 0.6 rad/s.
     ("yaw_velocity", [episode(track([0, 0, 0], heading=[0.0, 0.06, 0.0]))], 0.2, 0.2),

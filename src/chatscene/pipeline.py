@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,11 +27,12 @@ from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
 from chatscene.search.select import Candidate, select
 from chatscene.settings import Settings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.backend import load_backend
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.episode import Episode, Track
+from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import Retrieval
@@ -160,10 +161,10 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
 
 def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     """Steps 2 to 7."""
+    done = runs.resume(run)
     record = runs.read_record(run)
     if record.status is runs.Status.DONE:
         return
-    done = runs.resume(run)
     settings = runs.settings_of(record)
     map_path = resolve_map(record.map_name)
 
@@ -179,7 +180,7 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     backend = load_backend("embedded", map_path, settings.simulation)
     check(program, scenario.slots, backend, load_ego(record.ego))
     routes = range(min(settings.search.routes, backend.routes(program)))
-    runs.write_drawing(run, _drawing(map_path, backend, program, routes))
+    runs.write_drawing(run, _drawing(map_path, [backend.route(program, route) for route in routes], scenario.id))
 
     work = Work(
         folder=run.path,
@@ -208,26 +209,19 @@ def _selected(run: runs.Run, keep: int) -> dict[str, bool]:
     return {s.scene_id: s.fill_in for candidates in jobs.values() for s in select(candidates, count=keep)}
 
 
-def _drawing(map_path: Path, backend: Backend, program: ScenicProgram, routes: range) -> dict[str, Any]:
-    """The map around the routes."""
-    points = np.concatenate([backend.route(program, route).line.points for route in routes])
+def _drawing(map_path: Path, routes: Sequence[Route], scenario_id: str) -> dict[str, Any]:
+    """The map around the routes, and the routes."""
+    points = np.concatenate([route.line.points for route in routes])
     (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
-    return map_drawing(load_network(map_path), (float(x0), float(y0), float(x1), float(y1)))
+    drawing = map_drawing(load_network(map_path), (float(x0), float(y0), float(x1), float(y1)))
+    lines = {f"{scenario_id}/route-{k:02d}": route.line.points.round(2).tolist() for k, route in enumerate(routes)}
+    return {**drawing, "routes": lines}
 
 
 def _report(run: runs.Run, progress: Progress) -> None:
     progress("writing the report", 0, 0)
     write_report(run.path)
-    best = best_scene(run)
-    if best is not None:
-        write_gif(run.path, best)
-
-
-def best_scene(run: runs.Run) -> str | None:
-    """The scene most worth looking at: a collision that means what was said, with the lowest overall score."""
-    rows = [row for row in runs.read_scenes(run) if row["status"] == "ran"]
-    rows.sort(key=lambda r: (not r["collision"], not r["meaning_ok"], r["overall_score"], r["scene_id"]))
-    return rows[0]["scene_id"] if rows else None
+    write_gif(run.path)
 
 
 def replay(folder: Path, scene_id: str) -> Replayed:

@@ -30,7 +30,11 @@ from chatscene.terms.scenario import (
 
 LONGEST = 2000  # characters; a situation fits into a paragraph
 
-_SENTENCE = re.compile(r"[;.!?]+|\bwhen\b|\bwhile\b|\bas\b(?! if)|\bbut\b|,")
+_SENTENCE = re.compile(
+    r"[;.!?:]+|\b(?:when|while|whilst|but|because|until)\b|\bas\b(?! if)|,"
+    r"|\band (?=(?:an?|another|some|someone|we|i|the (?!ego\b))\b)"  # somebody else enters
+)
+_OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")
 _ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 _TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
 _JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
@@ -103,11 +107,16 @@ def _clauses(text: str) -> _Clauses:
     text = words.REACTION.sub("", text)
     ego: list[str] = []
     adversary: list[str] = []
-    subject = "ego"
+    subject, opening = "ego", ""
     for clause in (part.strip() for part in _SENTENCE.split(text)):
-        if clause:
+        if _OPENING.match(clause) and _subject(clause) is None and not _does_something(clause):
+            opening = f"{opening} {clause}".strip()  # "On the left, …" speaks of whoever comes next
+        elif clause:
             subject = _subject(clause) or subject
-            (ego if subject == "ego" else adversary).append(clause)
+            (ego if subject == "ego" else adversary).append(f"{opening} {clause}".strip())
+            opening = ""
+    if opening:
+        (ego if subject == "ego" else adversary).append(opening)
     spoken = ", ".join(adversary)
     if words.ADVERSARIAL.search(spoken):  # whoever is called so is meant, whoever else may drive about
         spoken = spoken[words.ADVERSARIAL.search(spoken).start() :]  # type: ignore[union-attr]
@@ -121,19 +130,23 @@ def _subject(clause: str) -> str | None:
         return "adversary"
     ego = words.EGO.search(bare)
     other = min((m.start() for p in words.KINDS.values() if (m := p.search(bare))), default=None)
-    encounters = re.search(r"\b(?:encounters?|meets?|faces?|yielding to|yields? to)\b", bare)
-    if ego and encounters and other is not None and encounters.start() < other:
-        return "adversary" if not words.BLOCKING.search(clause) and "yield" not in encounters[0] else "ego"
+    if ego and other is not None and words.ENCOUNTER.search(bare[:other]):
+        return "ego" if words.BLOCKING.search(clause) else "adversary"
     if ego is None:
         return None if other is None else "adversary"
     return "ego" if other is None or ego.start() < other else "adversary"
 
 
+def _does_something(clause: str) -> bool:
+    return any(pattern.search(clause) for pattern in (*words.ACTIONS.values(), words.LEFT_TURN, words.RIGHT_TURN))
+
+
 def _without_things(text: str) -> str:
     """A text without what stands about or drives in the background."""
-    for pattern in (*words.OCCLUDERS.values(), words.LEADER, words.BACKGROUND):
+    for pattern in (*words.OCCLUDERS.values(), words.BACKGROUND):
         text = pattern.sub(" ", text)
-    return text
+    # Who is called a leader is one only for somebody else; as the subject of a clause he is the adversary.
+    return words.LEADER.sub(lambda m: m[0] if text[: m.start()].strip() in ("", "a", "the") else " ", text)
 
 
 # Slots
@@ -200,6 +213,8 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
     found = {action for action, pattern in words.ACTIONS.items() if _says(pattern, text)}
     if kind is not None and kind not in _ON_FOOT:
         found -= {Action.CROSS, Action.DIAGONAL}
+    elif Action.CROSS in found and not words.CUTTING_IN.search(text):
+        found -= {Action.CUT_IN}
         if re.search(r"\b(?:dash|dart|sprint|rush)", text):
             found.add(Action.ACCELERATE)
     if kind is AdversaryKind.PEDESTRIAN:
@@ -209,16 +224,24 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
     if Action.SLOW in found and not words.MATCHING.search(text) and re.search(r"\bslow(?:s|ing)? down\b", text):
         found = (found - {Action.SLOW}) | {Action.BRAKE}
     if words.MATCHING.search(text):
-        found = (found - {Action.BRAKE, Action.PACE, Action.STOP}) | {Action.SLOW}
+        found = (found - {Action.BRAKE, Action.PACE, Action.STOP, Action.CHANGE_LANE}) | {Action.SLOW}
+    if Action.STOP in found and words.GOING_ON.search(text):
+        found.add(Action.HESITATE)
     if Action.PACE in found:
         found -= {Action.STOP}
     if words.ERRATIC.search(text) and kind not in _ON_FOOT:
         found.add(Action.SWERVE)
+    if kind is AdversaryKind.PEDESTRIAN and words.RUNNING.search(text) and Action.CROSS in found:
+        found.add(Action.ACCELERATE)
     turn = _turn(text)
     if turn is not None:
         found.add(turn)
     if Action.CUT_IN in found and turn is not None and Action.RUN_LIGHT not in found and "oncoming" not in text:
         found -= {Action.CUT_IN}
+    if found - {Action.ONCOMING, Action.FOLLOW}:
+        found -= {Action.FOLLOW}  # whoever does something else drives on as well
+    elif kind is not None and kind is not AdversaryKind.PEDESTRIAN and words.PASSING.search(text):
+        found.add(Action.FOLLOW)
     return tuple(action for action in Action if action in found)
 
 
@@ -231,6 +254,8 @@ def _of_oncoming(
     it; at a junction it only says from where he comes.
     """
     found = set(actions) - ({Action.CROSS} if kind is AdversaryKind.PEDESTRIAN else set())
+    if Action.SWERVE in found:
+        found -= {Action.CUT_IN}
     found = found - {Action.ONCOMING} if place in _JUNCTIONS and len(found) > 1 else found | {Action.ONCOMING}
     return tuple(action for action in Action if action in found)
 
@@ -276,7 +301,8 @@ def _control(clauses: _Clauses, actions: tuple[Action, ...]) -> Control | None:
 def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, ...]) -> Place | None:
     if maneuver in (Maneuver.BYPASS, Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
         return Place.ROAD
-    junction = maneuver in _TURNS or Action.RUN_LIGHT in actions or words.PLACES[Place.JUNCTION].search(clauses.whole)
+    turns = {Action.RUN_LIGHT, Action.TURN_LEFT, Action.TURN_RIGHT} & set(actions)
+    junction = maneuver in _TURNS or turns or words.PLACES[Place.JUNCTION].search(clauses.whole)
     for place in (Place.THREE_WAY, Place.FOUR_WAY):
         if words.PLACES[place].search(clauses.whole):
             return place
@@ -322,6 +348,8 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
         return Position.ONCOMING  # that is what it is unprotected against
     if words.BEHIND.search(text):
         return Position.BEHIND
+    if side is not None and Action.CUT_IN in actions:
+        return Position.BESIDE
     return Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
 
 

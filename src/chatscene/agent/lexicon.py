@@ -6,7 +6,6 @@ reports, driving schools and the way people talk.
 
 from __future__ import annotations
 
-import difflib
 import re
 from functools import lru_cache
 
@@ -21,7 +20,7 @@ def _p(*patterns: str) -> re.Pattern[str]:
 
 EGO = _p(
     r"(?:the |our |my )?ego(?:'s)?(?: vehicle| car)?(?:'s)?",
-    r"we|i|us|me",
+    r"we|i",  # "us" and "me" are never the ones who do something
     r"(?:our|my) (?:own )?(?:car|vehicle|path|lane|way)",
     r"(?:the )?(?:av|adas vehicle|autonomous (?:car|vehicle)|self-driving (?:car|vehicle)|host(?: vehicle)?|vut|test vehicle)",
 )
@@ -46,21 +45,28 @@ KINDS: dict[AdversaryKind, re.Pattern[str]] = {
         r"cars?|vehicles?|sedans?|suvs?|taxis?|cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic"
     ),
 }
+ENCOUNTER = _p(
+    r"encounter\w*|meets?|faces?|notices?|sees?|spots?",
+    r"(?:surprised|cut off|cut up|overtaken|passed|hit|approached|blocked|struck|confronted|followed|tailgated) by",
+)
 ADVERSARIAL = _p("adversarial|adversary|attacking|hostile")
 
 # Parts of the scene that are no adversary; taken out before anyone is looked for
+
+_PARKED = r"(?:double[- ]|illegally |badly )?(?:parked|stationary|abandoned|disabled|broken[- ]down)"
+_STANDING = rf"(?:{_PARKED}|stopped|stalled|standing)"
 
 OCCLUDERS: dict[Occluder, re.Pattern[str]] = {
     Occluder.BUS_STOP: _p(r"bus (?:stop|shelter)|bus-stop|tram stop"),
     Occluder.VENDING_MACHINE: _p(r"vending machine|drinks machine|ticket machine"),
     Occluder.PARKED_TRUCK: _p(
-        r"(?:parked|stationary|standing|delivery) (?:truck|lorry|bus)",
-        r"(?:truck|lorry|bus) parked",
+        rf"{_STANDING} (?:trucks?|lorry|lorries|bus|coach)",
+        rf"(?:truck|lorry|bus|coach)(?: that| which)?(?: is| stands)? {_PARKED}",
         r"(?<=behind )(?:a|the) (?:truck|lorry)",
     ),
     Occluder.PARKED_CAR: _p(
-        r"(?:parked|stationary|standing) (?:cars?|vehicles?|vans?|suvs?)",
-        r"(?:car|vehicle|van|suv) parked",
+        rf"{_STANDING} (?:cars?|vehicles?|vans?|suvs?|taxis?)",
+        rf"(?:car|vehicle|van|suv|taxi)(?: that| which)?(?: is| stands)? {_PARKED}",
         r"row of (?:parked )?cars",
         r"(?<=behind )a (?:car|van)",
     ),
@@ -69,8 +75,9 @@ OCCLUDERS: dict[Occluder, re.Pattern[str]] = {
 }
 HIDING = _p(r"behind|hidden|hides|hiding|obscured|concealed|occluded|between|masked|screened|out of sight")
 LEADER = _p(
-    r"slow(?:-| )?moving (?:lead(?:ing)? )?(?:vehicle|car|truck|leader)",
-    r"(?:slow(?:er)?|lead(?:ing)?) (?:lead(?:ing)? )?(?:vehicle|car|truck|leader)(?: ahead| in front)?",
+    r"slow(?:er)?(?:(?:-| )?moving)? (?:lead(?:ing)? )?(?:vehicle|car|van|truck|lorry|bus|taxi|tractor|leader|one|driver)"
+    r"(?: ahead| in front)?",
+    r"lead(?:ing)? (?:slow(?:er)? )?(?:vehicle|car|van|truck|lorry|bus|taxi)",
     r"leader",
 )
 BLOCKING = _p(
@@ -86,7 +93,7 @@ LEFT_TURN = _p(r"turn\w* (?:to the )?left", r"(?:unprotected )?left(?:-hand)?(?:
 RIGHT_TURN = _p(r"turn\w* (?:to the )?right", r"right(?:-hand)?(?: |-)turn\w*")
 LANE_CHANGE = _p(
     r"chang\w* (?:its |our |the )?lanes?",
-    r"chang\w* (?:in)?to (?:the |another )?(?:\w+ )?lane",
+    r"(?:chang|switch|shift)\w* (?:in)?to (?:the |another )?(?:\w+ )?(?:lane|left|right)",
     r"lane(?: |-)chang\w*",
     r"(?:merg\w*|mov\w*|pull\w*|switch\w*) (?:over )?(?:in)?to the (?:left|right|next|adjacent|other|fast|slow|passing) lane",
     r"switch\w* lanes?",
@@ -96,8 +103,8 @@ BYPASS = _p(
     r"bypass\w*",
     r"go(?:es|ing)? around",
     r"(?:use|uses|using|through|via) the (?:opposite|oncoming|other|opposing) lane",
-    r"(?:swing|pull|swerve|steer)\w* (?:out )?around",
-    r"pass\w* (?:a|the) parked",
+    r"(?:swing|pull|swerv|steer|driv|manoeuvr|maneuver)\w* (?:out )?(?:a)?round",
+    r"(?:pass|overtak)\w* (?:it|a parked|the parked)",
     r"get(?:s|ting)? around",
 )
 UNPROTECTED = _p(r"unprotected(?: left)?(?: turn)?")
@@ -118,7 +125,7 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
     Control.STOP_SIGN: _p(r"stop(?:-| )signs?|all-way stop"),
     Control.SIGNAL: _p(
         r"(?:traffic|red|green) (?:lights?|signals?)|signali[sz]ed|signal-controlled|lights? (?:is|are|turns?) (?:red|green)|"
-        r"(?:the|a) red|on (?:red|green)|stop ?lights?"
+        r"(?:the|a) red|on (?:red|green)|stop ?lights?|at (?:the|a) (?:lights|signals)"
     ),
 }
 
@@ -143,8 +150,8 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.PACE: _p(r"parallel|alongside|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"),
     Action.CHANGE_LANE: _p(r"original lane|chang\w* lanes?|lane change"),
     Action.CUT_IN: _p(
-        r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up)|merg\w*|squeez\w*(?: in)?|"
-        r"pulls? (?:in|out) (?:right |directly )?(?:in front|before|ahead)|barg\w* in|(?:in|on)to (?:our|the ego's?|my) (?:original )?lane|"
+        r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up|across)|merg\w*|squeez\w*(?: in)?|"
+        r"(?:pull|swing|dart|drift|mov)(?:s|es|ing)? (?:in |out )?(?:right |directly |suddenly )?(?:in front|before|ahead)|barg\w* in|(?:in|on)to (?:our|the ego's?|my) (?:original )?lane|"
         r"turns? into (?:our|the ego's?|my|the ego vehicle's) (?:path|lane|way)"
     ),
     Action.ACCELERATE: _p(
@@ -159,30 +166,38 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
         r"stop(?:s|ped|ping)?|halt\w*|fr(?:eez|oze)\w*|stands? still|standstill|dismount\w*|stall\w*|stays? put|blocks? (?:the|our|its) path|"
         r"blocking (?:the|our|its) path|motionless"
     ),
-    Action.SLOW: _p(r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limps?"),
+    Action.SLOW: _p(r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|at walking pace"),
     Action.CROSS: _p(
-        r"cross(?:es|ing)?|jaywalk\w*|steps? (?:out|off|into|onto|in)|walks? (?:out|across|into|onto|in)|runs? (?:out|across|into|onto|in)|"
-        r"(?:dash|dart|sprint|rush|bolt|jump|wander|stumbl|rid|roll|cycl|charg|burst)\w* (?:out|across|into|onto|in|off|over)|"
-        r"emerg\w*|appear\w*|pop\w* (?:out|up)|comes? out|enters? the (?:road|street|lane)|across (?:the|our) (?:road|street|path|way|lane)"
+        r"cross(?:es|ed|ing)?|jaywalk\w*|"
+        r"(?:step|walk|run|ran|dash|dart|sprint|rush|bolt|jump|leap|hop|wander|stroll|shuffl|stumbl|rid|pedal|roll|cycl|charg|burst|shoot)\w* "
+        r"(?:out|across|into|onto|in|off|over)|cut(?:s|ting)? across|"
+        r"emerg\w*|appear\w*|pop\w* (?:out|up)|com(?:es|ing) out|enters? the (?:road|street|lane)|across (?:the|our) (?:road|street|path|way|lane)"
+    ),
+    Action.FOLLOW: _p(
+        r"(?:driv|rid|keep|go|carr|travel)\w* (?:on|along|going|straight on)|continu\w*|tailgat\w*|follow(?:s|ing) (?:us|the ego|its lane)"
     ),
     Action.ONCOMING: _p(r"oncoming|opposite direction|head(?:-| )on|wrong(?:-| )way|against traffic|opposing"),
 }
+RUNNING = _p(r"r[ua]n(?:s|ning)? (?:out|across|into|onto|over|off)")
+CUTTING_IN = _p(r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up)|merg\w*|squeez\w*")
+PASSING = _p(r"(?:does|do|did)(?: not|n't)|never|without|through|crossing|cross(?:es)?|oncoming|enters?|arriv\w*|com(?:es|ing)|approach\w*")
 FEINT = _p(r"pretend\w*|feint\w*|fakes?|as if to cross|about to cross|seems? to")
 MATCHING = _p(r"match\w* (?:the |its )?(?:speed|pace)|speed of the (?:slow|lead)\w*|blocks? (?:the )?(?:ego|us) from")
 ERRATIC = _p(r"erratic\w*")
+GOING_ON = _p(r"(?:and|then) (?:then )?(?:walk|go|driv|mov|continu|rid|run)\w* (?:on|off|again|away|diagonally)")
 
 # Where the adversary starts
 
 ONCOMING = _p(r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)")
-FAR = _p(r"opposite (?:sidewalk|side|pavement|kerb|curb)|far (?:side|corner|kerb|curb)|other side")
+FAR = _p(r"opposite (?:sidewalk|side|pavement|kerb|curb|corner|footpath)|far(?:ther|ther)? (?:side|corner|kerb|curb|sidewalk|pavement)|other side")
 CROSSING = _p(r"crossing (?:car|vehicle|truck|bus|traffic|motorcycle)|cross traffic|side (?:road|street)|perpendicular|cross(?:es|ing)")
 NEIGHBOUR = _p(r"(?:target|adjacent|next|neighbou?ring|other|left|right|passing) lane|lane (?:beside|next to|to the)")
 BEHIND = _p(r"(?:from )?behind|rear|tailgat\w*|back")
 AHEAD = _p(r"ahead|(?:in )?front|lead(?:ing)?|preceding")
 BESIDE = _p(r"parallel|alongside|beside|next to|side by side|level with")
 TURNING_WORDS = re.compile(
-    r"\b(?:turn|swerv|veer|merg|chang|mov|steer|pull)\w*(?: \w+){0,2}? (?:to (?:the|its) )?(?:left|right)\b"
-    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\b(?:left|right) lane\b"
+    r"\b(?:turn|swerv|veer|merg|chang|mov|steer|pull|swing|hook)\w*(?: (?!from\b|on\b|in\b)\w+){0,2}? (?:to (?:the|its) )?(?:left|right)\b"
+    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\bright (?:in front|away|before|behind|after|at|into|next|now|of way|past|through)\b"
 )
 SIDE = re.compile(r"\b(left|right)\b")
 
@@ -191,7 +206,10 @@ REACTION = re.compile(
     r"(?:,| and)? ?\b(?:forcing|causing|requiring|necessitating|making it|leaving|so that|such that|which forces|"
     r"requires the ego|prompting|compelling)\b[^;.]*"
 )
-NEGATED = re.compile(r"\b(?:not|n't|never|without|instead of|fails? to|failing to|no longer|refus\w+ to)\b(?: \w+){0,2}$")
+NEGATED = re.compile(
+    r"(?:\b(?:not|never|neither|nor|cannot|without|instead of|rather than|fails? to|failing to|no longer|refus\w+ to)|n't)\b"
+    r"(?: \w+){0,2}$"
+)
 
 _KNOWN = (
     "pedestrian bicycle cyclist motorcycle motorcyclist vehicle truck intersection junction crossing crosses oncoming "
@@ -203,15 +221,44 @@ _KNOWN = (
 ).split()
 
 
+_REAL = frozenset(("baking", "barking", "brining"))  # words a letter away from ours that are no typos
+
+
 @lru_cache(maxsize=4096)
 def mended(word: str) -> str:
-    """A word, or the word of the road it is most likely a typo of (words of five letters and more)."""
-    if len(word) < 5 or word in _KNOWN or not word.isalpha() or _is_word(word):
+    """A word, or the word of the road it is a typo of (words of five letters and more).
+
+    A typo starts with the right letter and has one slip: two letters swapped, one missing, one too many; in longer
+    words one wrong or two slips. A wrong letter in a short word usually makes another real word (track, truck).
+    """
+    if len(word) < 5 or word in _KNOWN or word in _REAL or _is_word(word):
         return word
-    near = difflib.get_close_matches(word, _KNOWN, n=1, cutoff=0.84)
-    if not near or near[0][0] != word[0] or _stem(near[0]) == _stem(word):
-        return word  # another form of the word is no typo
-    return near[0]
+    near = [known for known in _KNOWN if known[0] == word[0] and _is_slip(word, known)]
+    return near[0] if near and _stem(near[0]) != _stem(word) else word  # another form of a word is no typo
+
+
+def _is_slip(word: str, known: str) -> bool:
+    if len(known) < 8:
+        return len(word) != len(known) and edits(word, known) == 1 or _swapped(word, known)
+    return edits(word, known) <= (2 if len(known) >= 9 else 1)
+
+
+def _swapped(word: str, known: str) -> bool:
+    return sorted(word) == sorted(known) and edits(word, known) == 1
+
+
+def edits(one: str, other: str) -> int:
+    """Edit distance: letters added, dropped, changed, or swapped with their neighbour (F. Damerau, 1964)."""
+    before: list[int] = []
+    row = list(range(len(other) + 1))
+    for i, a in enumerate(one, start=1):
+        older, before, row = before, row, [i]
+        for j, b in enumerate(other, start=1):
+            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (a != b))
+            if i > 1 and j > 1 and a == other[j - 2] and one[i - 2] == b:
+                cost = min(cost, older[j - 2] + 1)
+            row.append(cost)
+    return row[-1]
 
 
 def _stem(word: str) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from chatscene.maps.lane_runs import lane_runs
+from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Maneuver
@@ -100,7 +100,7 @@ def _way(network: Any, maneuver: Any) -> tuple[Polyline, float]:
     """The line of a vehicle that does a manoeuvre, from the junction before to the one after, and where it enters."""
     runs = lane_runs(network)
     before, after = runs[maneuver.startLane.uid].line, runs[maneuver.endLane.uid].line
-    line = Polyline.join(before, Polyline(maneuver.connectingLane.centerline.points), after)
+    line = Polyline.join(before, centre_line(maneuver.connectingLane), after)
     return line.resampled(1.0), before.length
 
 

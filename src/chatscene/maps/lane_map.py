@@ -9,6 +9,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from chatscene.maps.lane_runs import centre_line
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
@@ -32,7 +34,7 @@ class LaneMap:
         self._index = {uid: i for i, uid in enumerate(self.lane_ids)}
         self._areas = shapely.buffer([lane.polygons for lane in lanes], _SEAM)
         self._bounds: Array = shapely.bounds(self._areas)
-        self._lines: list[Array] = [np.array(lane.centerline.points)[:, :2] for lane in lanes]
+        self._lines: list[Array] = [centre_line(lane).points for lane in lanes]
         self._drivable = shapely.buffer(network.drivableRegion.polygons, OFF_ROAD_TOLERANCE)
         shapely.prepare(self._areas)
         shapely.prepare(self._drivable)

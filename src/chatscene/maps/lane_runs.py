@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import accumulate
@@ -71,17 +72,25 @@ def _next(lane: Any) -> str | None:
     return str(following.uid) if joined else None
 
 
+def centre_line(lane: Any) -> Polyline:
+    """The centre line of a lane [m], map frame, in driving order.
+
+    Without the points at which Scenic's own line steps back by some centimetres, which it does where pieces of a
+    reference line or sections of a lane join: a heading taken there would be reversed.
+    """
+    return Polyline(_forward(lane.centerline.points))
+
+
 def _run(lanes: list[Any]) -> LaneRun:
-    lines = [Polyline(lane.centerline.points) for lane in lanes]
+    lines = [centre_line(lane) for lane in lanes]
     ends = tuple(accumulate(line.length for line in lines))
     return LaneRun(tuple(lanes), Polyline(_forward(Polyline.join(*lines).points.tolist())), ends)
 
 
-def _forward(points: list[list[float]]) -> list[list[float]]:
-    """Points without those that step back, as Scenic's centre lines do where sections of a lane overlap."""
-    kept = points[:2]
-    for x, y in points[2:]:
+def _forward(points: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
+    kept = [(float(x), float(y)) for x, y, *_ in points[:2]]
+    for x, y, *_ in points[2:]:
         (x0, y0), (x1, y1) = kept[-2:]
         if (x - x1) * (x1 - x0) + (y - y1) * (y1 - y0) > 0:
-            kept.append([x, y])
+            kept.append((float(x), float(y)))
     return kept

@@ -18,7 +18,7 @@ import numpy as np
 from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.junctions import junction_control
-from chatscene.maps.lane_runs import LaneRun, lane_runs
+from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
@@ -180,7 +180,7 @@ def _junction_route(
         return None
     line = Polyline.join(
         before.line.between(start, before.line.length),
-        Polyline(maneuver.connectingLane.centerline.points),
+        centre_line(maneuver.connectingLane),
         after.line.between(0.0, end),
     )
     if not _goes(line, TURNS[maneuver.type.name]):
@@ -276,7 +276,7 @@ def _on_road(
         return None
     if bypass and len(run.lane_at(onset).group.lanes) > 1:
         return None  # with a second lane of its own a driver need not use the opposite one
-    shift = side * abs(Polyline(beside[0].centerline.points).project(*own.point_at(leaves))[1])
+    shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
     lanes = (*run.ids_between(onset, used[0]), *dict.fromkeys(lane.uid for lane in beside))
     return _shifted(own, shift, leaves, returns), lanes, BLOCKER_AT if bypass else CHANGE_AT
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import builtins
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import product
@@ -18,13 +18,14 @@ import numpy as np
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.maps.network import resolve_map
-from chatscene.program.assemble import HEADER_PROVIDES, assemble
+from chatscene.program.assemble import assemble
 from chatscene.program.check import probe_scenes
 from chatscene.program.meaning import check_meaning
 from chatscene.simulate.backend import Backend
+from chatscene.snippets.compatibility import incompatibility
 from chatscene.snippets.library import Library, names_of
 from chatscene.terms.episode import Episode, Role, Track
-from chatscene.terms.scenario import AdversaryKind, Component, Place, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, ScenicProgram
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
@@ -39,9 +40,8 @@ RANDOM = frozenset(
 )
 TOWN_SPEED = 20.0  # [m/s]; nobody in our scenes has a reason to drive faster
 SLACK = 0.5  # [m/s²], rounding of speeds over one step
+_FAULTS = (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError)  # of a snippet's own code
 DEEP = 0.3  # [m] of overlap that is seen as driving through something
-_JUNCTIONS = (Place.THREE_WAY, Place.FOUR_WAY, Place.JUNCTION)
-_SHARED = ("position", "place", "control", "maneuver", "leader", "blocker")
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,26 +129,9 @@ def world_names() -> frozenset[str]:
 # Partners
 
 
-def fits(triple: Triple) -> bool:
-    """Whether three snippets can be joined: names close, kinds of adversary meet, facts agree."""
-    provided = {name for part in triple for name in part.provides} | set(HEADER_PROVIDES)
-    return (
-        all(set(part.requires) <= provided for part in triple)
-        and bool(_kinds(triple))
-        and all(_agree([getattr(part.slots, name) for part in triple]) for name in _SHARED)
-    )
-
-
 def _kinds(triple: Triple) -> list[AdversaryKind]:
     behavior, _, spawn = triple
     return [kind for kind in behavior.adversaries if kind in spawn.adversaries]
-
-
-def _agree(said: Sequence[object]) -> bool:
-    values = {value for value in said if value is not None}
-    if Place.JUNCTION in values and values <= set(_JUNCTIONS):
-        values.discard(Place.JUNCTION)
-    return len(values) <= 1
 
 
 def trials(library: Library) -> Iterator[tuple[Triple, AdversaryKind]]:
@@ -164,13 +147,13 @@ def trials(library: Library) -> Iterator[tuple[Triple, AdversaryKind]]:
         return triple
 
     for behavior in library.of(Component.BEHAVIOR):
-        possible = [t for t in ((behavior, *pair) for pair in product(geometries, spawns)) if fits(t)]
+        possible = [t for t in ((behavior, *pair) for pair in product(geometries, spawns)) if incompatibility(*t) is None]
         for kind in behavior.adversaries:
             triple = fewest(t for t in possible if kind in t[2].adversaries)
             if triple is not None:
                 yield note(triple), kind
     for triple in product(library.of(Component.BEHAVIOR), geometries, spawns):
-        if (triple[1].id not in tried or triple[2].id not in tried) and fits(triple):
+        if (triple[1].id not in tried or triple[2].id not in tried) and not incompatibility(*triple):
             yield note(triple), _kinds(triple)[0]
 
 
@@ -184,7 +167,7 @@ def _try(triple: Triple, kind: AdversaryKind, backend: Backend, ego: EgoPolicy) 
         program = assemble(_scenario(triple), triple, kind)
         episodes, rejected = _probe(program, backend, ego)
         route = backend.route(program, 0)
-    except ChatSceneError as error:
+    except (ChatSceneError, *_FAULTS) as error:
         yield Finding(behavior.id, "runs", f"{where}: {type(error).__name__}: {error}")
         return
     if len(rejected) > PROBES // 2:

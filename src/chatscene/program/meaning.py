@@ -29,7 +29,7 @@ OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
-TURNED = math.radians(30)  # a vehicle that stops midway through its turn is seen to turn from here on
+TURNED = math.radians(25)  # a vehicle that stops midway through its turn is seen to turn from here on
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,17 +51,12 @@ def write_report(folder: Path) -> Path:
 
 
 def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """The driven scenes: selected ones first, then collisions, then by overall score, lowest first."""
+    """The driven scenes: selected ones first, then collisions, then what means what was said, then by score."""
 
     def rank(row: Mapping[str, Any]) -> tuple[bool, bool, bool, float, str]:
         score = row["overall_score"]
-        return (
-            not row["selected"],
-            row["fill_in"],
-            not row["collision"],
-            1.0 if score is None else score,
-            row["scene_id"],
-        )
+        unlike = (not row["selected"], not row["collision"], not row["meaning_ok"])
+        return *unlike, 1.0 if score is None else score, row["scene_id"]
 
     return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
 

@@ -163,8 +163,9 @@ def _read_part(path: Path) -> Part:
 def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
     """Make an unfinished run ready to go on, and say what is done.
 
-    Half-written files of killed processes are removed and the status is ``running`` again. A finished run is
-    left as it is and gives an empty answer: ask `read_record` for the status first.
+    Half-written files of killed processes are removed and the status is ``running`` again. If every block is
+    done and folded, the status is ``done`` again, even if what came after failed, and the answer is empty: ask
+    `read_record` for the status next.
 
     Returns:
         By scenario and route: for each block done, from block 0 without a gap, the parameter values of the
@@ -173,6 +174,8 @@ def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
     sweep(run.path)
     if read_record(run).status is Status.DONE:
         _drop_parts(run)
+    if _folded(run):
+        update(run, status=Status.DONE)
         return {}
     update(run, status=Status.RUNNING)
     groups = groupby(read_parts(run), key=lambda part: (part.scenario_id, part.route))
@@ -202,7 +205,7 @@ def finish(
         RunError: The file system refuses; the blocks are still there then.
     """
     record = read_record(run)
-    if record.status is not Status.DONE:
+    if record.status is not Status.DONE and not _folded(run):
         parts = read_parts(run)
         for name, fold in _TABLES.items():
             write_table(run.file(name), fold(parts))
@@ -211,6 +214,11 @@ def finish(
         record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings)
     _drop_parts(run)
     return record
+
+
+def _folded(run: Run) -> bool:
+    """Whether the tables are all there is: `finish` removes the parts as its last act."""
+    return run.file("scenes.parquet").is_file() and not run.file("parts").exists()
 
 
 def _drop_parts(run: Run) -> None:
@@ -255,7 +263,7 @@ def read_ranges(run: Run) -> list[dict[str, Any]]:
 
 
 def _rows(run: Run, name: str, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
-    done = read_record(run).status is Status.DONE
+    done = read_record(run).status is Status.DONE or _folded(run)
     table: Table = read_table(run.file(name)) if done else fold(read_parts(run))
     return table.to_pylist()
 

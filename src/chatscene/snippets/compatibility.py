@@ -15,7 +15,7 @@ from chatscene.terms.scenario import AdversaryKind, Component, Place, Slots
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
-FACTS = ("side", "position", "occluder", "maneuver", "place", "control")  # slots that two parts may both speak of
+FACTS = ("side", "position", "occluder", "maneuver", "place", "control", "leader", "blocker")  # slots that two parts may both speak of
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 Mask = NDArray[np.bool_]

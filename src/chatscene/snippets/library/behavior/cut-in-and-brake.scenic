@@ -7,7 +7,7 @@
 #:   "The motorcyclist slips in from beside and brakes without warning.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoRoute"]
+#: requires = ["advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -37,6 +37,6 @@ param OPT_ADV_SPEED = Range(5, 9)
 param OPT_BRAKE = Range(0.4, 1)
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(ownLane(egoRoute), globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(ownLane(egoRoute), self)) < 1
     do BrakeOnPath(ownLane(egoRoute), globalParameters.OPT_BRAKE)

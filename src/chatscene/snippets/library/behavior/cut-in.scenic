@@ -7,7 +7,7 @@
 #:   "The motorbike slips over into the ego's lane just ahead.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoRoute"]
+#: requires = ["advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -30,5 +30,5 @@ param OPT_ADV_DISTANCE = Range(-15, 20)
 param OPT_ADV_SPEED = Range(4, 9)
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(ownLane(egoRoute), globalParameters.OPT_ADV_SPEED)

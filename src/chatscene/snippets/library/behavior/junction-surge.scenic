@@ -6,7 +6,7 @@
 #:   "Jerking forward and checking itself, the car passes before the ego.",
 #:   "The other car alternates gas and brake while it crosses.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"

@@ -12,6 +12,7 @@
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["turn-left", "stop"]
+#: maneuver = "straight"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 12.0
@@ -26,14 +27,14 @@
 #: meaning = "how fast it turns"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
-#: low = 1.5
-#: high = 6.5
+#: low = 3.0
+#: high = 7.0
 #: unit = "m"
 #: meaning = "how far beyond where their ways meet it comes to rest"
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(4, 9)
-param OPT_STOP_DISTANCE = Range(1.5, 6.5)
+param OPT_STOP_DISTANCE = Range(3, 7)
 
 advTurn = "left-turn"
 

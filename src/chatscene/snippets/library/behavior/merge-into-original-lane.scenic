@@ -6,8 +6,8 @@
 #:   "While the ego moves out, the other driver moves in to the place it left.",
 #:   "The car next to the ego switches abruptly to the ego's initial lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["LeadingAgent", "advTrajectory", "egoRoute"]
+#: adversaries = ["car", "motorcycle"]
+#: requires = ["LeadingAgent", "advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -36,5 +36,6 @@ param OPT_ADV_SPEED = Range(6, 10)
 param OPT_ADV_BEHIND = Range(8, 12)
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    # At the latest where there is just room left behind the leading vehicle.
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE or headway(advLane, self, LeadingAgent) < globalParameters.OPT_ADV_BEHIND + 1
     do PaceOnPath(ownLane(egoRoute), LeadingAgent, -globalParameters.OPT_ADV_BEHIND, globalParameters.OPT_ADV_SPEED)

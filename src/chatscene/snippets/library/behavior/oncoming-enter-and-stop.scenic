@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]
-#: provides = ["AdvBehavior"]
+#: provides = ["AdvBehavior", "advFacing"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
 #: actions = ["oncoming", "stop"]
@@ -42,6 +42,9 @@ param OPT_ADV_SPEED = Range(1, 4)
 param OPT_ADV_DISTANCE = Range(3, 20)
 param OPT_ADV_ANGLE = Range(0.6, 1)
 param OPT_STOP_DISTANCE = Range(0, 1)
+
+# It faces against the ego's direction.
+advFacing = 3.14159
 
 behavior AdvBehavior():
     do Halt() until gap(self, ego) < 2 * globalParameters.OPT_ADV_DISTANCE

@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
-#: provides = ["AdvBehavior"]
+#: provides = ["AdvBehavior", "advFacing"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
 #: actions = ["oncoming", "accelerate"]
@@ -42,6 +42,9 @@ param OPT_ADV_SPEED = Range(0.8, 2)
 param OPT_ADV_SPRINT = Range(4, 7)
 param OPT_ADV_DISTANCE = Range(10, 28)
 param OPT_ADV_ANGLE = Range(0.3, 0.9)
+
+# It faces against the ego's direction.
+advFacing = 3.14159
 
 behavior AdvBehavior():
     do Halt() until gap(self, ego) < 2 * globalParameters.OPT_ADV_DISTANCE

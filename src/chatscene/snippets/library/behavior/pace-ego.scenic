@@ -7,7 +7,7 @@
 #:   "The car shadows the ego door to door.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory"]
+#: requires = ["advLane"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -22,4 +22,4 @@
 param OPT_ADV_AHEAD = Range(-7, 7.5)
 
 behavior AdvBehavior():
-    do PaceOnPath(advTrajectory, ego, globalParameters.OPT_ADV_AHEAD)
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD)

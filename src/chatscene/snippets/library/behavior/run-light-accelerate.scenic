@@ -7,11 +7,12 @@
 #:   "Against the red light a car rushes through faster and faster.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light", "accelerate"]
+#: position = "crossing"
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
@@ -39,5 +40,5 @@ param OPT_THROTTLE = Range(0.5, 1)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE)

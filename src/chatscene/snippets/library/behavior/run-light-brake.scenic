@@ -7,11 +7,12 @@
 #:   "Cross traffic overruns the stop line on red and brakes in the middle.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light", "brake"]
+#: position = "crossing"
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
@@ -39,6 +40,6 @@ param OPT_STOP_DISTANCE = Range(0, 4.5)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
     do BrakeOnPath(advTrajectory)

@@ -7,12 +7,14 @@
 #:   "The motorcyclist disregards the lights and sweeps round leftward.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light", "turn-left"]
+#: position = "crossing"
 #: control = "signal"
+#: maneuver = "straight"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 12.0
@@ -32,5 +34,5 @@ param OPT_ADV_SPEED = Range(5, 10)
 advTurn = "left-turn"
 
 behavior AdvBehavior():
-    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)

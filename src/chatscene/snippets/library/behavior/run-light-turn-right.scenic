@@ -7,11 +7,12 @@
 #:   "The motorcyclist disregards the lights and cuts round to the right.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light", "turn-right"]
+#: position = "crossing"
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
@@ -27,18 +28,18 @@
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_SWERVE_DISTANCE"
-#: low = 2.0
-#: high = 10.0
+#: low = 0.0
+#: high = 8.0
 #: unit = "m"
-#: meaning = "how far from the ego's line it turns"
+#: meaning = "how far before the place where their ways meet it turns"
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(5, 10)
-param OPT_SWERVE_DISTANCE = Range(2, 10)
+param OPT_SWERVE_DISTANCE = Range(0, 8)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_SWERVE_DISTANCE
+    do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < globalParameters.OPT_SWERVE_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED, -1.5708)

@@ -7,11 +7,12 @@
 #:   "A motorcyclist sails through on red in front of the ego.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
-#: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
+#: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light"]
+#: position = "crossing"
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
@@ -32,5 +33,5 @@ param OPT_ADV_SPEED = Range(6, 13)
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)

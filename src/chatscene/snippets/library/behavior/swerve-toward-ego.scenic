@@ -7,7 +7,7 @@
 #:   "The lorry drifts abruptly out of its lane and returns.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "egoRoute"]
+#: requires = ["advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -43,6 +43,6 @@ param OPT_SWERVE = Range(1.2, 2.8)
 param OPT_SWERVE_TIME = Range(1, 2)
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
-    do SwerveOnPath(advTrajectory, globalParameters.OPT_ADV_SPEED, -globalParameters.OPT_SWERVE if offsetFrom(ownLane(egoRoute), self) > 0 else globalParameters.OPT_SWERVE) for globalParameters.OPT_SWERVE_TIME seconds
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do SwerveOnPath(advLane, globalParameters.OPT_ADV_SPEED, -globalParameters.OPT_SWERVE if offsetFrom(ownLane(egoRoute), self) > 0 else globalParameters.OPT_SWERVE) for globalParameters.OPT_SWERVE_TIME seconds
+    do DrivePath(advLane, globalParameters.OPT_ADV_SPEED)

@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = []
 #: requires = []
-#: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft"]
+#: provides = ["crossSignal", "egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]
 #: maneuver = "right-turn"
@@ -16,6 +16,7 @@
 #: control = "signal"
 
 param signals = 'ego-green'
+crossSignal = "red"
 egoRoute = selectRoute(maneuver="right-turn", place="four-way", control="signal", crossed=("left", "oncoming"))
 egoSpawnPt = startOf(egoRoute)
 junctionExit = egoRoute.exitAt

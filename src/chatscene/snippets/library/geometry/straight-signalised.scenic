@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = []
 #: requires = []
-#: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
+#: provides = ["crossSignal", "egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: maneuver = "straight"
@@ -16,6 +16,7 @@
 #: control = "signal"
 
 param signals = 'ego-green'
+crossSignal = "red"
 egoRoute = selectRoute(maneuver="straight", place="four-way", control="signal", crossed=("left", "right", "oncoming"))
 egoSpawnPt = startOf(egoRoute)
 junctionExit = egoRoute.exitAt

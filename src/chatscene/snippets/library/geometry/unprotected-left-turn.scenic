@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = []
 #: requires = []
-#: provides = ["egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
+#: provides = ["crossSignal", "egoRoute", "egoSpawnPt", "junctionExit", "oncomingTraffic", "trafficFromLeft", "trafficFromRight"]
 #: origin = "base scenario unprotected-left-turn; own code"
 #: [slots]
 #: maneuver = "left-turn"
@@ -16,6 +16,7 @@
 #: control = "signal"
 
 param signals = 'ego-green'
+crossSignal = "red"
 egoRoute = selectRoute(maneuver="left-turn", place="four-way", control="signal", crossed=("left", "right", "oncoming"))
 egoSpawnPt = startOf(egoRoute)
 junctionExit = egoRoute.exitAt

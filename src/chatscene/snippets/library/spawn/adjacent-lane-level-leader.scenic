@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "adjacentLane", "egoRoute"]
-#: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "LeadingAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "beside"
@@ -37,6 +37,7 @@ param OPT_LEADER_Y = Range(40, 55)
 param OPT_LEADER_SPEED = Range(1.5, 3.8)
 
 advTrajectory = extended(adjacentLane, 20)
+advLane = advTrajectory
 LeadingAgent = new Car at pointOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
     facing directionOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
     with behavior DrivePath(ownLane(egoRoute), globalParameters.OPT_LEADER_SPEED),

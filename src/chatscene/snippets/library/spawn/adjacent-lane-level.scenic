@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "adjacentLane"]
-#: provides = ["AdvAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "beside"
@@ -22,6 +22,7 @@
 param OPT_GEO_Y = Range(-3, 4.5)
 
 advTrajectory = extended(adjacentLane, 20)
+advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

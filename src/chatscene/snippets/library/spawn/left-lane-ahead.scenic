@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "leftLane"]
-#: provides = ["AdvAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "ahead-beside"
@@ -23,6 +23,7 @@
 param OPT_GEO_Y = Range(6, 22)
 
 advTrajectory = leftLane
+advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "leftLane"]
-#: provides = ["AdvAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "beside"
@@ -23,6 +23,7 @@
 param OPT_GEO_Y = Range(-3, 4.5)
 
 advTrajectory = extended(leftLane, 20)
+advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, 20 + globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

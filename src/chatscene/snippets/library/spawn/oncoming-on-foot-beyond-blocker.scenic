@@ -7,7 +7,7 @@
 #:   "The walker comes the other way, behind the obstruction.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "blockedLane", "egoRoute"]
+#: requires = ["AdvBehavior", "advFacing", "blockedLane", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
@@ -41,5 +41,5 @@ new Car at pointOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_BLOCKER_
     facing directionOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_BLOCKER_Y),
     with label "blocker"
 AdvAgent = new AdvClass at besideRoad(egoRoute, egoRoute.eventAt + globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
-    facing directionOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_GEO_Y, 3.14159),
+    facing directionOn(blockedLane, egoRoute.eventAt + globalParameters.OPT_GEO_Y, advFacing),
     with behavior AdvBehavior()

@@ -7,7 +7,7 @@
 #:   "An oncoming pedestrian at the edge of the roadway.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
-#: requires = ["AdvBehavior", "egoRoute"]
+#: requires = ["AdvBehavior", "advFacing", "egoRoute"]
 #: provides = ["AdvAgent"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
@@ -30,5 +30,5 @@ param OPT_GEO_Y = Range(28, 55)
 param OPT_GEO_X = Range(0, 1.2)
 
 AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
-    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y, 3.14159),
+    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y, advFacing),
     with behavior AdvBehavior()

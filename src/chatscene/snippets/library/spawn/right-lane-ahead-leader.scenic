@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute", "rightLane"]
-#: provides = ["AdvAgent", "LeadingAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "LeadingAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "ahead-beside"
@@ -38,6 +38,7 @@ param OPT_LEADER_Y = Range(40, 55)
 param OPT_LEADER_SPEED = Range(1.5, 3.8)
 
 advTrajectory = rightLane
+advLane = advTrajectory
 LeadingAgent = new Car at pointOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
     facing directionOn(ownLane(egoRoute), globalParameters.OPT_LEADER_Y),
     with behavior DrivePath(ownLane(egoRoute), globalParameters.OPT_LEADER_SPEED),

@@ -8,7 +8,7 @@
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "rightLane"]
-#: provides = ["AdvAgent", "advTrajectory"]
+#: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: position = "behind-beside"
@@ -23,6 +23,7 @@
 param OPT_GEO_Y = Range(6, 18)
 
 advTrajectory = extended(rightLane, 20)
+advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

@@ -1,0 +1,157 @@
+"""The lint catches each kind of broken promise, and the packaged library has none."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.ego.rule_based import RuleBased
+from chatscene.maps.network import resolve_map
+from chatscene.program.lint import check_code, implausible, lint, trials, world_names
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.snippets.library import Library, load_library
+from chatscene.terms.episode import Ending, Episode, Role, Track
+from chatscene.terms.scenario import Action
+from chatscene.terms.snippet import Snippet
+
+CROSS = ("behavior/cross", "geometry/straight-road", "spawn/roadside-right")
+
+
+@pytest.fixture(scope="module")
+def backend() -> Backend:
+    return load_backend("embedded", resolve_map("town"), SimulationSettings())
+
+
+def few(*ids: str) -> Library:
+    library = load_library()
+    return Library(tuple(library.get(i) for i in sorted(ids)))
+
+
+def spoilt(library: Library, snippet: Snippet) -> Library:
+    return Library(tuple(snippet if s.id == snippet.id else s for s in library))
+
+
+def rungs(library: Library, backend: Backend) -> set[tuple[str, str]]:
+    return {(finding.snippet_id, finding.rung) for finding in lint(library, backend, RuleBased())}
+
+
+def with_code(snippet: Snippet, old: str, new: str) -> Snippet:
+    assert old in snippet.source
+    return replace(snippet, source=snippet.source.replace(old, new))
+
+
+def test_every_header_of_the_packaged_library_equals_its_code() -> None:
+    assert [str(finding) for snippet in load_library() for finding in check_code(snippet)] == []
+
+
+def test_three_sound_snippets_have_no_finding(backend: Backend) -> None:
+    assert lint(few(*CROSS), backend, RuleBased()) == ()
+
+
+def test_a_name_that_the_header_hides_is_found() -> None:
+    snippet = with_code(few(*CROSS).get(CROSS[0]), "headway(egoRoute", "headway(advTrajectory")
+    assert {finding.rung for finding in check_code(snippet)} == {"names"}
+
+
+def test_code_that_is_not_scenic_is_found() -> None:
+    snippet = replace(few(*CROSS).get(CROSS[0]), source="behavior AdvBehavior(:\n")
+    assert {finding.rung for finding in check_code(snippet)} == {"names"}
+
+
+def test_a_range_that_differs_from_the_header_is_found() -> None:
+    snippet = with_code(few(*CROSS).get(CROSS[0]), "Range(1.2, 5)", "Range(1.2, 50)")
+    assert {finding.rung for finding in check_code(snippet)} == {"parameters"}
+
+
+@pytest.mark.parametrize("value", ["Uniform(1, 2)", "Range(1, 2)", "Normal(1, 2)"])
+def test_randomness_outside_of_a_parameter_is_found(value: str) -> None:
+    old = "MoveAhead(globalParameters.OPT_ADV_SPEED)"
+    snippet = with_code(few(*CROSS).get(CROSS[0]), old, f"MoveAhead(globalParameters.OPT_ADV_SPEED + {value})")
+    assert {finding.rung for finding in check_code(snippet)} == {"randomness"}
+
+
+def test_a_behavior_that_claims_what_it_does_not_show_is_found(backend: Backend) -> None:
+    library = few(*CROSS)
+    behavior = library.get(CROSS[0])
+    liar = replace(behavior, slots=replace(behavior.slots, actions=(Action.CROSS, Action.REVERSE)))
+    assert rungs(spoilt(library, liar), backend) == {(CROSS[0], "means")}
+
+
+def test_a_spawn_on_the_wrong_side_is_found(backend: Backend) -> None:
+    library = few(*CROSS)
+    mislabelled = replace(load_library().get("spawn/roadside-left"), id=CROSS[2], slots=library.get(CROSS[2]).slots)
+    assert rungs(spoilt(library, mislabelled), backend) == {(CROSS[2], "means")}
+
+
+def test_a_behavior_that_fails_while_it_runs_is_found(backend: Backend) -> None:
+    library = few(*CROSS)
+    broken = with_code(library.get(CROSS[0]), "MoveAhead(globalParameters.OPT_ADV_SPEED)", "MoveAhead('fast')")
+    found = rungs(spoilt(library, broken), backend)
+    assert (CROSS[0], "runs") in found
+
+
+def test_a_spawn_that_overlaps_the_ego_is_found(backend: Backend) -> None:
+    library = few(*CROSS)
+    spawn = library.get(CROSS[2])
+    inside = with_code(spawn, "besideRoad(egoRoute, globalParameters.OPT_GEO_Y, \"right\", globalParameters.OPT_GEO_X)",
+                       "pointOn(egoRoute, 0 * globalParameters.OPT_GEO_Y, 0 * globalParameters.OPT_GEO_X)")  # fmt: skip
+    assert (CROSS[2], "samples") in rungs(spoilt(library, inside), backend)
+
+
+def test_a_snippet_that_nothing_fits_is_found(backend: Backend) -> None:
+    found = rungs(few(*CROSS, "behavior/match-leader"), backend)
+    assert found == {("behavior/match-leader", "partners")}
+
+
+def test_trials_cover_the_library_and_every_kind_of_adversary() -> None:
+    library = load_library()
+    tried = list(trials(library))
+    assert {part.id for triple, _ in tried for part in triple} == {snippet.id for snippet in library}
+    acted = {(triple[0].id, kind) for triple, kind in tried}
+    assert acted >= {(s.id, kind) for s in library if s.component.value == "behavior" for kind in s.adversaries}
+
+
+def test_the_world_model_names_what_snippets_build_on() -> None:
+    assert {"DrivePath", "pointOn", "network", "globalParameters", "abs", "Pedestrian"} <= world_names()
+    assert "egoRoute" not in world_names()
+
+
+def track(name: str, role: Role, kind: str, x: np.ndarray, speed: np.ndarray) -> Track:
+    still = np.zeros_like(x)
+    return Track(actor=name, role=role, kind=kind, length=4.9, width=2.1, x=x, y=still, heading=still, speed=speed)
+
+
+def episode(*tracks: Track) -> Episode:
+    steps = len(tracks[0].x)
+    return Episode(
+        scene_id="s", ego="e", dt=0.1, tracks=tracks, events=(), signals=(), ending=Ending.TIMEOUT, route_completion=0.0,
+        distance_to_route=np.zeros(steps), off_road=np.zeros(steps, bool),
+    )  # fmt: skip
+
+
+def test_a_car_that_drives_through_another_is_implausible() -> None:
+    x = np.linspace(-20.0, 20.0, 41)
+    car = track("adversary", Role.ADVERSARY, "Car", x, np.full(41, 10.0))
+    blocker = track("blocker", Role.OCCLUDER, "Car", np.zeros(41), np.zeros(41))
+    assert list(implausible(episode(car, blocker))) == ["the Car goes through the blocker"]
+
+
+@pytest.mark.parametrize(("speed", "word"), [(np.array([0.0, 5.0, 5.0]), "accelerates"), (np.full(3, 30.0), "reaches")])
+def test_a_car_beyond_its_limits_is_implausible(speed: np.ndarray, word: str) -> None:
+    (problem,) = implausible(episode(track("adversary", Role.ADVERSARY, "Car", np.zeros(3), speed)))
+    assert word in problem
+
+
+def test_the_packaged_library_has_no_finding(backend: Backend) -> None:
+    assert [str(finding) for finding in lint(load_library(), backend, RuleBased())] == []
+
+
+def test_no_snippet_names_a_simulator_or_looks_with_the_eyes_of_scenic() -> None:
+    for path in Path(__file__).parents[1].glob("src/chatscene/snippets/library/*/*.scenic"):
+        code = path.read_text(encoding="utf-8")
+        assert "carla" not in code.casefold(), path
+        assert "can see" not in code, path
