@@ -128,9 +128,17 @@ def track(name: str, role: Role, kind: str, x: np.ndarray, speed: np.ndarray) ->
 def episode(*tracks: Track) -> Episode:
     steps = len(tracks[0].x)
     return Episode(
-        scene_id="s", ego="e", dt=0.1, tracks=tracks, events=(), signals=(), ending=Ending.TIMEOUT, route_completion=0.0,
-        distance_to_route=np.zeros(steps), off_road=np.zeros(steps, bool),
-    )  # fmt: skip
+        scene_id="s",
+        ego="e",
+        dt=0.1,
+        tracks=tracks,
+        events=(),
+        signals=(),
+        ending=Ending.TIMEOUT,
+        route_completion=0.0,
+        distance_to_route=np.zeros(steps),
+        off_road=np.zeros(steps, bool),
+    )
 
 
 def test_a_car_that_drives_through_another_is_implausible() -> None:

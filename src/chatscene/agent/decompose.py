@@ -160,17 +160,21 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
     bypass = bool(words.BYPASS.search(clauses.whole)) and parked
     blocker = (bypass or (parked and bool(words.BLOCKING.search(clauses.ego)))) or None
     actions = _actions(clauses, kind)
-    side = _side(clauses.adversary)
+    side = _side(clauses.adversary) or (_side(clauses.ego) if occluder is not None else None)
     maneuver = Maneuver.BYPASS if blocker else _maneuver(clauses, side, notes)
     control = _control(clauses, actions)
     place = _place(clauses, maneuver, actions)
     if maneuver is None and (place is not None or control is not None):
         maneuver = Maneuver.STRAIGHT
     position = _position(clauses, kind, actions, side, maneuver, occluder if not blocker else None, place)
+    if actions and Action.REVERSE in actions:
+        actions = tuple(action for action in actions if action is not Action.ONCOMING)
     if position is Position.ONCOMING:
         actions = _of_oncoming(actions, kind, place)
-    if kind is None and (actions or position):
-        notes.append("who the adversary is was not said")
+    if kind is None:
+        strangers = words.strangers(clauses.whole)
+        heard = f"; no road user the library has: {', '.join(strangers)}" if strangers else ""
+        notes.append(f"who the adversary is was not said{heard}")
     if not actions:
         notes.append("what the adversary does was not understood")
     return Slots(
@@ -329,7 +333,7 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
         return Position.ROADSIDE
     if words.FAR.search(text) and kind in _ON_FOOT:
         return Position.FAR_CORNER if maneuver in _TURNS else Position.ROADSIDE
-    if words.ONCOMING.search(text):
+    if words.ONCOMING.search(text) and Action.REVERSE not in actions:
         return Position.ONCOMING
     if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)):
         return Position.ROADSIDE
@@ -404,7 +408,9 @@ def _geometry_in_words(slots: Slots, said: str) -> str:
         Control.STOP_SIGN: " with stop signs",
         Control.NONE: " without traffic lights",
     }.get(slots.control, "") if slots.control else ""
-    return f"The ego {does} {where}{how}. {said}".strip()
+    facts = f"The ego {does} {where}{how}."
+    # Kinds of open road differ in what no slot says: how many lanes, what lies beside.
+    return facts if slots.place not in (None, Place.ROAD) else f"{facts} {said}".strip()
 
 
 def _spawn_in_words(slots: Slots) -> str:

@@ -112,9 +112,9 @@ UNPROTECTED = _p(r"unprotected(?: left)?(?: turn)?")
 # Where
 
 PLACES: dict[Place, re.Pattern[str]] = {
-    Place.THREE_WAY: _p(r"(?:three|3)(?:-| )way(?: intersection| junction)?|t(?:-| )(?:junction|intersection)|side (?:road|street)"),
+    Place.THREE_WAY: _p(r"(?:three|3)(?:-| )way(?: intersection| junction)?|t(?:-| )(?:junction|intersection)"),
     Place.FOUR_WAY: _p(r"(?:four|4)(?:-| )way(?: intersection| junction)?|cross ?roads"),
-    Place.JUNCTION: _p(r"intersections?|junctions?|crossing negotiation|traffic lights?|signals?|stop sign"),
+    Place.JUNCTION: _p(r"intersections?|junctions?|crossing negotiation|(?:side|cross) (?:road|street)s?|traffic lights?|signals?|stop sign"),
     Place.CURVE: _p(r"curves?|bends?|curved|winding"),
     Place.ROAD: _p(r"roads?|streets?|highways?|motorways?|lanes?|carriageways?|avenue"),
 }
@@ -122,7 +122,7 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
     Control.NONE: _p(
         r"un-?signali[sz]ed|uncontrolled|unregulated|(?:no|without) (?:traffic )?(?:lights?|signals?)|crossing negotiation"
     ),
-    Control.STOP_SIGN: _p(r"stop(?:-| )signs?|all-way stop"),
+    Control.STOP_SIGN: _p(r"stop(?:-| )signs?|(?:all|two|three|four|4)(?:-| )way stop"),
     Control.SIGNAL: _p(
         r"(?:traffic|red|green) (?:lights?|signals?)|signali[sz]ed|signal-controlled|lights? (?:is|are|turns?) (?:red|green)|"
         r"(?:the|a) red|on (?:red|green)|stop ?lights?|at (?:the|a) (?:lights|signals)"
@@ -135,7 +135,7 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.RUN_LIGHT: _p(
         r"r[ua]n(?:s|ning)? (?:through )?(?:a|the) (?:red|stop ?light|light|signal)\w*",
         r"red(?:-| )light (?:runner|running)",
-        r"(?:jump|ignor|blow|shoot|skip|disregard)\w* (?:past |through )?(?:a|the|its) (?:red|light|traffic light|signal)s?",
+        r"(?:jump|ignor|blow|shoot|skip|disregard|violat|disobey|barrel|sail)\w* (?:past |through )?(?:a|the|its|their) (?:red|light|traffic light|signal)s?",
         r"through (?:a|the) red",
         r"on red",
     ),
@@ -160,7 +160,7 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     ),
     Action.BRAKE: _p(
         r"brak(?:es?|ing|ed)|slam\w* (?:on )?(?:the |its |his |her )?brakes?|brake(?:-| )check\w*|decelerat\w*|emergency stop|"
-        r"stops? (?:dead|short|hard)|brakes? hard|pretends? to"
+        r"stops? (?:short|hard)|brakes? hard|pretends? to"
     ),
     Action.STOP: _p(
         r"stop(?:s|ped|ping)?|halt\w*|fr(?:eez|oze)\w*|stands? still|standstill|dismount\w*|stall\w*|stays? put|blocks? (?:the|our|its) path|"
@@ -170,7 +170,7 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.CROSS: _p(
         r"cross(?:es|ed|ing)?|jaywalk\w*|"
         r"(?:step|walk|run|ran|dash|dart|sprint|rush|bolt|jump|leap|hop|wander|stroll|shuffl|stumbl|rid|pedal|roll|cycl|charg|burst|shoot)\w* "
-        r"(?:out|across|into|onto|in|off|over)|cut(?:s|ting)? across|"
+        r"(?:out|across|into|onto|in|off|over|from)|cut(?:s|ting)? across|"
         r"emerg\w*|appear\w*|pop\w* (?:out|up)|com(?:es|ing) out|enters? the (?:road|street|lane)|across (?:the|our) (?:road|street|path|way|lane)"
     ),
     Action.FOLLOW: _p(
@@ -188,7 +188,7 @@ GOING_ON = _p(r"(?:and|then) (?:then )?(?:walk|go|driv|mov|continu|rid|run)\w* (
 
 # Where the adversary starts
 
-ONCOMING = _p(r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)")
+ONCOMING = _p(r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)|other way")
 FAR = _p(r"opposite (?:sidewalk|side|pavement|kerb|curb|corner|footpath)|far(?:ther|ther)? (?:side|corner|kerb|curb|sidewalk|pavement)|other side")
 CROSSING = _p(r"crossing (?:car|vehicle|truck|bus|traffic|motorcycle)|cross traffic|side (?:road|street)|perpendicular|cross(?:es|ing)")
 NEIGHBOUR = _p(r"(?:target|adjacent|next|neighbou?ring|other|left|right|passing) lane|lane (?:beside|next to|to the)")
@@ -269,3 +269,9 @@ def _is_word(word: str) -> bool:
     """Whether some pattern knows the word as it stands."""
     groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS)
     return any(pattern.fullmatch(word) for group in groups for pattern in group.values())
+
+
+def strangers(text: str) -> list[str]:
+    """What is spoken of as "a …" and is nothing the reader knows."""
+    named = re.findall(r"\b(?:an?|another|some|two|three|several) ([a-z]+)", text)
+    return [word for word in dict.fromkeys(named) if not _is_word(word) and word not in _KNOWN]

@@ -23,8 +23,6 @@ MOST_ACCELERATION = 8.0  # [m/s²]
 MOST_YAW_RATE = 3.0  # [rad/s]
 MOST_INVASIONS = 20.0
 
-TAU = 2 * math.pi
-
 
 def measure(episode: Episode) -> Measurements:
     """The raw numbers of one episode.
@@ -71,8 +69,13 @@ def _turned(heading: Array) -> float:
 
 
 def _reference_yaw(heading: Array) -> Array:
-    """Our heading as the reference sees it: CARLA's yaw, clockwise from the same +x, in (-π, π], not unwrapped."""
-    return np.pi - (heading + np.pi) % TAU
+    """Our heading [rad] as the reference sees it: CARLA's yaw, clockwise from the same +x, in (-π, π].
+
+    CARLA keeps yaw in degrees in single precision. So do we, because a car that drives due west leaves ±180° by
+    1e-11 rad and back in double precision, and each time would count as a full turn.
+    """
+    yaw = 180.0 - (np.degrees(heading).astype(np.float32) + 180.0) % 360.0
+    return np.radians(yaw.astype(np.float64))
 
 
 def score(measurements: Sequence[Measurements], *, mode: Mode = Mode.PAPER) -> Metrics:
@@ -142,7 +145,7 @@ def columns(measurements: Measurements) -> dict[str, float]:
 def average_displacement(tracks: Sequence[Track]) -> float:
     """ADE: how far apart adversaries are at equal times [m], averaged over every pair of scenes.
 
-    Paper, section 4 ("Metrics"). The paper gives neither the pairing nor the rule for unequal lengths; ours pairs
+    Paper, section 4.1 ("Metrics"). The paper gives neither the pairing nor the rule for unequal lengths; ours pairs
     the scenes of one scenario on one route, and compares two tracks while both run. The mean over several
     scenarios and routes is the mean of their values.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from chatscene.errors import MapError
+from chatscene.maps.lane_runs import lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 
@@ -31,7 +32,7 @@ def neighbour_line(network: Any, route: Route, side: str) -> Polyline:
     beside = section._laneToLeft if side == "left" else section._laneToRight
     if beside is None:
         raise MapError(f"route {route.id!r} on map {route.map_name!r} has no lane to its {side}")
-    line = Polyline(beside.lane.centerline.points)
+    line = lane_runs(network)[beside.lane.uid].line
     if beside.isForward != section.isForward:
         return line
     level, _, _ = line.project(x, y)

@@ -34,10 +34,9 @@ from chatscene.world.limits import LIMITS
 Triple = tuple[Snippet, Snippet, Snippet]
 
 PROBES = 4  # scenes per program
-RANDOM = frozenset(
-    "Range DiscreteRange Uniform Discrete Options Normal TruncatedNormal VerifaiRange VerifaiOptions "
-    "VerifaiDiscreteRange VerifaiParameter resample random numpy".split()
-)
+RANDOM = re.compile(
+    r"\b(\w*Range|Uniform|Discrete|Options|Normal|TruncatedNormal|VerifaiOptions|VerifaiParameter|resample|random|numpy)\b"
+)  # Scenic's distributions, and where Python's come from
 TOWN_SPEED = 20.0  # [m/s]; nobody in our scenes has a reason to drive faster
 SLACK = 0.5  # [m/s²], rounding of speeds over one step
 _FAULTS = (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError)  # of a snippet's own code
@@ -50,7 +49,8 @@ class Finding:
 
     Attributes:
         snippet_id: Whose.
-        rung: ``names``, ``parameters``, ``randomness``, ``partners``, ``runs``, ``samples``, ``plausible`` or ``means``.
+        rung: ``names``, ``parameters``, ``randomness``, ``partners``, ``runs``, ``samples``, ``plausible`` or
+            ``means``.
         message: What is wrong.
     """
 
@@ -108,8 +108,8 @@ def check_code(snippet: Snippet) -> Iterator[Finding]:
 
 
 def _other_randomness(source: str, ranges: int) -> str:
-    names = re.findall(r"\b[A-Za-z_]\w*", re.sub(r"#.*", "", source))
-    others = sorted({name for name in names if name in RANDOM and name != "Range"})
+    names: list[str] = RANDOM.findall(re.sub(r"#.*", "", source))
+    others = sorted(set(names) - {"Range"})
     return ", ".join(others) or ("Range" if names.count("Range") > ranges else "")
 
 
@@ -147,7 +147,9 @@ def trials(library: Library) -> Iterator[tuple[Triple, AdversaryKind]]:
         return triple
 
     for behavior in library.of(Component.BEHAVIOR):
-        possible = [t for t in ((behavior, *pair) for pair in product(geometries, spawns)) if incompatibility(*t) is None]
+        possible = [
+            t for t in ((behavior, *pair) for pair in product(geometries, spawns)) if incompatibility(*t) is None
+        ]
         for kind in behavior.adversaries:
             triple = fewest(t for t in possible if kind in t[2].adversaries)
             if triple is not None:
@@ -171,7 +173,9 @@ def _try(triple: Triple, kind: AdversaryKind, backend: Backend, ego: EgoPolicy) 
         yield Finding(behavior.id, "runs", f"{where}: {type(error).__name__}: {error}")
         return
     if len(rejected) > PROBES // 2:
-        yield Finding(triple[2].id, "samples", f"{len(rejected)} of {PROBES} not placed: {rejected[0]} ({behavior.id} {where})")
+        yield Finding(
+            triple[2].id, "samples", f"{len(rejected)} of {PROBES} not placed: {rejected[0]} ({behavior.id} {where})"
+        )
     for episode in episodes:
         for problem in implausible(episode):
             yield Finding(behavior.id, "plausible", f"{problem} ({where})")

@@ -1,6 +1,6 @@
 """Step 6 of 9: move the ranges to where collisions were.
 
-Paper: section 3.3, step iv. Released code: ``scenic_utils.py``; decision 0004 says what we keep of it and what not.
+Paper: section 3.3, step v. Released code: ``scenic_utils.py``; decision 0004 says what we keep of it and what not.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.compatibility import Compatibility, agree, compatibility, incompatibility
-from chatscene.snippets.embedding import Embedder, encode_cached
+from chatscene.snippets.embedding import Embedder, Vectors, encode_cached
 from chatscene.snippets.library import Library
 from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet
@@ -27,6 +27,9 @@ OF_COMPONENT: dict[Component, tuple[str, ...]] = {
 }
 CONFLICT = 1.5  # what one contradicted fact costs; more than any similarity can make up for
 UNASKED = 0.12  # what one thing nobody asked for costs: an occluder, a leader, a further action
+CONTRADICTED = 0.3  # confidence left by a fact that the triple contradicts: its program would not mean what was said
+NO_ACTION = 0.45  # confidence left where nothing the adversary does was understood
+NO_ADVERSARY = 0.3  # … or who it is
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open
 
 Scores = NDArray[np.float64]
@@ -152,7 +155,7 @@ def _words(value: object) -> str:
 def _similarities(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> tuple[Scores, list[str]]:
     """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
     index, owners, wordings = _index(snippets, embedder)
-    cosines, rows = index.search(embedder.encode([text]), len(wordings))
+    cosines, rows = index.search(_query(text, embedder), len(wordings))
     best = np.full(len(snippets), -np.inf)
     nearest_text = [""] * len(snippets)
     for cosine, row in zip(cosines[0], rows[0], strict=True):  # best first: the first of each owner counts
@@ -160,6 +163,12 @@ def _similarities(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) 
             best[owners[row]] = cosine
             nearest_text[owners[row]] = wordings[row]
     return best, nearest_text
+
+
+@lru_cache(maxsize=256)
+def _query(text: str, embedder: Embedder) -> Vectors:
+    """A text's row; geometries and spawns are put into few different words, so most are asked for again."""
+    return embedder.encode([text])
 
 
 @lru_cache(maxsize=8)
@@ -188,10 +197,11 @@ def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
 def _confidence(scenario: Scenario, triple: tuple[Match, ...]) -> float:
     """In [0, 1]: how much was said that we understand, how much of it the triple does, how near its wording is."""
     said = scenario.slots.said()
-    understood = min(1.0, len(said) / 3) * (1.0 if scenario.slots.actions else 0.6)
+    understood = min(1.0, len(said) / 3) * (1.0 if scenario.slots.actions else NO_ACTION)
+    understood *= 1.0 if scenario.slots.adversary is not None else NO_ADVERSARY
     facts = sum(match.agreement for match in triple) / len(triple)
     wording = (0.6 * triple[0].similarity + 0.2 * triple[1].similarity + 0.2 * triple[2].similarity - 0.2) / 0.5
-    broken = 0.5 ** sum(len(match.conflicts) for match in triple)
+    broken = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
     return float(understood * broken * (0.6 * facts + 0.4 * min(max(wording, 0.0), 1.0)))
 
 

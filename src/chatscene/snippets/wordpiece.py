@@ -13,6 +13,7 @@ from pathlib import Path
 
 VOCABULARY = Path(__file__).with_name("vocab.txt")
 LONGEST_WORD = 100  # characters; longer ones are unknown, as in the reference
+_IDEOGRAPHS = ((0x4E00, 0x9FFF), (0x3400, 0x4DBF), (0xF900, 0xFAFF), (0x20000, 0x2FA1F))
 _CLS, _SEP, _UNKNOWN = "[CLS]", "[SEP]", "[UNK]"
 
 
@@ -35,7 +36,7 @@ def _words(text: str) -> Iterator[str]:
         kind = unicodedata.category(char)
         if kind == "Mn":
             continue
-        alone = _is_punctuation(char, kind) or 0x4E00 <= ord(char) <= 0x9FFF
+        alone = _is_punctuation(char, kind) or any(low <= ord(char) <= high for low, high in _IDEOGRAPHS)
         if word and (alone or char.isspace()):
             yield word
             word = ""
@@ -51,7 +52,7 @@ def _cleaned(text: str) -> Iterator[str]:
     for char in text:
         if char in "\t\n\r":
             yield " "
-        elif char != "\ufffd" and not unicodedata.category(char).startswith("C"):
+        elif char != "\ufffd" and unicodedata.category(char) not in ("Cc", "Cf", "Co", "Cs"):
             yield char
 
 

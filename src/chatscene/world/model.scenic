@@ -9,6 +9,9 @@ if 'map' not in globalParameters:
     from chatscene.maps.network import resolve_map as _resolve_map
     param map = str(_resolve_map('town'))
 
+from chatscene.maps.network import install_network_memo as _install_network_memo
+_install_network_memo()  # no parsed copy of the map beside the map itself
+
 from scenic.domains.driving.model import *
 
 from chatscene.world.actions import DriveAction, WalkAction

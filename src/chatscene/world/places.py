@@ -17,6 +17,7 @@ from scenic.core.distributions import distributionFunction
 from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
+from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
 from chatscene.terms.polyline import Polyline
@@ -60,8 +61,9 @@ class EgoRoute:
 def _exit_of(route: Route, network: Any) -> float:
     if route.junction is None:
         return route.event_at
-    x, y, *_ = network.elements[route.lane_ids[-1]].centerline.points[0]
-    return route.line.project(x, y)[0]
+    through = {m.connectingLane.uid for m in network.elements[route.junction].maneuvers if m.connectingLane}
+    last = next(uid for uid in reversed(route.lane_ids) if uid in through)
+    return route.line.project(*centre_line(network.elements[last]).points[-1])[0]
 
 
 def routes_for(
@@ -233,19 +235,19 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
 
 def laneLine(lane: Any, least: float = 200.0) -> Polyline:  # noqa: N802
     """The centre line of a lane and of the straightest lanes after it, at least `least` [m] if the map goes on."""
-    line = Polyline(lane.centerline.points)
+    line = centre_line(lane)
     while line.length < least and lane.maneuvers:
         straight = [m for m in lane.maneuvers if m.type.name == "STRAIGHT"]
         maneuver = (straight or list(lane.maneuvers))[0]
         parts = [part for part in (maneuver.connectingLane, maneuver.endLane) if part is not None]
-        line = Polyline.join(line, *(Polyline(part.centerline.points) for part in parts))
+        line = Polyline.join(line, *(centre_line(part) for part in parts))
         lane = maneuver.endLane
     return line
 
 
 def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
     """The centre line of the lane the ego starts in, from level with its start on, whatever the route does."""
-    line = Polyline(route.network.elements[route.route.lane_ids[0]].centerline.points)
+    line = lane_runs(route.network)[route.route.lane_ids[0]].line
     level, _, _ = line.project(*route.line.point_at(0.0))
     return line.between(level, line.length)
 

@@ -49,7 +49,7 @@ class RouteSurroundings:
         self._approach = route.line.heading_at(max(route.event_at - 1.0, 0.0))
 
     def _own(self, line: StopLine) -> bool:
-        return line.lane == self._route.lane_ids[0]
+        return line.lane in self._route.lane_ids
 
     def same_lane(self, x: float, y: float, other_x: float, other_y: float) -> bool:
         """Whether two points lie in the same lane of the route."""

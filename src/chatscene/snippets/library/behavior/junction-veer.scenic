@@ -26,8 +26,8 @@
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_ADV_AMPLITUDE"
-#: low = 1.2
-#: high = 2.5
+#: low = 1.6
+#: high = 2.6
 #: unit = "m"
 #: meaning = "how far it swings to either side"
 #: [[parameters]]
@@ -39,7 +39,7 @@
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(5, 9)
-param OPT_ADV_AMPLITUDE = Range(1.2, 2.5)
+param OPT_ADV_AMPLITUDE = Range(1.6, 2.6)
 param OPT_ADV_PERIOD = Range(2, 3.5)
 
 advTurn = "straight"

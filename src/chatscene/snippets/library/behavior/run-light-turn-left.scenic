@@ -7,18 +7,17 @@
 #:   "The motorcyclist disregards the lights and sweeps round leftward.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
+#: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenario red-light-running; own code"
 #: [slots]
 #: actions = ["run-light", "turn-left"]
 #: position = "crossing"
 #: control = "signal"
-#: maneuver = "straight"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 12.0
-#: high = 48.0
+#: low = 18.0
+#: high = 42.0
 #: unit = "m"
 #: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
@@ -27,12 +26,20 @@
 #: high = 10.0
 #: unit = "m/s"
 #: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_SWERVE_DISTANCE"
+#: low = 0.0
+#: high = 8.0
+#: unit = "m"
+#: meaning = "how far before the place where their ways meet it turns"
 
-param OPT_ADV_DISTANCE = Range(12, 48)
+param OPT_ADV_DISTANCE = Range(18, 42)
 param OPT_ADV_SPEED = Range(5, 10)
+param OPT_SWERVE_DISTANCE = Range(0, 8)
 
-advTurn = "left-turn"
+advTurn = "straight"
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < globalParameters.OPT_SWERVE_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 1.5708)

@@ -16,8 +16,8 @@
 #: control = "signal"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 12.0
-#: high = 48.0
+#: low = 18.0
+#: high = 42.0
 #: unit = "m"
 #: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
@@ -33,7 +33,7 @@
 #: unit = "m"
 #: meaning = "how far before the place where their ways meet it turns"
 
-param OPT_ADV_DISTANCE = Range(12, 48)
+param OPT_ADV_DISTANCE = Range(18, 42)
 param OPT_ADV_SPEED = Range(5, 10)
 param OPT_SWERVE_DISTANCE = Range(0, 8)
 

@@ -22,8 +22,8 @@
 #: meaning = "how far along the ego's route it starts"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.8
-#: high = 2.6
+#: low = 0.6
+#: high = 2.5
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 #: [[parameters]]
@@ -34,7 +34,7 @@
 #: meaning = "how far before it, along the road, the middle of what hides it stands"
 
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_GEO_X = Range(0.6, 2.5)
 param OPT_BLOCKER_GAP = Range(3.4, 5.1)
 
 new Car at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "left", 1.2),

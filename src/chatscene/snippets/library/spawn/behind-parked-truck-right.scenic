@@ -22,7 +22,7 @@
 #: meaning = "how far along the ego's route it starts"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 0.8
+#: low = 0.6
 #: high = 2.6
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
@@ -34,7 +34,7 @@
 #: meaning = "how far before it, along the road, the middle of what hides it stands"
 
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(0.8, 2.6)
+param OPT_GEO_X = Range(0.6, 2.6)
 param OPT_BLOCKER_GAP = Range(4.8, 6.5)
 
 new Truck at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "right", 1.35),
