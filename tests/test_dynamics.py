@@ -59,12 +59,12 @@ def test_steering_right_turns_clockwise() -> None:
 
 
 def test_a_slow_car_drives_the_circle_that_its_wheel_angle_gives() -> None:
-    body = vehicle(speed=2.0)
-    body.wheel = -0.3 * LIMITS["Car"].wheel_angle
-    body.steer, body.target_speed = 0.3, 2.0
+    car = vehicle(speed=2.0)
+    car.wheel = -0.3 * LIMITS["Car"].wheel_angle
+    car.steer, car.target_speed = 0.3, 2.0
     radius = LIMITS["Car"].wheelbase / math.tan(0.3 * LIMITS["Car"].wheel_angle)
-    run(body, 100)
-    turned = -body.heading
+    run(car, 100)
+    turned = -car.heading
     # The centre runs on a slightly larger circle than the rear axle.
     assert turned == pytest.approx(2.0 * 100 * DT / math.hypot(radius, LIMITS["Car"].wheelbase / 2), rel=0.02)
 

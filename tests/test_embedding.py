@@ -38,7 +38,7 @@ def test_the_vocabulary_is_that_of_bert_base_uncased() -> None:
 
 
 @pytest.fixture(scope="module")
-def reference():  # noqa: ANN201 - the package is optional
+def reference():
     tokenizers = pytest.importorskip("tokenizers", reason="the reference tokenizer is a test extra")
     return tokenizers.BertWordPieceTokenizer(vocab=str(VOCABULARY), lowercase=True)
 
@@ -51,12 +51,14 @@ CHARACTERS = st.characters(max_codepoint=0x9FA5, categories=("L", "Nd", "P", "S"
 
 @given(text=st.text(CHARACTERS, max_size=60))
 @settings(max_examples=300, deadline=None)
-def test_any_text_is_cut_into_the_pieces_the_reference_cuts_it_into(reference, text: str) -> None:  # noqa: ANN001
+def test_any_text_is_cut_into_the_pieces_the_reference_cuts_it_into(reference, text: str) -> None:
     assert tokenize(text, 10_000) == reference.encode(text).ids
 
 
-@pytest.mark.parametrize("text", [*TEXTS, "", "a" * 150, "don't e-bike/T-junction", "\u00ad\u200bcar\ttruck\r\nbus", "ＡＢＣ ①"])
-def test_awkward_text_is_cut_as_the_reference_cuts_it(reference, text: str) -> None:  # noqa: ANN001
+@pytest.mark.parametrize(
+    "text", [*TEXTS, "", "a" * 150, "don't e-bike/T-junction", "\u00ad\u200bcar\ttruck\r\nbus", "ＡＢＣ ①"]
+)
+def test_awkward_text_is_cut_as_the_reference_cuts_it(reference, text: str) -> None:
     assert tokenize(text, 10_000) == reference.encode(text).ids
 
 
@@ -113,7 +115,9 @@ def test_weights_that_are_not_the_pinned_ones_are_refused(monkeypatch: pytest.Mo
         MiniLM()
 
 
-def test_a_library_is_encoded_once_and_then_read_from_the_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_library_is_encoded_once_and_then_read_from_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     embedder = Counting()
     first, again = encode_cached(embedder, TEXTS), encode_cached(embedder, TEXTS)
@@ -124,7 +128,9 @@ def test_a_library_is_encoded_once_and_then_read_from_the_cache(tmp_path: Path, 
 
 
 @pytest.mark.parametrize("damage", [b"", b"not numpy", "short"])
-def test_a_damaged_cache_is_computed_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes | str) -> None:
+def test_a_damaged_cache_is_computed_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes | str
+) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     embedder = Counting()
     rows = encode_cached(embedder, TEXTS)

@@ -11,7 +11,7 @@ from chatscene.terms.scenario import Action, AdversaryKind, Component, Place
 SMALL = Path(__file__).parent / "fixtures" / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
 WORLD = {"selectRoute", "startOf", "MoveAhead", "DrivePath", "Range", "globalParameters", "trafficFrom", "wayOf"}
-WORLD |= {"besideRoad", "pointOn"}
+WORLD |= {"besideRoad", "pointOn", "headway", "self"}
 
 
 def broken(tmp_path: Path, old: str, new: str) -> Path:
@@ -57,7 +57,8 @@ def test_a_folder_without_snippets_is_refused(tmp_path: Path) -> None:
         ('#: description', '#: descriptoin', "lacks description"),
         ('#: origin = "test"', '#: origin = "test"\n#: colour = "red"', "colour"),
         ('actions = ["cross"]', 'actions = ["fly"]', "slots.actions"),
-        ('actions = ["cross"]', 'acts = ["cross"]', "slots"),
+        ('actions = ["cross"]', 'acts = ["cross"]', "slots has unknown keys acts"),
+        ('#: unit', '#: units', "parameters.0 has unknown keys units"),
         ('adversaries = ["pedestrian"', 'adversaries = ["dragon"', "adversaries"),
         ('#:   "He crosses without stopping.",\n', "", "at least 5 rephrasings"),
         ("He crosses without stopping.", "A PERSON goes to the other side.", "each different"),
@@ -85,7 +86,7 @@ def test_a_file_that_is_not_text_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("snippet", load_library(SMALL).snippets, ids=lambda s: s.id)
-def test_the_contract_in_a_header_is_the_one_the_code_keeps(snippet) -> None:  # noqa: ANN001
+def test_the_contract_in_a_header_is_the_one_the_code_keeps(snippet) -> None:
     found = names_of(snippet.source, WORLD)
     assert found.requires == snippet.requires
     assert found.provides == snippet.provides

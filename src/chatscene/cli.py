@@ -81,7 +81,7 @@ def main() -> None:
     "--jobs",
     default=None,
     type=click.IntRange(min=1),
-    help="Processes; default: one per core, at most one per route.",
+    help="Processes; default: as many as pay.",
 )
 def run(
     text: str,
@@ -111,7 +111,7 @@ def run(
         settings=settings,
         map_name=map_name,
         ego_name=ego,
-        jobs=jobs or _cores(),
+        jobs=jobs or _jobs(scenes, routes),
         progress=_progress(),
     )
     _say_done(folder, report)
@@ -128,7 +128,7 @@ def resume(folder: Path, jobs: int | None) -> None:
     """
     from chatscene import pipeline
 
-    report = pipeline.resume(folder, jobs=jobs or _cores(), progress=_progress())
+    report = pipeline.resume(folder, jobs=jobs or 1, progress=_progress())
     _say_done(folder, report)
 
 
@@ -336,8 +336,10 @@ def doctor(as_json: bool) -> None:
         sys.exit(1)
 
 
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+def _jobs(scenes: int, routes: int) -> int:
+    """As many processes as pay: starting one costs about as much as 250 scenes."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(cores, routes, scenes * routes // 250))
 
 
 def _progress() -> Callable[[str, int, int], None]:

@@ -9,7 +9,7 @@ from chatscene.errors import SettingsError
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SearchSettings:
-    """How parameters are moved toward collision (paper, section 4.1; released code, ``scenic_utils.py``).
+    """How parameters are moved toward collision (paper, sections 3.3 and 4.2; released code, ``scenic_utils.py``).
 
     Attributes:
         scenes: Simulations per scenario and route (paper: 50).

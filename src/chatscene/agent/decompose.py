@@ -72,9 +72,7 @@ def decompose(text: str) -> Scenario:
     if not plain:
         raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
     if len(plain) > LONGEST:
-        raise SettingsError(
-            f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}"
-        )
+        raise SettingsError(f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}")
     lowered = plain.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
     mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), lowered)
     clauses = _clauses(mended)
@@ -213,7 +211,9 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
     text = clauses.adversary
     for pattern in words.OCCLUDERS.values():
         text = pattern.sub(" ", text)
-    text = re.sub(r"\bstop(?:-| )signs?\b|\bslow(?:-| )?moving\b|\bcrossing (?=car|vehicle|truck|bus|traffic)", " ", text)
+    text = re.sub(
+        r"\bstop(?:-| )signs?\b|\bslow(?:-| )?moving\b|\bcrossing (?=car|vehicle|truck|bus|traffic)", " ", text
+    )
     found = {action for action, pattern in words.ACTIONS.items() if _says(pattern, text)}
     if kind is not None and kind not in _ON_FOOT:
         found -= {Action.CROSS, Action.DIAGONAL}
@@ -249,9 +249,7 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
     return tuple(action for action in Action if action in found)
 
 
-def _of_oncoming(
-    actions: tuple[Action, ...], kind: AdversaryKind | None, place: Place | None
-) -> tuple[Action, ...]:
+def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place: Place | None) -> tuple[Action, ...]:
     """What somebody who comes toward the ego does.
 
     On open road, coming toward the ego is itself what he does, and on foot he enters the lane rather than crosses
@@ -354,7 +352,9 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
         return Position.BEHIND
     if side is not None and Action.CUT_IN in actions:
         return Position.BESIDE
-    return Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
+    return (
+        Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
+    )
 
 
 # What goes on
@@ -403,11 +403,15 @@ def _geometry_in_words(slots: Slots, said: str) -> str:
         Place.FOUR_WAY: "at a four-way intersection",
         Place.JUNCTION: "at an intersection",
     }.get(slots.place or Place.ROAD, "on a road")
-    how = {
-        Control.SIGNAL: " with traffic lights",
-        Control.STOP_SIGN: " with stop signs",
-        Control.NONE: " without traffic lights",
-    }.get(slots.control, "") if slots.control else ""
+    how = (
+        {
+            Control.SIGNAL: " with traffic lights",
+            Control.STOP_SIGN: " with stop signs",
+            Control.NONE: " without traffic lights",
+        }.get(slots.control, "")
+        if slots.control
+        else ""
+    )
     facts = f"The ego {does} {where}{how}."
     # Kinds of open road differ in what no slot says: how many lanes, what lies beside.
     return facts if slots.place not in (None, Place.ROAD) else f"{facts} {said}".strip()
@@ -415,17 +419,21 @@ def _geometry_in_words(slots: Slots, said: str) -> str:
 
 def _spawn_in_words(slots: Slots) -> str:
     side = f" on the {slots.side}" if slots.side else ""
-    where = {
-        Position.AHEAD: "ahead of the ego in the same lane",
-        Position.ROADSIDE: f"at the side of the road{side} ahead of the ego",
-        Position.BESIDE: f"level with the ego in the neighbouring lane{side}",
-        Position.AHEAD_BESIDE: f"ahead of the ego in the neighbouring lane{side}",
-        Position.BEHIND: "behind the ego in the same lane",
-        Position.BEHIND_BESIDE: f"behind the ego in the neighbouring lane{side}",
-        Position.ONCOMING: "coming toward the ego from the opposite direction",
-        Position.CROSSING: f"coming from the {slots.side or 'side'} arm of the intersection",
-        Position.FAR_CORNER: f"on the opposite sidewalk{side} of the road the ego turns into",
-    }.get(slots.position, f"ahead of the ego{side}") if slots.position else f"ahead of the ego{side}"
+    where = (
+        {
+            Position.AHEAD: "ahead of the ego in the same lane",
+            Position.ROADSIDE: f"at the side of the road{side} ahead of the ego",
+            Position.BESIDE: f"level with the ego in the neighbouring lane{side}",
+            Position.AHEAD_BESIDE: f"ahead of the ego in the neighbouring lane{side}",
+            Position.BEHIND: "behind the ego in the same lane",
+            Position.BEHIND_BESIDE: f"behind the ego in the neighbouring lane{side}",
+            Position.ONCOMING: "coming toward the ego from the opposite direction",
+            Position.CROSSING: f"coming from the {slots.side or 'side'} arm of the intersection",
+            Position.FAR_CORNER: f"on the opposite sidewalk{side} of the road the ego turns into",
+        }.get(slots.position, f"ahead of the ego{side}")
+        if slots.position
+        else f"ahead of the ego{side}"
+    )
     hidden = f", hidden behind a {slots.occluder.replace('-', ' ')}" if slots.occluder else ""
     leader = ", and a slow car leads the ego" if slots.leader else ""
     blocked = ", beyond a car parked in the ego's lane" if slots.blocker else ""

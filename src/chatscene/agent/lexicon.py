@@ -114,7 +114,9 @@ UNPROTECTED = _p(r"unprotected(?: left)?(?: turn)?")
 PLACES: dict[Place, re.Pattern[str]] = {
     Place.THREE_WAY: _p(r"(?:three|3)(?:-| )way(?: intersection| junction)?|t(?:-| )(?:junction|intersection)"),
     Place.FOUR_WAY: _p(r"(?:four|4)(?:-| )way(?: intersection| junction)?|cross ?roads"),
-    Place.JUNCTION: _p(r"intersections?|junctions?|crossing negotiation|(?:side|cross) (?:road|street)s?|traffic lights?|signals?|stop sign"),
+    Place.JUNCTION: _p(
+        r"intersections?|junctions?|crossing negotiation|(?:side|cross) (?:road|street)s?|traffic lights?|signals?|stop sign"
+    ),
     Place.CURVE: _p(r"curves?|bends?|curved|winding"),
     Place.ROAD: _p(r"roads?|streets?|highways?|motorways?|lanes?|carriageways?|avenue"),
 }
@@ -143,11 +145,15 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
         r"(?:turn|go|run|walk|jump|step|dart)(?:s|es|ing)? back|turns? around|chang\w* (?:his|her|its|their) mind|retreats?"
     ),
     Action.DIAGONAL: _p(r"diagonal(?:ly)?|at an angle|slant\w*|obliquely"),
-    Action.HESITATE: _p(r"hesitat\w*|dither\w*|pauses?|stop(?:-| )and(?:-| )go|fits and starts|again and again|wavers?"),
+    Action.HESITATE: _p(
+        r"hesitat\w*|dither\w*|pauses?|stop(?:-| )and(?:-| )go|fits and starts|again and again|wavers?"
+    ),
     Action.REVERSE: _p(r"revers\w*|back(?:s|ing)? (?:up|out)|backwards?|rolls? back"),
     Action.WEAVE: _p(r"weav\w*|zig-?zag\w*|erratic(?:ally)?|snak\w*|side to side|stagger\w*|slalom\w*|between lanes"),
     Action.SWERVE: _p(r"swerv\w*|veer\w*|drifts?|lurch\w*|jink\w*"),
-    Action.PACE: _p(r"parallel|alongside|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"),
+    Action.PACE: _p(
+        r"parallel|alongside|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"
+    ),
     Action.CHANGE_LANE: _p(r"original lane|chang\w* lanes?|lane change"),
     Action.CUT_IN: _p(
         r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up|across)|merg\w*|squeez\w*(?: in)?|"
@@ -166,7 +172,9 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
         r"stop(?:s|ped|ping)?|halt\w*|fr(?:eez|oze)\w*|stands? still|standstill|dismount\w*|stall\w*|stays? put|blocks? (?:the|our|its) path|"
         r"blocking (?:the|our|its) path|motionless"
     ),
-    Action.SLOW: _p(r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|at walking pace"),
+    Action.SLOW: _p(
+        r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|at walking pace"
+    ),
     Action.CROSS: _p(
         r"cross(?:es|ed|ing)?|jaywalk\w*|"
         r"(?:step|walk|run|ran|dash|dart|sprint|rush|bolt|jump|leap|hop|wander|stroll|shuffl|stumbl|rid|pedal|roll|cycl|charg|burst|shoot)\w* "
@@ -180,7 +188,9 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
 }
 RUNNING = _p(r"r[ua]n(?:s|ning)? (?:out|across|into|onto|over|off)")
 CUTTING_IN = _p(r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up)|merg\w*|squeez\w*")
-PASSING = _p(r"(?:does|do|did)(?: not|n't)|never|without|through|crossing|cross(?:es)?|oncoming|enters?|arriv\w*|com(?:es|ing)|approach\w*")
+PASSING = _p(
+    r"(?:does|do|did)(?: not|n't)|never|without|through|crossing|cross(?:es)?|oncoming|enters?|arriv\w*|com(?:es|ing)|approach\w*"
+)
 FEINT = _p(r"pretend\w*|feint\w*|fakes?|as if to cross|about to cross|seems? to")
 MATCHING = _p(r"match\w* (?:the |its )?(?:speed|pace)|speed of the (?:slow|lead)\w*|blocks? (?:the )?(?:ego|us) from")
 ERRATIC = _p(r"erratic\w*")
@@ -188,9 +198,15 @@ GOING_ON = _p(r"(?:and|then) (?:then )?(?:walk|go|driv|mov|continu|rid|run)\w* (
 
 # Where the adversary starts
 
-ONCOMING = _p(r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)|other way")
-FAR = _p(r"opposite (?:sidewalk|side|pavement|kerb|curb|corner|footpath)|far(?:ther|ther)? (?:side|corner|kerb|curb|sidewalk|pavement)|other side")
-CROSSING = _p(r"crossing (?:car|vehicle|truck|bus|traffic|motorcycle)|cross traffic|side (?:road|street)|perpendicular|cross(?:es|ing)")
+ONCOMING = _p(
+    r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)|other way"
+)
+FAR = _p(
+    r"opposite (?:sidewalk|side|pavement|kerb|curb|corner|footpath)|far(?:ther|ther)? (?:side|corner|kerb|curb|sidewalk|pavement)|other side"
+)
+CROSSING = _p(
+    r"crossing (?:car|vehicle|truck|bus|traffic|motorcycle)|cross traffic|side (?:road|street)|perpendicular|cross(?:es|ing)"
+)
 NEIGHBOUR = _p(r"(?:target|adjacent|next|neighbou?ring|other|left|right|passing) lane|lane (?:beside|next to|to the)")
 BEHIND = _p(r"(?:from )?behind|rear|tailgat\w*|back")
 AHEAD = _p(r"ahead|(?:in )?front|lead(?:ing)?|preceding")
@@ -211,14 +227,7 @@ NEGATED = re.compile(
     r"(?: \w+){0,2}$"
 )
 
-_KNOWN = (
-    "pedestrian bicycle cyclist motorcycle motorcyclist vehicle truck intersection junction crossing crosses oncoming "
-    "suddenly brakes braking accelerates reverses swerves weaves merges overtake overtaking parked behind stops turning "
-    "turns vending machine kiosk container straight signal traffic light opposite lane right left front ahead freezes "
-    "halts street sprints dashes unprotected changing changes driving walks steps running parallel alongside slowly "
-    "direction hesitates diagonally adversarial sidewalk roadside pavement before across motorbike scooter abruptly "
-    "signalised signalized unsignalised curve approach approaching slams hidden appears emerges cutting"
-).split()
+_KNOWN = ["pedestrian", "bicycle", "cyclist", "motorcycle", "motorcyclist", "vehicle", "truck", "intersection", "junction", "crossing", "crosses", "oncoming", "suddenly", "brakes", "braking", "accelerates", "reverses", "swerves", "weaves", "merges", "overtake", "overtaking", "parked", "behind", "stops", "turning", "turns", "vending", "machine", "kiosk", "container", "straight", "signal", "traffic", "light", "opposite", "lane", "right", "left", "front", "ahead", "freezes", "halts", "street", "sprints", "dashes", "unprotected", "changing", "changes", "driving", "walks", "steps", "running", "parallel", "alongside", "slowly", "direction", "hesitates", "diagonally", "adversarial", "sidewalk", "roadside", "pavement", "before", "across", "motorbike", "scooter", "abruptly", "signalised", "signalized", "unsignalised", "curve", "approach", "approaching", "slams", "hidden", "appears", "emerges", "cutting"]
 
 
 _REAL = frozenset(("baking", "barking", "brining"))  # words a letter away from ours that are no typos
@@ -239,7 +248,7 @@ def mended(word: str) -> str:
 
 def _is_slip(word: str, known: str) -> bool:
     if len(known) < 8:
-        return len(word) != len(known) and edits(word, known) == 1 or _swapped(word, known)
+        return (len(word) != len(known) and edits(word, known) == 1) or _swapped(word, known)
     return edits(word, known) <= (2 if len(known) >= 9 else 1)
 
 

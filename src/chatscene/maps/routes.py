@@ -1,6 +1,6 @@
 """Find routes for the ego: ten diverse ones for a geometry, on any map that has it.
 
-Paper: section 4.1 (ten routes per base scenario). Routes are found from the road network alone, in a fixed order,
+Paper: section 4.2 (ten routes per base scenario). Routes are found from the road network alone, in a fixed order,
 so that a route's number means the same everywhere.
 """
 

@@ -13,7 +13,7 @@ from chatscene.maps.network import load_network
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.terms.route import RouteQuery
 
-ROUTES = 10  # per base scenario, as in the paper (section 4.1)
+ROUTES = 10  # per base scenario, as in the paper (section 4.2)
 _SHARED = 0.5  # [m]; lanes of one road that overlap more widely than this are a fault of the map
 
 

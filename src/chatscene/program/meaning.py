@@ -29,7 +29,8 @@ OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
-TURNED = math.radians(25)  # a vehicle that stops midway through its turn is seen to turn from here on
+TURNED = math.radians(45)
+TURNED_MIDWAY = math.radians(25)  # of a vehicle that ends up standing in its turn
 
 
 @dataclass(frozen=True, slots=True)
@@ -329,8 +330,10 @@ def _runs_light(s: Seen) -> bool:
     )
 
 
-def _turned(s: Seen) -> float:
-    return float(s.track.heading[-1] - s.track.heading[0])
+def _turns(s: Seen, sign: int) -> bool:
+    """Whether it turns left (`sign` 1) or right (-1); one that stops in its turn need not have finished it."""
+    turned = sign * float(s.track.heading[-1] - s.track.heading[0])
+    return turned > (TURNED_MIDWAY if _speed(s)[-1] < STANDING else TURNED)
 
 
 def _hesitates(s: Seen) -> bool:
@@ -366,8 +369,8 @@ ACTIONS: dict[Action, Callable[[Seen], bool]] = {
     Action.SWERVE: _swerves,
     Action.PACE: _paces,
     Action.RUN_LIGHT: _runs_light,
-    Action.TURN_LEFT: lambda s: _turned(s) > TURNED,
-    Action.TURN_RIGHT: lambda s: _turned(s) < -TURNED,
+    Action.TURN_LEFT: lambda s: _turns(s, 1),
+    Action.TURN_RIGHT: lambda s: _turns(s, -1),
     Action.ONCOMING: lambda s: bool((np.abs(s.bearing) > math.radians(120))[_speed(s) > STANDING].any()),
     Action.HESITATE: _hesitates,
     Action.DIAGONAL: _diagonal,

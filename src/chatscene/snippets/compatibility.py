@@ -15,7 +15,16 @@ from chatscene.terms.scenario import AdversaryKind, Component, Place, Slots
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
-FACTS = ("side", "position", "occluder", "maneuver", "place", "control", "leader", "blocker")  # slots that two parts may both speak of
+FACTS = (
+    "side",
+    "position",
+    "occluder",
+    "maneuver",
+    "place",
+    "control",
+    "leader",
+    "blocker",
+)  # slots that two parts may both speak of
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 Mask = NDArray[np.bool_]
@@ -91,9 +100,7 @@ def compatibility(library: Library) -> Compatibility:
         & _none_missing(needs(s)[None, None, :], gives(b)[:, None, None], gives(g)[None, :, None])
     )
     kinds = np.array([[bool(set(x.adversaries) & set(y.adversaries)) for y in s] for x in b]).reshape(len(b), len(s))
-    pairs = (
-        _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & _pairwise(g, s)[None, :, :]
-    )
+    pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & _pairwise(g, s)[None, :, :]
     return Compatibility(b, g, s, closed & pairs)
 
 

@@ -12,6 +12,7 @@ import difflib
 import tomllib
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
+from dataclasses import fields as dataclass_fields
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -19,17 +20,20 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from chatscene.errors import SnippetError
-from chatscene.terms.scenario import Component
-from chatscene.terms.snippet import Snippet
+from chatscene.terms.scenario import Component, Slots
+from chatscene.terms.snippet import ParameterRange, Snippet
 
 PACKAGED = Path(__file__).parent / "library"
 MARK = "#:"
+ADVERSARY_CLASS = "AdvClass"  # every program defines it, so no header lists it
 UNITS = ("m", "m/s", "s", "rad", "1")
 REPHRASINGS = 5  # at least
 
 _KEYS = {
     "description", "rephrasings", "adversaries", "requires", "provides", "origin", "slots", "parameters",
 }  # fmt: skip
+_SLOTS = frozenset(f.name for f in dataclass_fields(Slots))
+_PARAMETER = frozenset(f.name for f in dataclass_fields(ParameterRange))
 _adapter: TypeAdapter[Snippet] = TypeAdapter(Snippet)
 
 
@@ -125,12 +129,24 @@ def load_snippet(path: Path) -> Snippet:
 
 
 def _check_keys(path: Path, fields: dict[str, Any]) -> None:
+    _refuse_unknown(path, "slots", fields.get("slots", {}), _SLOTS)
+    for i, parameter in enumerate(fields.get("parameters", ())):
+        _refuse_unknown(path, f"parameters.{i}", parameter, _PARAMETER)
     missing = sorted({"description", "rephrasings"} - fields.keys())
     if missing:
         raise SnippetError(f"{path}: the header lacks {', '.join(missing)}")
     unknown = sorted(fields.keys() - _KEYS)
     if unknown:
-        raise SnippetError(f"{path}: the header has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(_KEYS))}")
+        raise SnippetError(
+            f"{path}: the header has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(_KEYS))}"
+        )
+
+
+def _refuse_unknown(path: Path, where: str, given: object, known: frozenset[str]) -> None:
+    """A key that nobody reads is a slip of the author's; pydantic would pass over it."""
+    unknown = sorted(given.keys() - known) if isinstance(given, dict) else []
+    if unknown:
+        raise SnippetError(f"{path}: {where} has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(known))}")
 
 
 def _check_text(path: Path, snippet: Snippet) -> None:
@@ -188,6 +204,9 @@ def names_of(source: str, known: Collection[str]) -> CodeNames:
             (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
         elif isinstance(node, ast.arg):
             bound.add(node.arg)
+        elif isinstance(made := getattr(node, "className", None), str):  # Scenic's `new X` holds a text, no name
+            read.add(made)
+    read.discard(ADVERSARY_CLASS)
     provides = {name for node in tree.body for name in _defined(node)}
     return CodeNames(
         requires=tuple(sorted(read - bound - provides - set(known))),

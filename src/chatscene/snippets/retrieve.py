@@ -172,7 +172,7 @@ def _query(text: str, embedder: Embedder) -> Vectors:
 
 
 @lru_cache(maxsize=8)
-def _index(snippets: tuple[Snippet, ...], embedder: Embedder):  # noqa: ANN202 - faiss has no types
+def _index(snippets: tuple[Snippet, ...], embedder: Embedder):
     """A faiss index over every wording of the snippets (paper, section 3.2), who owns each row, and the wordings."""
     import faiss
 

@@ -1,6 +1,6 @@
 """Routes: what the ego must drive.
 
-Paper: section 3.1 ("Route"), section 4.1 (ten routes per base scenario).
+Paper: section 3.1 ("Route"), section 4.2 (ten routes per base scenario).
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ from chatscene.world.limits import LIMITS
 
 QUARTER = math.pi / 2
 _WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
-ROUTES = 10  # per geometry, as in the paper (section 4.1)
+ROUTES = 10  # per geometry, as in the paper (section 4.2)
 
 _deferred = cast("Callable[[Callable[..., Any]], Callable[..., Any]]", distributionFunction)
 

@@ -12,7 +12,10 @@ from typing import Any
 
 import scenic.core.dynamics as scenic_dynamics
 from scenic.core.distributions import RejectionException
-from scenic.core.dynamics import actions as scenic_actions
+from scenic.core.dynamics.actions import (  # Scenic has no public names for what `terminate` yields
+    _EndScenarioAction,  # pyright: ignore[reportPrivateUsage]
+    _EndSimulationAction,  # pyright: ignore[reportPrivateUsage]
+)
 from scenic.core.dynamics.guards import GuardViolation
 from scenic.core.dynamics.utils import RejectSimulationException
 from scenic.core.object_types import disableDynamicProxyFor, setDynamicProxyFor
@@ -24,10 +27,7 @@ from chatscene.simulate.embedded.dynamics import Body, make_body
 from chatscene.world.actors import QUARTER
 from chatscene.world.control import Pose
 
-_ENDINGS: tuple[type, ...] = (
-    scenic_actions._EndSimulationAction,
-    scenic_actions._EndScenarioAction,
-)
+_ENDINGS = (_EndSimulationAction, _EndScenarioAction)
 _CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
 
 

@@ -1,10 +1,10 @@
 #: description = "The adversary drives behind the ego in the same lane."
 #: rephrasings = [
-#:   "Following the ego in its lane.",
-#:   "The car is at the ego's rear.",
-#:   "It tailgates the ego.",
-#:   "Some metres back, in the ego's own lane.",
-#:   "The ego is in front of it.",
+#:   "Following the vehicle under test from a few metres back.",
+#:   "The car is right at the rear bumper.",
+#:   "It tailgates the slower vehicle before it.",
+#:   "Some metres to the rear, on the very path that was just driven.",
+#:   "A pursuer comes up from the back with no lane between them.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
