@@ -258,7 +258,8 @@ def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place:
     found = set(actions) - ({Action.CROSS} if kind is AdversaryKind.PEDESTRIAN else set())
     if Action.SWERVE in found:
         found -= {Action.CUT_IN}
-    found = found - {Action.ONCOMING} if place in _JUNCTIONS and len(found) > 1 else found | {Action.ONCOMING}
+    others = found - {Action.ONCOMING}
+    found = others if place in _JUNCTIONS and others else others | {Action.ONCOMING}
     return tuple(action for action in Action if action in found)
 
 
@@ -333,7 +334,8 @@ def _position(  # noqa: PLR0911 - one line per place, most telling first
         return Position.FAR_CORNER if maneuver in _TURNS else Position.ROADSIDE
     if words.ONCOMING.search(text) and Action.REVERSE not in actions:
         return Position.ONCOMING
-    if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)):
+    driven = Action.RUN_LIGHT in actions or (words.BEHIND.search(text) and Action.CROSS not in actions)
+    if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)) and not driven:
         return Position.ROADSIDE
     if words.BESIDE.search(text):
         return Position.BESIDE

@@ -89,8 +89,8 @@ BACKGROUND = _p(r"oncoming traffic|crossing traffic|other traffic|traffic lights
 
 # What the ego does
 
-LEFT_TURN = _p(r"turn\w* (?:to the )?left", r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*", r"unprotected left")
-RIGHT_TURN = _p(r"turn\w* (?:to the )?right", r"right(?:-hand)?(?: |-)turn\w*")
+LEFT_TURN = _p(r"turn\w* (?:to the )?left", r"(?:mak|tak|hang)\w* an? (?:sharp )?left", r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*", r"unprotected left")
+RIGHT_TURN = _p(r"turn\w* (?:to the )?right", r"(?:mak|tak|hang)\w* an? (?:sharp )?right", r"right(?:-hand)?(?: |-)turn\w*")
 LANE_CHANGE = _p(
     r"chang\w* (?:its |our |the )?lanes?",
     r"(?:chang|switch|shift)\w* (?:in)?to (?:the |another )?(?:\w+ )?(?:lane|left|right)",
@@ -199,7 +199,8 @@ GOING_ON = _p(r"(?:and|then) (?:then )?(?:walk|go|driv|mov|continu|rid|run)\w* (
 # Where the adversary starts
 
 ONCOMING = _p(
-    r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|towards? us|against (?:traffic|us)|other way"
+    r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|against (?:traffic|us)|other way|"
+    r"(?:com|approach|head|driv|rid|walk|runn?|speed|rac)\w* (?:straight |right )?(?:towards?|at) (?:us|me|the ego)"
 )
 FAR = _p(
     r"opposite (?:sidewalk|side|pavement|kerb|curb|corner|footpath)|far(?:ther|ther)? (?:side|corner|kerb|curb|sidewalk|pavement)|other side"

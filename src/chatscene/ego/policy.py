@@ -66,7 +66,8 @@ def controls(action: Any) -> tuple[float, float, float]:
         EgoError: The action is not two finite numbers.
     """
     try:
-        acceleration, steering = (float(value) for value in action)
+        acceleration, steering = action
+        acceleration, steering = float(acceleration), float(steering)
     except (TypeError, ValueError) as error:
         raise EgoError(f"an ego must return acceleration and steering, not {action!r}") from error
     if not (math.isfinite(acceleration) and math.isfinite(steering)):

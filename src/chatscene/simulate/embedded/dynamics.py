@@ -95,7 +95,10 @@ class VehicleBody(Body):
         turn = asked - self.wheel
         self.wheel += most if turn > most else -most if turn < -most else turn
         mean = 0.5 * (old + speed)
-        if mean > 1e-6 or mean < -1e-6:
+        if self.wheel == 0.0:
+            self.x += mean * self.cos * dt
+            self.y += mean * self.sin * dt
+        elif mean > 1e-6 or mean < -1e-6:
             curvature = math.tan(self.wheel) / limits.wheelbase
             grip = limits.lateral / (mean * mean)
             curvature = grip if curvature > grip else -grip if curvature < -grip else curvature
@@ -105,10 +108,9 @@ class VehicleBody(Body):
             course = self.heading + slip + 0.5 * turned
             self.x += mean * math.cos(course) * dt
             self.y += mean * math.sin(course) * dt
-            if turned != 0.0:
-                self.heading += turned
-                self.cos = math.cos(self.heading)
-                self.sin = math.sin(self.heading)
+            self.heading += turned
+            self.cos = math.cos(self.heading)
+            self.sin = math.sin(self.heading)
         self.speed = speed
 
     def _next_speed(self, dt: float) -> float:
@@ -119,8 +121,10 @@ class VehicleBody(Body):
             most = (limits.throttle if abs(self.target_speed) > abs(speed) else limits.brake) * dt
             return speed + (most if wish > most else -most if wish < -most else wish)
         fade = 1.0 - abs(speed) / limits.top_speed
-        push = limits.throttle * min(max(self.throttle, 0.0), 1.0) * (fade if fade > 0.0 else 0.0)
-        resist = limits.brake * min(max(self.brake, 0.0), 1.0) + limits.drag + AIR_DRAG * speed * speed
+        throttle = 0.0 if self.throttle < 0.0 else 1.0 if self.throttle > 1.0 else self.throttle
+        brake = 0.0 if self.brake < 0.0 else 1.0 if self.brake > 1.0 else self.brake
+        push = limits.throttle * throttle * (fade if fade > 0.0 else 0.0)
+        resist = limits.brake * brake + limits.drag + AIR_DRAG * speed * speed
         forward = speed > LEAST_REVERSAL or (speed >= -LEAST_REVERSAL and not self.reverse)
         sign = 1.0 if forward else -1.0
         if forward == self.reverse:  # gear against motion: the engine cannot push, the wheels brake

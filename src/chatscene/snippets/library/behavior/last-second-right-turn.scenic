@@ -12,6 +12,7 @@
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
 #: actions = ["turn-right"]
+#: maneuver = "left-turn"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 12.0

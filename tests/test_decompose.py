@@ -1,0 +1,198 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from chatscene.agent.decompose import LONGEST, decompose
+from chatscene.agent.lexicon import edits, mended
+from chatscene.errors import SettingsError
+from chatscene.terms.scenario import Action, AdversaryKind, BaseScenario, Component, Maneuver, Scenario, Side
+
+SENTENCES: dict[str, Any] = json.loads((Path(__file__).parent / "fixtures" / "sentences.json").read_text("utf-8"))
+PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+
+PED, CYC, MOTO, CAR = (
+    AdversaryKind.PEDESTRIAN,
+    AdversaryKind.BICYCLE,
+    AdversaryKind.MOTORCYCLE,
+    AdversaryKind.CAR,
+)
+LEFT, RIGHT = Side.LEFT, Side.RIGHT
+# Facts of the paper's 40 sentences by their place: who, and on which side where one is said.
+FACTS: list[tuple[AdversaryKind, Side | None]] = [
+    *((PED, side) for side in (RIGHT, RIGHT, LEFT, RIGHT, RIGHT)),
+    *((MOTO, RIGHT), (PED, RIGHT), (PED, LEFT), (CYC, LEFT), (MOTO, RIGHT)),
+    *((CAR, side) for side in (None, None, RIGHT, None, None)),
+    *((kind, None) for kind in (PED, MOTO, CAR, CAR, PED)),
+    *((CAR, side) for side in (None, LEFT, LEFT, RIGHT, LEFT)),
+    *((CAR, side) for side in (None, None, None, None, RIGHT)),
+    *((CAR, side) for side in (None, RIGHT, RIGHT, RIGHT, LEFT)),
+    *((CAR, side) for side in (LEFT, RIGHT, None, RIGHT, RIGHT)),
+]
+MANEUVERS: dict[BaseScenario, tuple[Maneuver, ...]] = {
+    BaseScenario.STRAIGHT_OBSTACLE: (Maneuver.STRAIGHT,) * 5,
+    BaseScenario.TURNING_OBSTACLE: tuple(
+        Maneuver.LEFT_TURN if i in (0, 1, 3) else Maneuver.RIGHT_TURN for i in range(5)
+    ),
+    BaseScenario.LANE_CHANGING: tuple(
+        Maneuver.LANE_CHANGE_RIGHT if i in (1, 2) else Maneuver.LANE_CHANGE_LEFT for i in range(5)
+    ),
+    BaseScenario.VEHICLE_PASSING: (Maneuver.BYPASS,) * 5,
+    BaseScenario.RED_LIGHT_RUNNING: (Maneuver.STRAIGHT,) * 5,
+    BaseScenario.UNPROTECTED_LEFT_TURN: (Maneuver.LEFT_TURN,) * 5,
+    BaseScenario.RIGHT_TURN: (Maneuver.RIGHT_TURN,) * 5,
+    BaseScenario.CROSSING_NEGOTIATION: (Maneuver.STRAIGHT,) * 5,
+}
+
+
+def slot(scenario: Scenario, name: str) -> object:
+    value = getattr(scenario.slots, name)
+    return None if value in (None, ()) else sorted(value) if isinstance(value, tuple) else value
+
+
+def wanted(value: object) -> object:
+    return sorted(value) if isinstance(value, list) else value
+
+
+@pytest.mark.parametrize("row", SENTENCES["tuned"], ids=lambda row: row["text"][:40])
+def test_every_slot_of_a_sentence_is_read(row: dict[str, Any]) -> None:
+    scenario = decompose(row["text"])
+    got = {name: slot(scenario, name) for name in row["slots"]}
+    assert got == {name: wanted(value) for name, value in row["slots"].items()}
+
+
+def test_nine_slots_in_ten_are_read_in_sentences_kept_apart() -> None:
+    right = [
+        slot(decompose(row["text"]), name) == wanted(value)
+        for row in SENTENCES["held"]
+        for name, value in row["slots"].items()
+    ]
+    assert sum(right) >= 0.9 * len(right)
+
+
+@pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
+def test_the_forty_sentences_of_the_paper_are_read() -> None:
+    sentences = json.loads(PAPER.read_text("utf-8"))["descriptions"]
+    facts = iter(FACTS)
+    for base, maneuvers in MANEUVERS.items():
+        for text, maneuver in zip(sentences[base], maneuvers, strict=True):
+            scenario = decompose(text)
+            slots = scenario.slots
+            assert (slots.adversary, slots.side) == next(facts), text
+            assert slots.maneuver is maneuver, text
+            assert slots.actions, text
+            if "red light" in text or base != BaseScenario.RED_LIGHT_RUNNING:
+                assert scenario.base is base, text
+
+
+@pytest.mark.parametrize(
+    ("text", "does", "does_not"),
+    [
+        ("A pedestrian crosses from the left without stopping.", Action.CROSS, Action.STOP),
+        ("The car ahead does not brake but swerves.", Action.SWERVE, Action.BRAKE),
+        ("The car ahead doesn't stop; it reverses.", Action.REVERSE, Action.STOP),
+        ("A cyclist neither stops nor slows down and crosses from the right.", Action.CROSS, Action.STOP),
+        ("A motorcyclist on the right pretends to cross the road but brakes at its edge.", Action.BRAKE, Action.CROSS),
+    ],
+)
+def test_what_is_denied_is_not_done(text: str, does: Action, does_not: Action) -> None:
+    actions = decompose(text).slots.actions
+    assert does in actions
+    assert does_not not in actions
+
+
+def test_the_egos_turn_is_not_the_adversarys() -> None:
+    slots = decompose("We turn left; a car from the right turns right.").slots
+    assert slots.maneuver is Maneuver.LEFT_TURN
+    assert (slots.side, slots.actions) == (Side.RIGHT, (Action.TURN_RIGHT,))
+
+
+def test_where_the_adversary_turns_to_is_not_where_it_is() -> None:
+    slots = decompose("The ego goes straight at an intersection; a car on the left front makes an abrupt right turn.").slots
+    assert slots.side is Side.LEFT
+    assert Action.TURN_RIGHT in slots.actions
+
+
+def test_how_the_ego_has_to_react_is_no_part_of_the_situation() -> None:
+    slots = decompose("The car ahead brakes hard, forcing the ego vehicle to change lanes and turn left.").slots
+    assert slots.maneuver not in (Maneuver.LEFT_TURN, Maneuver.LANE_CHANGE_LEFT)
+    assert slots.actions == (Action.BRAKE,)
+
+
+@pytest.mark.parametrize(
+    ("typo", "word"),
+    [
+        ("pedestrain", "pedestrian"),
+        ("biycle", "bicycle"),
+        ("intersecton", "intersection"),
+        ("rigth", "right"),
+        ("crosess", "crosses"),
+        ("motorcylist", "motorcyclist"),
+        ("acelerates", "accelerates"),
+    ],
+)
+def test_a_typo_is_mended(typo: str, word: str) -> None:
+    assert mended(typo) == word
+
+
+@pytest.mark.parametrize("word", ["track", "light", "steps", "streets", "packed", "baking", "river", "night", "cross", "breaks"])
+def test_a_real_word_is_left_alone(word: str) -> None:
+    assert mended(word) == word
+
+
+def test_a_mended_typo_is_told() -> None:
+    assert "read 'pedestrain' as 'pedestrian'" in decompose("A pedestrain crosses from the right.").notes
+
+
+@given(st.text("abcd", max_size=6), st.text("abcd", max_size=6))
+@settings(max_examples=100)
+def test_the_edit_distance_is_symmetric_and_nothing_only_between_equals(one: str, other: str) -> None:
+    assert edits(one, other) == edits(other, one)
+    assert (edits(one, other) == 0) == (one == other)
+    assert edits(one, other) <= max(len(one), len(other))
+
+
+def test_who_is_unknown_to_the_library_is_named() -> None:
+    scenario = decompose("A dragon lands on the hood.")
+    assert scenario.slots.said() == {}
+    assert any("dragon" in note for note in scenario.notes)
+
+
+@pytest.mark.parametrize("text", ["", "   ", "\n\t", "\u200b"])
+def test_an_empty_text_is_refused(text: str) -> None:
+    with pytest.raises(SettingsError, match="empty"):
+        decompose(text)
+
+
+def test_a_text_that_is_no_sentence_but_a_book_is_refused() -> None:
+    with pytest.raises(SettingsError, match=f"at most {LONGEST}"):
+        decompose("car " * 2600)
+
+
+@given(st.text(max_size=300))
+@settings(max_examples=100, deadline=None)
+def test_any_text_is_read_or_refused_and_always_the_same_way(text: str) -> None:
+    try:
+        first = decompose(text)
+    except SettingsError:
+        return
+    assert decompose(text) == first
+    assert all(first.parts[component].strip() for component in Component)
+
+
+@pytest.mark.parametrize("row", SENTENCES["tuned"][:8], ids=lambda row: row["text"][:40])
+def test_letter_case_and_spaces_do_not_matter(row: dict[str, Any]) -> None:
+    text: str = row["text"]
+    assert decompose(text.upper().replace(" ", "  ")).slots == decompose(text).slots
+
+
+def test_ids_are_stable_readable_and_differ() -> None:
+    one, other = decompose("A car brakes ahead."), decompose("A car brakes ahead!")
+    assert one.id == decompose("A car brakes ahead.").id
+    assert one.id.startswith("a-car-brakes-ahead-")
+    assert one.id != other.id
