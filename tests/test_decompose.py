@@ -50,6 +50,10 @@ MANEUVERS: dict[BaseScenario, tuple[Maneuver, ...]] = {
 }
 
 
+def name_of(row: dict[str, Any]) -> str:
+    return row["text"][:40]
+
+
 def slot(scenario: Scenario, name: str) -> object:
     value = getattr(scenario.slots, name)
     return None if value in (None, ()) else sorted(value) if isinstance(value, tuple) else value
@@ -59,7 +63,7 @@ def wanted(value: object) -> object:
     return sorted(value) if isinstance(value, list) else value
 
 
-@pytest.mark.parametrize("row", SENTENCES["tuned"], ids=lambda row: row["text"][:40])
+@pytest.mark.parametrize("row", SENTENCES["tuned"], ids=name_of)
 def test_every_slot_of_a_sentence_is_read(row: dict[str, Any]) -> None:
     scenario = decompose(row["text"])
     got = {name: slot(scenario, name) for name in row["slots"]}
@@ -185,7 +189,7 @@ def test_any_text_is_read_or_refused_and_always_the_same_way(text: str) -> None:
     assert all(first.parts[component].strip() for component in Component)
 
 
-@pytest.mark.parametrize("row", SENTENCES["tuned"][:8], ids=lambda row: row["text"][:40])
+@pytest.mark.parametrize("row", SENTENCES["tuned"][:8], ids=name_of)
 def test_letter_case_and_spaces_do_not_matter(row: dict[str, Any]) -> None:
     text: str = row["text"]
     assert decompose(text.upper().replace(" ", "  ")).slots == decompose(text).slots

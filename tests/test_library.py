@@ -7,11 +7,14 @@ import pytest
 from chatscene.errors import SnippetError
 from chatscene.snippets.library import load_library, load_snippet, names_of
 from chatscene.terms.scenario import Action, AdversaryKind, Component, Place
+from chatscene.terms.snippet import Snippet
 
 SMALL = Path(__file__).parent / "fixtures" / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
-WORLD = {"selectRoute", "startOf", "MoveAhead", "DrivePath", "Range", "globalParameters", "trafficFrom", "wayOf"}
-WORLD |= {"besideRoad", "pointOn", "headway", "self"}
+WORLD = frozenset(
+    ("selectRoute", "startOf", "MoveAhead", "DrivePath", "Range", "globalParameters", "trafficFrom", "wayOf", "besideRoad")
+    + ("pointOn", "headway", "self")
+)
 
 
 def broken(tmp_path: Path, old: str, new: str) -> Path:
@@ -85,7 +88,7 @@ def test_a_file_that_is_not_text_is_named(tmp_path: Path) -> None:
         load_library(tmp_path)
 
 
-@pytest.mark.parametrize("snippet", load_library(SMALL).snippets, ids=lambda s: s.id)
+@pytest.mark.parametrize("snippet", load_library(SMALL).snippets, ids=[s.id for s in load_library(SMALL)])
 def test_the_contract_in_a_header_is_the_one_the_code_keeps(snippet) -> None:
     found = names_of(snippet.source, WORLD)
     assert found.requires == snippet.requires

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ import numpy as np
 from chatscene import runs
 from chatscene.agent.decompose import decompose
 from chatscene.ego.policy import load_ego
-from chatscene.errors import ChatSceneError, Diverged, NothingFits
+from chatscene.errors import ChatSceneError, Diverged, MapError, NothingFits
 from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
@@ -27,7 +28,7 @@ from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
 from chatscene.search.select import Candidate, select
 from chatscene.settings import Settings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.backend import Backend, load_backend
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.retrieve import retrieve
@@ -179,8 +180,10 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     progress("checking that the program means it", 0, 0)
     backend = load_backend("embedded", map_path, settings.simulation)
     check(program, scenario.slots, backend, load_ego(record.ego))
-    routes = range(min(settings.search.routes, backend.routes(program)))
-    runs.write_drawing(run, _drawing(map_path, [backend.route(program, route) for route in routes], scenario.id))
+    routes = _routes(backend, program, settings.search.routes)
+    if len(routes) < settings.search.routes:
+        progress(f"map {record.map_name!r} has {len(routes)} of the {settings.search.routes} routes asked for", 0, 0)
+    runs.write_drawing(run, _drawing(map_path, routes, scenario.id))
 
     work = Work(
         folder=run.path,
@@ -209,12 +212,22 @@ def _selected(run: runs.Run, keep: int) -> dict[str, bool]:
     return {s.scene_id: s.fill_in for candidates in jobs.values() for s in select(candidates, count=keep)}
 
 
-def _drawing(map_path: Path, routes: Sequence[Route], scenario_id: str) -> dict[str, Any]:
+def _routes(backend: Backend, program: ScenicProgram, wanted: int) -> dict[int, Route]:
+    """The first routes of a program's geometry on which its adversary has a way, by number."""
+    found: dict[int, Route] = {}
+    for index in range(backend.routes(program)):
+        if len(found) < wanted:
+            with suppress(MapError):
+                found[index] = backend.route(program, index)
+    return found
+
+
+def _drawing(map_path: Path, routes: Mapping[int, Route], scenario_id: str) -> dict[str, Any]:
     """The map around the routes, and the routes."""
-    points = np.concatenate([route.line.points for route in routes])
+    points = np.concatenate([route.line.points for route in routes.values()])
     (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
     drawing = map_drawing(load_network(map_path), (float(x0), float(y0), float(x1), float(y1)))
-    lines = {f"{scenario_id}/route-{k:02d}": route.line.points.round(2).tolist() for k, route in enumerate(routes)}
+    lines = {f"{scenario_id}/route-{k:02d}": route.line.points.round(2).tolist() for k, route in routes.items()}
     return {**drawing, "routes": lines}
 
 

@@ -37,6 +37,7 @@ _SENTENCE = re.compile(
 _OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")
 _ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 _TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
+_LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
 _JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 
@@ -164,7 +165,15 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
     place = _place(clauses, maneuver, actions)
     if maneuver is None and (place is not None or control is not None):
         maneuver = Maneuver.STRAIGHT
-    position = _position(clauses, kind, actions, side, maneuver, occluder if not blocker else None, place)
+    known = _Known(
+        kind=kind,
+        actions=actions,
+        side=side,
+        maneuver=maneuver,
+        occluder=None if blocker else occluder,
+        junction=place in _JUNCTIONS,
+    )
+    position = _position(clauses, known)
     if actions and Action.REVERSE in actions:
         actions = tuple(action for action in actions if action is not Action.ONCOMING)
     if position is Position.ONCOMING:
@@ -207,46 +216,51 @@ def _occluder(clauses: _Clauses) -> Occluder | None:
     return next((occluder for occluder, p in words.OCCLUDERS.items() if p.search(clauses.whole)), None)
 
 
+# What a wording makes of actions: where it is heard and the action (if one is named) was found, some fall, some join.
+_WORDINGS: tuple[tuple[re.Pattern[str], Action | None, set[Action], set[Action]], ...] = (
+    (words.FEINT, None, {Action.CROSS}, {Action.BRAKE, Action.STOP}),
+    (words.SLOWING, Action.SLOW, {Action.SLOW}, {Action.BRAKE}),
+    (words.MATCHING, None, {Action.BRAKE, Action.PACE, Action.STOP, Action.CHANGE_LANE}, {Action.SLOW}),
+    (words.GOING_ON, Action.STOP, set(), {Action.HESITATE}),
+    (words.ANYTHING, Action.PACE, {Action.STOP}, set()),
+)
+
+
 def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]:
     text = clauses.adversary
-    for pattern in words.OCCLUDERS.values():
+    for pattern in (*words.OCCLUDERS.values(), words.NO_ACTION):
         text = pattern.sub(" ", text)
-    text = re.sub(
-        r"\bstop(?:-| )signs?\b|\bslow(?:-| )?moving\b|\bcrossing (?=car|vehicle|truck|bus|traffic)", " ", text
-    )
     found = {action for action, pattern in words.ACTIONS.items() if _says(pattern, text)}
-    if kind is not None and kind not in _ON_FOOT:
-        found -= {Action.CROSS, Action.DIAGONAL}
-    elif Action.CROSS in found and not words.CUTTING_IN.search(text):
-        found -= {Action.CUT_IN}
-        if re.search(r"\b(?:dash|dart|sprint|rush)", text):
-            found.add(Action.ACCELERATE)
-    if kind is AdversaryKind.PEDESTRIAN:
-        found -= {Action.CUT_IN, Action.CHANGE_LANE}
-    if words.FEINT.search(text):
-        found = (found - {Action.CROSS}) | {Action.BRAKE, Action.STOP}
-    if Action.SLOW in found and not words.MATCHING.search(text) and re.search(r"\bslow(?:s|ing)? down\b", text):
-        found = (found - {Action.SLOW}) | {Action.BRAKE}
-    if words.MATCHING.search(text):
-        found = (found - {Action.BRAKE, Action.PACE, Action.STOP, Action.CHANGE_LANE}) | {Action.SLOW}
-    if Action.STOP in found and words.GOING_ON.search(text):
-        found.add(Action.HESITATE)
-    if Action.PACE in found:
-        found -= {Action.STOP}
-    if words.ERRATIC.search(text) and kind not in _ON_FOOT:
-        found.add(Action.SWERVE)
-    if kind is AdversaryKind.PEDESTRIAN and words.RUNNING.search(text) and Action.CROSS in found:
-        found.add(Action.ACCELERATE)
-    turn = _turn(text)
-    if turn is not None:
-        found.add(turn)
-    if Action.CUT_IN in found and turn is not None and Action.RUN_LIGHT not in found and "oncoming" not in text:
-        found -= {Action.CUT_IN}
+    for pattern, action, fall, join in _WORDINGS:
+        if pattern.search(text) and (action is None or action in found):
+            found = (found - fall) | join
+    found = _on_foot(found, text, kind) if kind in _ON_FOOT else _at_the_wheel(found, text)
     if found - {Action.ONCOMING, Action.FOLLOW}:
         found -= {Action.FOLLOW}  # whoever does something else drives on as well
-    elif kind is not None and kind is not AdversaryKind.PEDESTRIAN and words.PASSING.search(text):
+    elif kind not in (None, AdversaryKind.PEDESTRIAN) and words.PASSING.search(text):
         found.add(Action.FOLLOW)
     return tuple(action for action in Action if action in found)
+
+
+def _on_foot(found: set[Action], text: str, kind: AdversaryKind | None) -> set[Action]:
+    """What the actions of somebody on foot or on two wheels come to, who can cross as well as drive."""
+    if kind is AdversaryKind.PEDESTRIAN:
+        running = {Action.ACCELERATE} if Action.CROSS in found and words.RUNNING.search(text) else set[Action]()
+        return (found | running) - {Action.CUT_IN, Action.CHANGE_LANE}
+    if Action.CROSS in found and not words.CUTTING_IN.search(text):
+        found = found - {Action.CUT_IN}
+    return found | _turn(text)
+
+
+def _at_the_wheel(found: set[Action], text: str) -> set[Action]:
+    """What the actions of a vehicle come to: it never crosses as a walker does, and a turn is more than a cut."""
+    found = found - {Action.CROSS, Action.DIAGONAL}
+    if words.ERRATIC.search(text):
+        found = found | {Action.SWERVE}
+    turn = _turn(text)
+    if turn and Action.RUN_LIGHT not in found and "oncoming" not in text:
+        found = found - {Action.CUT_IN}
+    return found | turn
 
 
 def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place: Place | None) -> tuple[Action, ...]:
@@ -263,10 +277,10 @@ def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place:
     return tuple(action for action in Action if action in found)
 
 
-def _turn(text: str) -> Action | None:
+def _turn(text: str) -> set[Action]:
     if _says(words.LEFT_TURN, text):
-        return Action.TURN_LEFT
-    return Action.TURN_RIGHT if _says(words.RIGHT_TURN, text) else None
+        return {Action.TURN_LEFT}
+    return {Action.TURN_RIGHT} if _says(words.RIGHT_TURN, text) else set()
 
 
 def _says(pattern: re.Pattern[str], text: str) -> bool:
@@ -317,46 +331,65 @@ def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, 
     return None
 
 
-def _position(  # noqa: PLR0911 - one line per place, most telling first
-    clauses: _Clauses,
-    kind: AdversaryKind | None,
-    actions: tuple[Action, ...],
-    side: Side | None,
-    maneuver: Maneuver | None,
-    occluder: Occluder | None,
-    place: Place | None,
-) -> Position | None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Known:
+    """What is known of a scene when the adversary's position is looked for."""
+
+    kind: AdversaryKind | None
+    actions: tuple[Action, ...]
+    side: Side | None
+    maneuver: Maneuver | None
+    occluder: Occluder | None
+    junction: bool
+
+
+def _position(clauses: _Clauses, known: _Known) -> Position | None:
+    """Where the adversary starts, from the most telling word to the least."""
     text = clauses.adversary
-    junction = place in _JUNCTIONS
-    if occluder is not None:
+    if known.occluder is not None:
         return Position.ROADSIDE
-    if words.FAR.search(text) and kind in _ON_FOOT:
-        return Position.FAR_CORNER if maneuver in _TURNS else Position.ROADSIDE
-    if words.ONCOMING.search(text) and Action.REVERSE not in actions:
+    if known.kind in _ON_FOOT and words.FAR.search(text):
+        return Position.FAR_CORNER if known.maneuver in _TURNS else Position.ROADSIDE
+    if words.ONCOMING.search(text) and Action.REVERSE not in known.actions:
         return Position.ONCOMING
-    driven = Action.RUN_LIGHT in actions or (words.BEHIND.search(text) and Action.CROSS not in actions)
-    if kind in _ON_FOOT and (Action.CROSS in actions or words.FEINT.search(text) or (junction and side)) and not driven:
+    if known.kind in _ON_FOOT and _steps_in(text, known):
         return Position.ROADSIDE
+    return _in_a_lane(text, known) or _at_a_junction(clauses, known) or _in_the_ego_s_lane(clauses, known)
+
+
+def _steps_in(text: str, known: _Known) -> bool:
+    """Whether somebody on foot or two wheels comes from beside the road."""
+    if Action.RUN_LIGHT in known.actions or (words.BEHIND.search(text) and Action.CROSS not in known.actions):
+        return False
+    at_corner = known.junction and known.side is not None
+    return Action.CROSS in known.actions or at_corner or words.FEINT.search(text) is not None
+
+
+def _in_a_lane(text: str, known: _Known) -> Position | None:
     if words.BESIDE.search(text):
         return Position.BESIDE
-    if side is not None and words.BEHIND.search(text):
+    if known.side is not None and words.BEHIND.search(text):
         return Position.BEHIND_BESIDE
-    if maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT) or words.NEIGHBOUR.search(text):
-        return Position.AHEAD_BESIDE
-    if junction and side is not None:
-        ahead = maneuver is Maneuver.RIGHT_TURN and words.AHEAD.search(text)
+    return Position.AHEAD_BESIDE if known.maneuver in _LANE_CHANGES or words.NEIGHBOUR.search(text) else None
+
+
+def _at_a_junction(clauses: _Clauses, known: _Known) -> Position | None:
+    if known.junction and known.side is not None:
+        ahead = known.maneuver is Maneuver.RIGHT_TURN and words.AHEAD.search(clauses.adversary)
         return Position.AHEAD_BESIDE if ahead else Position.CROSSING
-    if Action.RUN_LIGHT in actions or words.CROSSING.search(text):
+    if Action.RUN_LIGHT in known.actions or words.CROSSING.search(clauses.adversary):
         return Position.CROSSING
-    if words.UNPROTECTED.search(clauses.whole):
-        return Position.ONCOMING  # that is what it is unprotected against
-    if words.BEHIND.search(text):
+    # Oncoming traffic is what an unprotected turn is unprotected against.
+    return Position.ONCOMING if words.UNPROTECTED.search(clauses.whole) else None
+
+
+def _in_the_ego_s_lane(clauses: _Clauses, known: _Known) -> Position | None:
+    if words.BEHIND.search(clauses.adversary):
         return Position.BEHIND
-    if side is not None and Action.CUT_IN in actions:
+    if known.side is not None and Action.CUT_IN in known.actions:
         return Position.BESIDE
-    return (
-        Position.AHEAD if words.AHEAD.search(clauses.whole) and kind not in (None, AdversaryKind.PEDESTRIAN) else None
-    )
+    drives = known.kind not in (None, AdversaryKind.PEDESTRIAN)
+    return Position.AHEAD if drives and words.AHEAD.search(clauses.whole) else None
 
 
 # What goes on
@@ -367,7 +400,7 @@ def _base(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
     on_foot = slots.adversary in _ON_FOOT
     if slots.maneuver is Maneuver.BYPASS:
         return BaseScenario.VEHICLE_PASSING
-    if slots.maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
+    if slots.maneuver in _LANE_CHANGES:
         return BaseScenario.LANE_CHANGING
     if Action.RUN_LIGHT in slots.actions:
         return BaseScenario.RED_LIGHT_RUNNING

@@ -89,8 +89,15 @@ BACKGROUND = _p(r"oncoming traffic|crossing traffic|other traffic|traffic lights
 
 # What the ego does
 
-LEFT_TURN = _p(r"turn\w* (?:to the )?left", r"(?:mak|tak|hang)\w* an? (?:sharp )?left", r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*", r"unprotected left")
-RIGHT_TURN = _p(r"turn\w* (?:to the )?right", r"(?:mak|tak|hang)\w* an? (?:sharp )?right", r"right(?:-hand)?(?: |-)turn\w*")
+LEFT_TURN = _p(
+    r"turn\w* (?:to the )?left",
+    r"(?:mak|tak|hang)\w* an? (?:sharp )?left",
+    r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*",
+    r"unprotected left",
+)
+RIGHT_TURN = _p(
+    r"turn\w* (?:to the )?right", r"(?:mak|tak|hang)\w* an? (?:sharp )?right", r"right(?:-hand)?(?: |-)turn\w*"
+)
 LANE_CHANGE = _p(
     r"chang\w* (?:its |our |the )?lanes?",
     r"(?:chang|switch|shift)\w* (?:in)?to (?:the |another )?(?:\w+ )?(?:lane|left|right)",
@@ -191,6 +198,9 @@ CUTTING_IN = _p(r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up)
 PASSING = _p(
     r"(?:does|do|did)(?: not|n't)|never|without|through|crossing|cross(?:es)?|oncoming|enters?|arriv\w*|com(?:es|ing)|approach\w*"
 )
+NO_ACTION = re.compile(r"\bstop(?:-| )signs?\b|\bslow(?:-| )?moving\b|\bcrossing (?=car|vehicle|truck|bus|traffic)")
+SLOWING = _p(r"slow(?:s|ing)? down")
+ANYTHING = re.compile("")
 FEINT = _p(r"pretend\w*|feint\w*|fakes?|as if to cross|about to cross|seems? to")
 MATCHING = _p(r"match\w* (?:the |its )?(?:speed|pace)|speed of the (?:slow|lead)\w*|blocks? (?:the )?(?:ego|us) from")
 ERRATIC = _p(r"erratic\w*")
@@ -228,7 +238,16 @@ NEGATED = re.compile(
     r"(?: \w+){0,2}$"
 )
 
-_KNOWN = ["pedestrian", "bicycle", "cyclist", "motorcycle", "motorcyclist", "vehicle", "truck", "intersection", "junction", "crossing", "crosses", "oncoming", "suddenly", "brakes", "braking", "accelerates", "reverses", "swerves", "weaves", "merges", "overtake", "overtaking", "parked", "behind", "stops", "turning", "turns", "vending", "machine", "kiosk", "container", "straight", "signal", "traffic", "light", "opposite", "lane", "right", "left", "front", "ahead", "freezes", "halts", "street", "sprints", "dashes", "unprotected", "changing", "changes", "driving", "walks", "steps", "running", "parallel", "alongside", "slowly", "direction", "hesitates", "diagonally", "adversarial", "sidewalk", "roadside", "pavement", "before", "across", "motorbike", "scooter", "abruptly", "signalised", "signalized", "unsignalised", "curve", "approach", "approaching", "slams", "hidden", "appears", "emerges", "cutting"]
+_WORDS = """
+    pedestrian bicycle cyclist motorcycle motorcyclist vehicle truck intersection junction crossing crosses
+    oncoming suddenly brakes braking accelerates reverses swerves weaves merges overtake overtaking parked
+    behind stops turning turns vending machine kiosk container straight signal traffic light opposite lane
+    right left front ahead freezes halts street sprints dashes unprotected changing changes driving walks
+    steps running parallel alongside slowly direction hesitates diagonally adversarial sidewalk roadside
+    pavement before across motorbike scooter abruptly signalised signalized unsignalised curve approach
+    approaching slams hidden appears emerges cutting
+"""
+_KNOWN = tuple(_WORDS.split())  # what typos are mended to
 
 
 _REAL = frozenset(("baking", "barking", "brining"))  # words a letter away from ours that are no typos

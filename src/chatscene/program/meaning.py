@@ -240,7 +240,7 @@ def _leads(track: Track, ego: Track) -> bool:
 def _blocks(track: Track, route: Route) -> bool:
     x0, y0 = route.line.point_at(0.0)
     along, across = _frame(track, x0, y0, route.line.heading_at(0.0))
-    return bool(along[0] > 3.0 and abs(across[0]) < 1.5 and track.kind in ("Car", "Truck", "Bus", "Barrier"))
+    return bool(along[0] > 3.0 and abs(across[0]) < 1.5 and track.kind in ("Car", "Truck", "Bus"))
 
 
 POSITIONS: dict[Position, Callable[[Seen], bool]] = {

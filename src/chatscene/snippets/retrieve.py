@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.compatibility import Compatibility, agree, compatibility, incompatibility
+from chatscene.snippets.compatibility import agree, compatibility, incompatibility
 from chatscene.snippets.embedding import Embedder, Vectors, encode_cached
 from chatscene.snippets.library import Library
 from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots
@@ -85,7 +85,7 @@ def retrieve(
             component: tuple(sorted(matches, key=lambda m: -m.score)[: settings.candidates])
             for component, matches in ranked.items()
         },
-        ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary, joint),
+        ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary),
     )
 
 
@@ -216,7 +216,6 @@ def _ruled_out(
     ranked: dict[Component, list[Match]],
     triple: tuple[Match, ...],
     kind: AdversaryKind | None,
-    joint: Compatibility,
 ) -> tuple[RuledOut, ...]:
     """For each component, the best-scoring snippets that beat the chosen one but fit no chosen partner."""
     chosen = {match.snippet.component: match.snippet for match in triple}

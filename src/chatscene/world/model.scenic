@@ -107,11 +107,3 @@ class Kiosk(Prop):
 class Container(Prop):
     length: 3.0
     width: 1.8
-
-class Barrier(Prop):
-    length: 1.8
-    width: 0.5
-
-class Cone(Prop):
-    length: 0.4
-    width: 0.4

@@ -29,6 +29,9 @@ ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCo
 FARTHEST = 200.0  # [m], SafeBench ends a run after this distance
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
 
+# What the code of a snippet, or of a program by a stranger, may raise while it runs.
+_FAULTS = (ArithmeticError, AssertionError, AttributeError, LookupError, NameError, TypeError, ValueError)
+
 
 class EmbeddedBackend:
     """Runs scenes in this process; see `chatscene.simulate.backend.Backend` for the contract.
@@ -63,7 +66,13 @@ class EmbeddedBackend:
             placed = self._stage.place(program, scene)
             if isinstance(placed, Rejected):
                 return placed
-            return self._drive(placed, scene, ego, through_collisions)
+            try:
+                return self._drive(placed, scene, ego, through_collisions)
+            except _FAULTS as error:
+                raise ProgramError(
+                    f"program {program.scenario_id!r} fails while scene {scene.id!r} runs: {type(error).__name__}: {error}; "
+                    f"its parts: {', '.join(program.snippet_ids)}"
+                ) from error
 
     def _drive(self, placed: Any, scene: Scene, ego: EgoPolicy, through: bool) -> Episode | Rejected:
         route: Route = placed.egoObject.route.route

@@ -1,0 +1,102 @@
+"""How long a user waits: compile, sample, retrieve, a whole run; and whether memory stays flat.
+
+    python benchmarks/latency.py
+
+Times are those of this process on this machine; the targets stand beside them.
+"""
+
+from __future__ import annotations
+
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from chatscene import pipeline
+from chatscene.agent.decompose import decompose
+from chatscene.ego.rule_based import RuleBased
+from chatscene.maps.network import resolve_map
+from chatscene.program.assemble import assemble
+from chatscene.program.check import probe_scenes
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.embedded.backend import EmbeddedBackend
+from chatscene.simulate.embedded.staging import Stage
+from chatscene.snippets.compatibility import compatibility
+from chatscene.snippets.embedding import load_embedder
+from chatscene.snippets.library import load_library
+from chatscene.snippets.retrieve import retrieve
+from chatscene.terms.scene import ScenicProgram
+
+SENTENCE = "A cyclist rides out from the left and stops in front of us."
+EPISODES = 1000
+
+
+def programs(count: int) -> list[ScenicProgram]:
+    """Programs from triples spread over the whole library, each behavior in turn."""
+    joint = compatibility(load_library())
+    scenario = decompose(SENTENCE)
+    made: list[ScenicProgram] = []
+    for b, behavior in enumerate(joint.behaviors):
+        for g, s in list(zip(*joint.mask[b].nonzero(), strict=True))[:: max(1, int(joint.mask[b].sum()) // 2)]:
+            spawn = joint.spawns[s]
+            kind = next(k for k in behavior.adversaries if k in spawn.adversaries)
+            made.append(assemble(scenario, (behavior, joint.geometries[g], spawn), kind))
+    return made[:: max(1, len(made) // count)][:count]
+
+
+def seconds(work: Callable[[], object]) -> float:
+    began = time.perf_counter()
+    work()
+    return time.perf_counter() - began
+
+
+def report(what: str, measured: float, target: float, unit: str = "s") -> None:
+    print(f"{what:<48} {measured:8.3f} {unit:<3} (target {target:g})")
+
+
+def main() -> None:
+    map_path = resolve_map("town")
+    chosen = programs(60)
+    first = Stage(map_path)
+    first.compiled(chosen[0], 0)  # Scenic's own library is parsed once
+    report("warm compile of a new program, median", statistics.median(
+        [seconds(lambda p=p: first.compiled(p, 0)) for p in chosen[1:]]), 0.2)
+    again = Stage(map_path)
+    report("compile of a known program, median", statistics.median(
+        [seconds(lambda p=p: again.compiled(p, 0)) for p in chosen]), 0.03)
+    samples: list[float] = []
+    for program in chosen:
+        again.compiled(program, 0)
+        samples += [seconds(lambda p=program, s=s: again.place(p, s)) for s in probe_scenes(program, 0)]
+    report("sampling a scene, median over the library", statistics.median(samples), 0.01)
+
+    library, embedder, scenario = load_library(), load_embedder(), decompose(SENTENCE)
+    retrieve(scenario, library, embedder)
+    report("retrieval, median", statistics.median(
+        [seconds(lambda: retrieve(scenario, library, embedder)) for _ in range(20)]), 0.02)
+
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "chatscene"]
+        report("chatscene --help", seconds(lambda: subprocess.run([*command, "--help"], check=True, capture_output=True)), 1)
+        report("chatscene run, 50 scenes on one route", seconds(lambda: subprocess.run(
+            [*command, "run", SENTENCE, "--out", f"{folder}/run"], check=True, capture_output=True)), 20)
+
+    backend = EmbeddedBackend(map_path, SimulationSettings())
+    program = pipeline.understand(SENTENCE).program
+    scenes = probe_scenes(program, 0)
+
+    def drive(count: int) -> float:
+        for i in range(count):
+            backend.run(program, scenes[i % len(scenes)], RuleBased())
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+    before = drive(100)
+    report(f"memory grown over {EPISODES} episodes", drive(EPISODES) - before, 5, "MB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,211 @@
+from __future__ import annotations
+
+import itertools
+import json
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from chatscene.agent.decompose import decompose
+from chatscene.errors import NothingFits
+from chatscene.settings import RetrievalSettings
+from chatscene.snippets.compatibility import compatibility, incompatibility
+from chatscene.snippets.embedding import load_embedder
+from chatscene.snippets.library import Library, load_library
+from chatscene.snippets.retrieve import nearest, retrieve
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    Component,
+    Maneuver,
+    Place,
+    Position,
+    Scenario,
+    Side,
+    Slots,
+    SubDescriptions,
+)
+from chatscene.terms.snippet import Retrieval
+
+FIXTURES = Path(__file__).parent / "fixtures"
+SENTENCES = json.loads((FIXTURES / "sentences.json").read_text("utf-8"))
+PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+ANYTHING = RetrievalSettings(refuse_below=0.0)
+
+
+@pytest.fixture(scope="module")
+def small() -> Library:
+    return load_library(FIXTURES / "library")
+
+
+def scenario(slots: Slots, behavior: str = "it moves", spawn: str = "somewhere") -> Scenario:
+    parts = SubDescriptions(behavior=behavior, geometry="The ego drives.", spawn=spawn)
+    return Scenario(id="s", text="s", base=None, parts=parts, slots=slots)
+
+
+def found(slots: Slots, library: Library, behavior: str = "it moves", spawn: str = "somewhere") -> Retrieval:
+    return retrieve(scenario(slots, behavior, spawn), library, load_embedder(), ANYTHING)
+
+
+def ids(retrieval: Retrieval) -> tuple[str, ...]:
+    return tuple(snippet.id.partition("/")[2] for snippet in retrieval.snippets)
+
+
+# Compatibility
+
+
+def test_the_mask_of_triples_says_what_the_reasons_say(small: Library) -> None:
+    joint = compatibility(small)
+    for (i, b), (j, g), (k, s) in itertools.product(*map(enumerate, (joint.behaviors, joint.geometries, joint.spawns))):
+        assert joint.mask[i, j, k] == (incompatibility(b, g, s) is None)
+
+
+def test_the_mask_of_the_packaged_library_says_what_the_reasons_say() -> None:
+    joint = compatibility(load_library())
+    triples = list(itertools.product(*(range(n) for n in joint.mask.shape)))
+    for i, j, k in triples[::97]:
+        reason = incompatibility(joint.behaviors[i], joint.geometries[j], joint.spawns[k])
+        assert joint.mask[i, j, k] == (reason is None), reason
+
+
+@pytest.mark.parametrize(
+    ("behavior", "geometry", "spawn", "reason"),
+    [
+        ("cross", "straight-road", "roadside-left", None),
+        ("brake", "straight-road", "ahead", None),
+        ("junction-turn-left", "four-way", "oncoming", None),
+        ("junction-turn-left", "straight-road", "oncoming", "oncomingTraffic"),
+        ("brake", "straight-road", "roadside-left", "advTrajectory"),
+        ("cross", "four-way", "oncoming", "advTurn"),
+        ("junction-turn-left", "straight-road", "ahead", "place: junction against road"),
+    ],
+)
+def test_a_triple_is_joined_only_if_its_parts_fit(
+    small: Library, behavior: str, geometry: str, spawn: str, reason: str | None
+) -> None:
+    got = incompatibility(
+        small.get(f"behavior/{behavior}"), small.get(f"geometry/{geometry}"), small.get(f"spawn/{spawn}")
+    )
+    assert got is None if reason is None else reason in str(got)
+
+
+def test_every_packaged_behavior_and_spawn_is_part_of_some_triple() -> None:
+    joint = compatibility(load_library())
+    assert [b.id for b, used in zip(joint.behaviors, joint.mask.any(axis=(1, 2)), strict=True) if not used] == []
+    assert [s.id for s, used in zip(joint.spawns, joint.mask.any(axis=(0, 1)), strict=True) if not used] == []
+
+
+# The choice
+
+
+def test_a_stated_side_outweighs_words_that_say_the_other(small: Library) -> None:
+    slots = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.CROSS,), side=Side.LEFT)
+    chosen = found(slots, small, spawn="The adversary stands at the right side of the road.")
+    assert chosen.spawn.snippet.id == "spawn/roadside-left"
+    assert chosen.spawn.conflicts == ()
+    worse = next(m for m in chosen.candidates[Component.SPAWN] if m.snippet.id == "spawn/roadside-right")
+    assert worse.similarity > chosen.spawn.similarity
+    assert worse.conflicts == ("side: said left, does right",)
+
+
+@pytest.mark.parametrize("kind", [AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.CAR, AdversaryKind.TRUCK])
+def test_the_adversary_is_of_the_kind_that_was_said(small: Library, kind: AdversaryKind) -> None:
+    chosen = found(Slots(adversary=kind), small)
+    assert chosen.adversary is kind
+    assert kind in chosen.behavior.snippet.adversaries
+    assert kind in chosen.spawn.snippet.adversaries
+
+
+def test_a_kind_that_no_snippet_has_is_refused(small: Library) -> None:
+    with pytest.raises(NothingFits, match="bus"):
+        found(Slots(adversary=AdversaryKind.BUS), small)
+
+
+SLOTS = st.builds(
+    Slots,
+    adversary=st.sampled_from([None, AdversaryKind.PEDESTRIAN, AdversaryKind.CAR, AdversaryKind.BICYCLE]),
+    actions=st.lists(st.sampled_from([Action.CROSS, Action.BRAKE, Action.TURN_LEFT]), max_size=2, unique=True).map(tuple),
+    side=st.sampled_from([None, *Side]),
+    position=st.sampled_from([None, Position.AHEAD, Position.ROADSIDE, Position.ONCOMING]),
+    maneuver=st.sampled_from([None, Maneuver.STRAIGHT, Maneuver.LEFT_TURN]),
+    place=st.sampled_from([None, Place.ROAD, Place.FOUR_WAY, Place.JUNCTION]),
+)
+
+
+@given(slots=SLOTS)
+@settings(max_examples=60, deadline=None)
+def test_what_is_chosen_can_be_joined_and_no_joinable_triple_scores_better(slots: Slots) -> None:
+    library = load_library(FIXTURES / "library")
+    every = RetrievalSettings(refuse_below=0.0, candidates=99)
+    chosen = retrieve(scenario(slots), library, load_embedder(), every)
+    assert incompatibility(*chosen.snippets) is None
+    assert 0.0 <= chosen.confidence <= 1.0
+    fits = [
+        b.score + g.score + s.score
+        for b, g, s in itertools.product(*(chosen.candidates[component] for component in Component))
+        if incompatibility(b.snippet, g.snippet, s.snippet) is None
+        and (slots.adversary is None or {slots.adversary} <= {*b.snippet.adversaries} & {*s.snippet.adversaries})
+    ]
+    best = chosen.behavior.score + chosen.geometry.score + chosen.spawn.score
+    assert best == pytest.approx(max(fits))
+
+
+def test_candidates_are_sorted_and_as_many_as_asked_for(small: Library) -> None:
+    chosen = retrieve(
+        scenario(Slots(adversary=AdversaryKind.CAR)), small, load_embedder(), RetrievalSettings(refuse_below=0, candidates=2)
+    )
+    for matches in chosen.candidates.values():
+        assert len(matches) == 2
+        assert matches[0].score >= matches[1].score
+
+
+def test_a_better_snippet_that_fits_no_partner_is_told_with_the_reason(small: Library) -> None:
+    # To brake one must be in a lane, and who stands at the roadside is in none.
+    chosen = found(Slots(actions=(Action.BRAKE,), position=Position.ROADSIDE), small, behavior="The car ahead brakes hard.")
+    assert ids(chosen)[0] == "cross"
+    assert [(out.snippet_id, "advTrajectory" in out.reason) for out in chosen.ruled_out] == [("behavior/brake", True)]
+
+
+def test_the_same_question_has_the_same_answer(small: Library) -> None:
+    slots = Slots(adversary=AdversaryKind.BICYCLE, actions=(Action.CROSS,))
+    assert found(slots, small) == found(slots, small)
+
+
+def test_search_in_one_component_is_by_wording_alone(small: Library) -> None:
+    best = nearest("slams on the brakes", Component.BEHAVIOR, small, load_embedder(), count=2)
+    assert [snippet.id for snippet, _ in best][0] == "behavior/brake"
+    assert best[0][1] >= best[1][1]
+
+
+# Sentences, through the packaged library
+
+
+@pytest.mark.parametrize("text", SENTENCES["refused"])
+def test_what_the_library_cannot_serve_is_refused_with_what_is_nearest(text: str) -> None:
+    with pytest.raises(NothingFits, match="nothing in the library does this") as error:
+        retrieve(decompose(text), load_library(), load_embedder())
+    assert "Nearest are" in str(error.value)
+
+
+def test_a_refusal_names_what_was_not_understood() -> None:
+    with pytest.raises(NothingFits, match="dragon"):
+        retrieve(decompose("a dragon lands on the hood"), load_library(), load_embedder())
+
+
+def test_a_sentence_the_library_would_have_to_contradict_is_refused() -> None:
+    text = "We turn left at a four-way stop, but a truck coming the other way accelerates through."
+    with pytest.raises(NothingFits, match="stop-sign"):
+        retrieve(decompose(text), load_library(), load_embedder())
+
+
+@pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
+def test_each_sentence_of_the_paper_finds_a_triple_that_contradicts_nothing() -> None:
+    for texts in json.loads(PAPER.read_text("utf-8"))["descriptions"].values():
+        for text in texts:
+            understood = decompose(text)
+            chosen = retrieve(understood, load_library(), load_embedder())
+            assert [c for m in (chosen.behavior, chosen.geometry, chosen.spawn) for c in m.conflicts] == [], text
+            assert set(understood.slots.actions) <= set(chosen.behavior.snippet.slots.actions) | {Action.CROSS}, text
+            assert chosen.confidence > 0.8, text
