@@ -14,7 +14,6 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 from chatscene import pipeline
 from chatscene.agent.decompose import decompose
@@ -63,11 +62,17 @@ def main() -> None:
     chosen = programs(60)
     first = Stage(map_path)
     first.compiled(chosen[0], 0)  # Scenic's own library is parsed once
-    report("warm compile of a new program, median", statistics.median(
-        [seconds(lambda p=p: first.compiled(p, 0)) for p in chosen[1:]]), 0.2)
+    report(
+        "warm compile of a new program, median",
+        statistics.median([seconds(lambda p=p: first.compiled(p, 0)) for p in chosen[1:]]),
+        0.2,
+    )
     again = Stage(map_path)
-    report("compile of a known program, median", statistics.median(
-        [seconds(lambda p=p: again.compiled(p, 0)) for p in chosen]), 0.03)
+    report(
+        "compile of a known program, median",
+        statistics.median([seconds(lambda p=p: again.compiled(p, 0)) for p in chosen]),
+        0.03,
+    )
     samples: list[float] = []
     for program in chosen:
         again.compiled(program, 0)
@@ -76,14 +81,28 @@ def main() -> None:
 
     library, embedder, scenario = load_library(), load_embedder(), decompose(SENTENCE)
     retrieve(scenario, library, embedder)
-    report("retrieval, median", statistics.median(
-        [seconds(lambda: retrieve(scenario, library, embedder)) for _ in range(20)]), 0.02)
+    report(
+        "retrieval, median",
+        statistics.median([seconds(lambda: retrieve(scenario, library, embedder)) for _ in range(20)]),
+        0.02,
+    )
 
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "chatscene"]
-        report("chatscene --help", seconds(lambda: subprocess.run([*command, "--help"], check=True, capture_output=True)), 1)
-        report("chatscene run, 50 scenes on one route", seconds(lambda: subprocess.run(
-            [*command, "run", SENTENCE, "--out", f"{folder}/run"], check=True, capture_output=True)), 20)
+        report(
+            "chatscene --help",
+            seconds(lambda: subprocess.run([*command, "--help"], check=True, capture_output=True)),
+            1,
+        )
+        report(
+            "chatscene run, 50 scenes on one route",
+            seconds(
+                lambda: subprocess.run(
+                    [*command, "run", SENTENCE, "--out", f"{folder}/run"], check=True, capture_output=True
+                )
+            ),
+            20,
+        )
 
     backend = EmbeddedBackend(map_path, SimulationSettings())
     program = pipeline.understand(SENTENCE).program

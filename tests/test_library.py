@@ -11,10 +11,10 @@ from chatscene.terms.snippet import Snippet
 
 SMALL = Path(__file__).parent / "fixtures" / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
-WORLD = frozenset(
-    ("selectRoute", "startOf", "MoveAhead", "DrivePath", "Range", "globalParameters", "trafficFrom", "wayOf", "besideRoad")
-    + ("pointOn", "headway", "self")
-)
+NAMES = """
+    selectRoute startOf trafficFrom wayOf besideRoad pointOn headway MoveAhead DrivePath Range globalParameters self
+"""
+WORLD = frozenset(NAMES.split())
 
 
 def broken(tmp_path: Path, old: str, new: str) -> Path:
@@ -89,7 +89,7 @@ def test_a_file_that_is_not_text_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("snippet", load_library(SMALL).snippets, ids=[s.id for s in load_library(SMALL)])
-def test_the_contract_in_a_header_is_the_one_the_code_keeps(snippet) -> None:
+def test_the_contract_in_a_header_is_the_one_the_code_keeps(snippet: Snippet) -> None:
     found = names_of(snippet.source, WORLD)
     assert found.requires == snippet.requires
     assert found.provides == snippet.provides

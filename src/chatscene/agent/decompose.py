@@ -12,11 +12,12 @@ import re
 from dataclasses import dataclass
 
 from chatscene.agent import lexicon as words
+from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, ON_FOOT, TURNS, base_of
+from chatscene.agent.wording import geometry_in_words, spawn_in_words
 from chatscene.errors import SettingsError
 from chatscene.terms.scenario import (
     Action,
     AdversaryKind,
-    BaseScenario,
     Control,
     Maneuver,
     Occluder,
@@ -35,10 +36,6 @@ _SENTENCE = re.compile(
     r"|\band (?=(?:an?|another|some|someone|we|i|the (?!ego\b))\b)"  # somebody else enters
 )
 _OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")
-_ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
-_TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
-_LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
-_JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +79,12 @@ def decompose(text: str) -> Scenario:
     return Scenario(
         id=_id(plain),
         text=plain,
-        base=_base(slots),
-        parts=_parts(clauses, slots),
+        base=base_of(slots),
+        parts=SubDescriptions(
+            behavior=clauses.adversary or clauses.whole,
+            geometry=geometry_in_words(slots, clauses.ego),
+            spawn=spawn_in_words(slots),
+        ),
         slots=slots,
         notes=tuple(notes),
     )
@@ -171,7 +172,7 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
         side=side,
         maneuver=maneuver,
         occluder=None if blocker else occluder,
-        junction=place in _JUNCTIONS,
+        junction=place in JUNCTIONS,
     )
     position = _position(clauses, known)
     if actions and Action.REVERSE in actions:
@@ -234,7 +235,7 @@ def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...
     for pattern, action, fall, join in _WORDINGS:
         if pattern.search(text) and (action is None or action in found):
             found = (found - fall) | join
-    found = _on_foot(found, text, kind) if kind in _ON_FOOT else _at_the_wheel(found, text)
+    found = _on_foot(found, text, kind) if kind in ON_FOOT else _at_the_wheel(found, text)
     if found - {Action.ONCOMING, Action.FOLLOW}:
         found -= {Action.FOLLOW}  # whoever does something else drives on as well
     elif kind not in (None, AdversaryKind.PEDESTRIAN) and words.PASSING.search(text):
@@ -273,7 +274,7 @@ def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place:
     if Action.SWERVE in found:
         found -= {Action.CUT_IN}
     others = found - {Action.ONCOMING}
-    found = others if place in _JUNCTIONS and others else others | {Action.ONCOMING}
+    found = others if place in JUNCTIONS and others else others | {Action.ONCOMING}
     return tuple(action for action in Action if action in found)
 
 
@@ -319,7 +320,7 @@ def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, 
     if maneuver in (Maneuver.BYPASS, Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
         return Place.ROAD
     turns = {Action.RUN_LIGHT, Action.TURN_LEFT, Action.TURN_RIGHT} & set(actions)
-    junction = maneuver in _TURNS or turns or words.PLACES[Place.JUNCTION].search(clauses.whole)
+    junction = maneuver in TURNS or turns or words.PLACES[Place.JUNCTION].search(clauses.whole)
     for place in (Place.THREE_WAY, Place.FOUR_WAY):
         if words.PLACES[place].search(clauses.whole):
             return place
@@ -348,11 +349,11 @@ def _position(clauses: _Clauses, known: _Known) -> Position | None:
     text = clauses.adversary
     if known.occluder is not None:
         return Position.ROADSIDE
-    if known.kind in _ON_FOOT and words.FAR.search(text):
-        return Position.FAR_CORNER if known.maneuver in _TURNS else Position.ROADSIDE
+    if known.kind in ON_FOOT and words.FAR.search(text):
+        return Position.FAR_CORNER if known.maneuver in TURNS else Position.ROADSIDE
     if words.ONCOMING.search(text) and Action.REVERSE not in known.actions:
         return Position.ONCOMING
-    if known.kind in _ON_FOOT and _steps_in(text, known):
+    if known.kind in ON_FOOT and _steps_in(text, known):
         return Position.ROADSIDE
     return _in_a_lane(text, known) or _at_a_junction(clauses, known) or _in_the_ego_s_lane(clauses, known)
 
@@ -370,7 +371,7 @@ def _in_a_lane(text: str, known: _Known) -> Position | None:
         return Position.BESIDE
     if known.side is not None and words.BEHIND.search(text):
         return Position.BEHIND_BESIDE
-    return Position.AHEAD_BESIDE if known.maneuver in _LANE_CHANGES or words.NEIGHBOUR.search(text) else None
+    return Position.AHEAD_BESIDE if known.maneuver in LANE_CHANGES or words.NEIGHBOUR.search(text) else None
 
 
 def _at_a_junction(clauses: _Clauses, known: _Known) -> Position | None:
@@ -390,86 +391,3 @@ def _in_the_ego_s_lane(clauses: _Clauses, known: _Known) -> Position | None:
         return Position.BESIDE
     drives = known.kind not in (None, AdversaryKind.PEDESTRIAN)
     return Position.AHEAD if drives and words.AHEAD.search(clauses.whole) else None
-
-
-# What goes on
-
-
-def _base(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
-    """The base scenario that a set of slots belongs to."""
-    on_foot = slots.adversary in _ON_FOOT
-    if slots.maneuver is Maneuver.BYPASS:
-        return BaseScenario.VEHICLE_PASSING
-    if slots.maneuver in _LANE_CHANGES:
-        return BaseScenario.LANE_CHANGING
-    if Action.RUN_LIGHT in slots.actions:
-        return BaseScenario.RED_LIGHT_RUNNING
-    if slots.maneuver in _TURNS and on_foot:
-        return BaseScenario.TURNING_OBSTACLE
-    if slots.maneuver is Maneuver.LEFT_TURN:
-        return BaseScenario.UNPROTECTED_LEFT_TURN
-    if slots.maneuver is Maneuver.RIGHT_TURN:
-        return BaseScenario.RIGHT_TURN
-    if slots.place in _JUNCTIONS:
-        return BaseScenario.CROSSING_NEGOTIATION
-    return BaseScenario.STRAIGHT_OBSTACLE if slots.adversary is not None else None
-
-
-def _parts(clauses: _Clauses, slots: Slots) -> SubDescriptions:
-    """A text per component: the adversary's own words, and facts put into the words the library uses."""
-    return SubDescriptions(
-        behavior=clauses.adversary or clauses.whole,
-        geometry=_geometry_in_words(slots, clauses.ego),
-        spawn=_spawn_in_words(slots),
-    )
-
-
-def _geometry_in_words(slots: Slots, said: str) -> str:
-    does = {
-        Maneuver.LEFT_TURN: "turns left",
-        Maneuver.RIGHT_TURN: "turns right",
-        Maneuver.LANE_CHANGE_LEFT: "changes to the left lane",
-        Maneuver.LANE_CHANGE_RIGHT: "changes to the right lane",
-        Maneuver.BYPASS: "goes around a vehicle parked in its lane",
-    }.get(slots.maneuver or Maneuver.STRAIGHT, "drives straight")
-    where = {
-        Place.CURVE: "around a curve",
-        Place.THREE_WAY: "at a three-way intersection",
-        Place.FOUR_WAY: "at a four-way intersection",
-        Place.JUNCTION: "at an intersection",
-    }.get(slots.place or Place.ROAD, "on a road")
-    how = (
-        {
-            Control.SIGNAL: " with traffic lights",
-            Control.STOP_SIGN: " with stop signs",
-            Control.NONE: " without traffic lights",
-        }.get(slots.control, "")
-        if slots.control
-        else ""
-    )
-    facts = f"The ego {does} {where}{how}."
-    # Kinds of open road differ in what no slot says: how many lanes, what lies beside.
-    return facts if slots.place not in (None, Place.ROAD) else f"{facts} {said}".strip()
-
-
-def _spawn_in_words(slots: Slots) -> str:
-    side = f" on the {slots.side}" if slots.side else ""
-    where = (
-        {
-            Position.AHEAD: "ahead of the ego in the same lane",
-            Position.ROADSIDE: f"at the side of the road{side} ahead of the ego",
-            Position.BESIDE: f"level with the ego in the neighbouring lane{side}",
-            Position.AHEAD_BESIDE: f"ahead of the ego in the neighbouring lane{side}",
-            Position.BEHIND: "behind the ego in the same lane",
-            Position.BEHIND_BESIDE: f"behind the ego in the neighbouring lane{side}",
-            Position.ONCOMING: "coming toward the ego from the opposite direction",
-            Position.CROSSING: f"coming from the {slots.side or 'side'} arm of the intersection",
-            Position.FAR_CORNER: f"on the opposite sidewalk{side} of the road the ego turns into",
-        }.get(slots.position, f"ahead of the ego{side}")
-        if slots.position
-        else f"ahead of the ego{side}"
-    )
-    hidden = f", hidden behind a {slots.occluder.replace('-', ' ')}" if slots.occluder else ""
-    leader = ", and a slow car leads the ego" if slots.leader else ""
-    blocked = ", beyond a car parked in the ego's lane" if slots.blocker else ""
-    return f"The adversary is {where}{hidden}{leader}{blocked}."

@@ -79,5 +79,14 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
         file = getattr(error, "filename", None) or filename
         where = f"line {line} of {file}" if line else filename
         raise DoesNotCompile(f"Scenic refuses {where}: {error}") from error
-    except (NameError, TypeError, ValueError, AttributeError, KeyError, IndexError, RuntimeError) as error:
+    except (
+        ArithmeticError,
+        AttributeError,
+        ImportError,
+        LookupError,
+        NameError,
+        RuntimeError,
+        TypeError,
+        ValueError,
+    ) as error:
         raise DoesNotCompile(f"{filename} fails while it is set up: {type(error).__name__}: {error}") from error

@@ -38,7 +38,7 @@ def startOf(route):
 
 ## Road users
 
-class Car(Car, Driven):
+class Car(Driven, Car):
     regionContainedIn: everywhere
     position: (0, 0)
     parentOrientation: 0
@@ -75,7 +75,7 @@ class Bicycle(Car):
     wheelbase: _LIMITS['Bicycle'].wheelbase
     wheelAngle: _LIMITS['Bicycle'].wheel_angle
 
-class Pedestrian(Pedestrian, Walking):
+class Pedestrian(Walking, Pedestrian):
     regionContainedIn: everywhere
     position: (0, 0)
     parentOrientation: 0
@@ -86,7 +86,7 @@ class Pedestrian(Pedestrian, Walking):
 
 ## Things that stand in the way or in the line of sight
 
-class Prop(DrivingObject, Placed):
+class Prop(Placed, DrivingObject):
     regionContainedIn: everywhere
     position: (0, 0)
     isWalker: False

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from chatscene.simulate.embedded.dynamics import Body
+import math
 
-_NEAR_END = 0.9  # beyond this share of the half length, a contact counts as front or rear
+from chatscene.simulate.embedded.dynamics import Body
 
 
 def touch(a: Body, b: Body) -> bool:
@@ -26,27 +26,19 @@ def touch(a: Body, b: Body) -> bool:
 def contact_side(ego: Body, other: Body) -> str:
     """Where on the ego the other touches: ``front``, ``rear``, ``left`` or ``right``.
 
-    The nearest point of the other's outline (corners and centre projected onto the ego's box) decides: it lies
-    at an end if it is further out along the ego than its flank region, else on a flank.
+    The axis of the ego along which the two are less deep in each other is the one they met along.
     """
-    along, across = 0.0, 0.0
-    nearest = float("inf")
-    for u, v in ((1, 1), (1, -1), (-1, 1), (-1, -1), (0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)):
-        px = other.x + u * other.half_length * other.cos - v * other.half_width * other.sin - ego.x
-        py = other.y + u * other.half_length * other.sin + v * other.half_width * other.cos - ego.y
-        ahead, left = px * ego.cos + py * ego.sin, py * ego.cos - px * ego.sin
-        outside = max(abs(ahead) - ego.half_length, 0.0) ** 2 + max(abs(left) - ego.half_width, 0.0) ** 2
-        if outside < nearest:
-            along, across, nearest = ahead, left, outside
-    if along >= _NEAR_END * ego.half_length:
-        return "front"
-    if along <= -_NEAR_END * ego.half_length:
-        return "rear"
-    return "left" if across >= 0 else "right"
+    dx, dy = other.x - ego.x, other.y - ego.y
+    along, across = dx * ego.cos + dy * ego.sin, dy * ego.cos - dx * ego.sin
+    c = abs(ego.cos * other.cos + ego.sin * other.sin)
+    s = abs(ego.cos * other.sin - ego.sin * other.cos)
+    depth_along = ego.half_length + other.half_length * c + other.half_width * s - abs(along)
+    depth_across = ego.half_width + other.half_length * s + other.half_width * c - abs(across)
+    if depth_along < depth_across:
+        return "front" if along > 0 else "rear"
+    return "left" if across > 0 else "right"
 
 
 def approach_speed(a: Body, b: Body) -> float:
-    """Relative speed [m/s] of two bodies (magnitude of the difference of their velocities)."""
-    dvx = a.speed * a.cos - b.speed * b.cos
-    dvy = a.speed * a.sin - b.speed * b.sin
-    return float((dvx * dvx + dvy * dvy) ** 0.5)
+    """Relative speed [m/s] of two bodies: the magnitude of the difference of their velocities before the step."""
+    return math.hypot(a.before * a.cos - b.before * b.cos, a.before * a.sin - b.before * b.sin)

@@ -28,10 +28,12 @@ class Body:
         x, y: Centre [m], map frame.
         heading: [rad, 0 = +x, counter-clockwise], never wrapped.
         speed: [m/s] along the heading, negative backwards.
+        before: The speed before the last step [m/s]: what an impact happens at, since a step may end in standstill.
         length, width: [m].
     """
 
     __slots__ = (
+        "before",
         "cos",
         "half_length",
         "half_width",
@@ -50,6 +52,7 @@ class Body:
         self.y = y
         self.heading = heading
         self.speed = 0.0
+        self.before = 0.0
         self.length = length
         self.width = width
         self.half_length = length / 2
@@ -88,7 +91,7 @@ class VehicleBody(Body):
     def step(self, dt: float) -> None:
         """Advance by `dt` [s]."""
         limits = self.limits
-        old = self.speed
+        old = self.before = self.speed
         speed = self._next_speed(dt)
         asked = -(1.0 if self.steer > 1.0 else -1.0 if self.steer < -1.0 else self.steer) * limits.wheel_angle
         most = limits.wheel_rate * dt
@@ -157,6 +160,7 @@ class WalkerBody(Body):
     def step(self, dt: float) -> None:
         """Advance by `dt` [s]: the velocity moves toward the wish, at most as fast as legs can."""
         limits = self.limits
+        self.before = self.speed
         wish = min(max(self.target_speed, 0.0), limits.top_speed)
         ax = wish * math.cos(self.course) - self.vx
         ay = wish * math.sin(self.course) - self.vy

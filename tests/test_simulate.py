@@ -1,0 +1,225 @@
+"""The embedded backend on small programs whose outcome is known."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.ego.observation import Observation
+from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.rule_based import TARGET_SPEED, RuleBased
+from chatscene.errors import DoesNotCompile, MapError, ProgramError, SettingsError, StuckBehavior
+from chatscene.maps.network import resolve_map
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import BACKENDS, Backend, load_backend
+from chatscene.simulate.embedded import backend as embedded
+from chatscene.terms.episode import Ending, Episode, EventKind, Role
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+HEAD = """
+model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight")
+"""
+EGO = "ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with route egoRoute\n"
+WALL = HEAD + EGO + "new Container at pointOn(egoRoute, 40), facing directionOn(egoRoute, 40)\n"
+MOVING = HEAD + (
+    "behavior AdvBehavior():\n    {body}\n" + EGO + "AdvAgent = new {kind} at pointOn(egoRoute, {ahead}, {left}), "
+    "facing directionOn(egoRoute, {ahead}, {turn}), with behavior AdvBehavior()\n"
+)
+
+
+class Coast:
+    """An ego that does nothing."""
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        return 0.0, 0.0
+
+
+@pytest.fixture(scope="module", params=sorted(BACKENDS))
+def backend(request: pytest.FixtureRequest) -> Backend:
+    return load_backend(request.param, resolve_map("town"), SimulationSettings())
+
+
+def program(source: str) -> ScenicProgram:
+    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=(), digest=source)
+
+
+def scene(route: int = 0, **values: float) -> Scene:
+    return Scene(id=f"toy/{route}", scenario_id="toy", route=route, block=0, seed=0, values=values)
+
+
+def moving(body: str, *, kind: str = "Car", ahead: float = 30, left: float = 0, turn: float = 0) -> ScenicProgram:
+    return program(MOVING.format(body=body, kind=kind, ahead=ahead, left=left, turn=turn))
+
+
+@pytest.fixture
+def drive(backend: Backend) -> Callable[..., Episode]:
+    def run(what: ScenicProgram, ego: EgoPolicy | None = None, **options: bool) -> Episode:
+        episode = backend.run(what, scene(), ego or RuleBased(), **options)
+        assert isinstance(episode, Episode)
+        return episode
+
+    return run
+
+
+def test_an_empty_road_is_driven_to_its_end(drive: Callable[..., Episode]) -> None:
+    episode = drive(program(HEAD + EGO))
+    assert episode.ending is Ending.ARRIVED
+    assert episode.route_completion == 1.0
+    assert not episode.events
+    assert episode.distance_to_route.max() < 0.2
+    assert episode.ego_track.speed.max() == pytest.approx(TARGET_SPEED, abs=0.3)
+
+
+def test_a_wall_in_the_lane_is_hit_with_the_front_at_the_ego_s_own_speed(drive: Callable[..., Episode]) -> None:
+    crash = drive(program(WALL)).collision
+    assert crash is not None
+    assert (crash.other, crash.side) == ("container", "front")
+    assert crash.impact_speed == pytest.approx(TARGET_SPEED, abs=0.3)
+
+
+def test_an_ego_that_does_nothing_runs_out_of_time(drive: Callable[..., Episode]) -> None:
+    episode = drive(program(HEAD + EGO), Coast())
+    assert episode.ending is Ending.TIMEOUT
+    assert len(episode.ego_track.x) == 301
+
+
+def test_the_ego_brakes_for_a_vehicle_ahead_but_not_for_a_pedestrian(drive: Callable[..., Episode]) -> None:
+    assert drive(moving("do Park()", ahead=60)).collision is None
+    assert drive(moving("do Halt()", kind="Pedestrian", ahead=60)).collision is not None
+
+
+def test_a_drive_can_go_on_through_a_collision(drive: Callable[..., Episode]) -> None:
+    through = drive(program(WALL), through_collisions=True)
+    assert through.collision is not None
+    assert through.ending is Ending.ARRIVED
+
+
+def test_tracks_name_their_parts(drive: Callable[..., Episode]) -> None:
+    source = MOVING.format(body="do Park()", kind="Truck", ahead=50, left=0, turn=0)
+    source += "new BusStop at pointOn(egoRoute, 20, -6), facing directionOn(egoRoute, 20)\n"
+    source += "new Car at pointOn(egoRoute, 80), facing directionOn(egoRoute, 80), with behavior Park(), with label 'leader'\n"
+    roles = [(t.actor, t.role, t.kind) for t in drive(program(source)).tracks]
+    assert roles == [
+        ("ego", Role.EGO, "Car"),
+        ("adversary", Role.ADVERSARY, "Truck"),
+        ("leader", Role.BACKGROUND, "Car"),
+        ("busstop", Role.OCCLUDER, "BusStop"),
+    ]
+
+
+@pytest.mark.parametrize("kind", ["Car", "Truck", "Bus", "Motorcycle", "Bicycle"])
+def test_every_vehicle_follows_a_path_at_a_speed(drive: Callable[..., Episode], kind: str) -> None:
+    track = drive(moving("do DrivePath(egoRoute, 6)", kind=kind, ahead=20), Coast()).adversaries[0]
+    assert track.speed[-1] == pytest.approx(6.0, abs=0.4)
+    assert np.abs(np.diff(track.speed)).max() < 1.0
+
+
+@pytest.mark.parametrize("kind", ["Pedestrian", "Bicycle", "Motorcycle"])
+def test_walkers_and_riders_cross_where_they_look(drive: Callable[..., Episode], kind: str) -> None:
+    track = drive(moving("do MoveAhead(2)", kind=kind, ahead=30, left=-6, turn=math.pi / 2), Coast()).adversaries[0]
+    moved = math.hypot(track.x[60] - track.x[0], track.y[60] - track.y[0])
+    assert 8.0 < moved < 12.5
+
+
+def test_a_behavior_that_asks_for_a_speed_at_once_gets_it_within_limits(drive: Callable[..., Episode]) -> None:
+    body = "while True:\n        take SetSpeedAction(15)"
+    track = drive(moving(body, ahead=20), Coast()).adversaries[0]
+    assert np.diff(track.speed).max() <= 0.451
+
+
+def test_an_episode_is_the_same_whatever_ran_before(backend: Backend) -> None:
+    def once(what: Backend) -> list[bytes]:
+        episode = what.run(moving("do WeaveOnPath(egoRoute, 7, 1.5, 3)", ahead=15), scene(), RuleBased())
+        assert isinstance(episode, Episode)
+        return [a.tobytes() for t in episode.tracks for a in (t.x, t.y, t.heading, t.speed)]
+
+    fresh = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    first = once(fresh)
+    backend.run(program(WALL), scene(), RuleBased())
+    assert once(backend) == first
+    assert once(backend) == first
+
+
+def test_actors_that_stand_in_each_other_are_rejected_with_their_names(backend: Backend) -> None:
+    tuned = moving("do Park()", ahead=0).source.replace("egoRoute, 0, 0)", "egoRoute, globalParameters.OPT_GEO_Y, 0)")
+    outcome = backend.run(program("param OPT_GEO_Y = Range(0, 9)\n" + tuned), scene(OPT_GEO_Y=2.0), RuleBased())
+    assert isinstance(outcome, Rejected)
+    assert outcome.reason == "adversary overlaps ego at the start"
+
+
+def test_a_requirement_that_fails_is_a_rejection(backend: Backend) -> None:
+    source = (
+        HEAD + "param OPT_GEO_Y = Range(10, 20)\ny = globalParameters.OPT_GEO_Y\n" + EGO + "require y > 15 as far\n"
+    )
+    low = backend.run(program(source), scene(OPT_GEO_Y=11.0), RuleBased())
+    assert isinstance(low, Rejected)
+    assert "far" in low.reason
+    assert isinstance(backend.run(program(source), scene(OPT_GEO_Y=16.0), RuleBased()), Episode)
+
+
+def test_values_must_be_those_the_program_tunes(backend: Backend) -> None:
+    with pytest.raises(ProgramError, match="OPT_GEO_Y"):
+        backend.run(program(HEAD + EGO), scene(OPT_GEO_Y=1.0), RuleBased())
+
+
+def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(embedded, "PATIENCE", 0.5)
+    with pytest.raises(StuckBehavior, match="loops without"):
+        backend.run(moving("while True:\n        x = 1\n    take SetThrottleAction(0)"), scene(), RuleBased())
+    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
+def test_a_fault_in_a_behavior_names_the_program(backend: Backend) -> None:
+    with pytest.raises(ProgramError, match="toy.*TypeError"):
+        backend.run(moving("take SetThrottleAction(1 + 'x')"), scene(), RuleBased())
+    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
+@pytest.mark.parametrize("line", ["ego = new Car at (", "x = undefinedName + 1", "import no_such_module_at_all"])
+def test_a_program_that_scenic_refuses_is_named_with_its_line(backend: Backend, line: str) -> None:
+    with pytest.raises((DoesNotCompile, ProgramError)):
+        backend.run(program(HEAD + line + "\n"), scene(), RuleBased())
+
+
+def test_a_route_that_the_map_has_not_is_refused(backend: Backend) -> None:
+    with pytest.raises(MapError, match="10 routes"):
+        backend.run(program(HEAD + EGO), scene(route=10), RuleBased())
+    assert backend.routes(program(HEAD + EGO)) == 10
+
+
+JUNCTION = """
+model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight", place="four-way", control="{control}")
+param signals = '{signals}'
+"""
+
+
+@pytest.mark.parametrize(("signals", "expected"), [("ego-red", 1), ("ego-green", 0)])
+def test_a_red_light_counts_when_it_is_red(drive: Callable[..., Episode], signals: str, expected: int) -> None:
+    episode = drive(program(JUNCTION.format(control="signal", signals=signals) + EGO))
+    kinds = [event.kind for event in episode.events]
+    assert kinds.count(EventKind.RED_LIGHT) == expected
+    assert {s.role for s in episode.signals} == {"ego", "other"}
+
+
+def test_a_stop_sign_counts_for_an_ego_that_does_not_stop(drive: Callable[..., Episode]) -> None:
+    episode = drive(program(JUNCTION.format(control="stop-sign", signals="clock") + EGO))
+    assert [event.kind for event in episode.events].count(EventKind.STOP_SIGN) == 1
+
+
+def test_leaving_the_road_is_seen(drive: Callable[..., Episode]) -> None:
+    class Right:
+        def act(self, observation: Observation) -> tuple[float, float]:
+            return 0.5, 1.0
+
+    episode = drive(program(HEAD + EGO), Right())
+    assert EventKind.OFF_ROAD in {event.kind for event in episode.events}
+    assert episode.off_road.any()
+
+
+def test_an_unknown_backend_is_named_with_the_nearest() -> None:
+    with pytest.raises(SettingsError, match="did you mean 'embedded'"):
+        load_backend("embeded", Path("x.xodr"), SimulationSettings())
