@@ -100,7 +100,8 @@ def test_a_drive_can_go_on_through_a_collision(drive: Callable[..., Episode]) ->
 def test_tracks_name_their_parts(drive: Callable[..., Episode]) -> None:
     source = MOVING.format(body="do Park()", kind="Truck", ahead=50, left=0, turn=0)
     source += "new BusStop at pointOn(egoRoute, 20, -6), facing directionOn(egoRoute, 20)\n"
-    source += "new Car at pointOn(egoRoute, 80), facing directionOn(egoRoute, 80), with behavior Park(), with label 'leader'\n"
+    source += "new Car at pointOn(egoRoute, 80), facing directionOn(egoRoute, 80), "
+    source += "with behavior Park(), with label 'leader'\n"
     roles = [(t.actor, t.role, t.kind) for t in drive(program(source)).tracks]
     assert roles == [
         ("ego", Role.EGO, "Car"),
@@ -173,7 +174,7 @@ def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: 
 
 
 def test_a_fault_in_a_behavior_names_the_program(backend: Backend) -> None:
-    with pytest.raises(ProgramError, match="toy.*TypeError"):
+    with pytest.raises(ProgramError, match=r"toy.*TypeError"):
         backend.run(moving("take SetThrottleAction(1 + 'x')"), scene(), RuleBased())
     assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
 

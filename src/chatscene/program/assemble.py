@@ -45,9 +45,8 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
     for part in triple:
         missing = sorted(set(part.requires) - provided)
         if missing:
-            raise NamesNotClosed(
-                f"snippet {part.id!r} needs {', '.join(missing)}, which none of {', '.join(p.id for p in triple)} provides"
-            )
+            joined = ", ".join(p.id for p in triple)
+            raise NamesNotClosed(f"snippet {part.id!r} needs {', '.join(missing)}, which none of {joined} provides")
     said = "\n".join(textwrap.wrap(" ".join(scenario.text.split()), 100, initial_indent="# ", subsequent_indent="# "))
     source = "\n\n".join(
         (

@@ -28,16 +28,10 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     for note in scenario.notes:
         console.print(f"[yellow]note[/]  {note}")
     console.print()
-    chosen = Table(
-        "component",
-        "snippet",
-        "similarity",
-        "facts",
-        "what was heard",
-        box=None,
-        pad_edge=False,
-        header_style="dim",
-    )
+    chosen = Table(box=None, pad_edge=False, header_style="dim")
+    for column in ("component", "snippet", "similarity", "facts"):
+        chosen.add_column(column, no_wrap=True)
+    chosen.add_column("what was heard")
     for component in Component:
         match: Match = getattr(retrieval, component.value)
         chosen.add_row(

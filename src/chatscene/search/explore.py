@@ -1,7 +1,7 @@
 """Steps 5 and 6 of 9: blocks of scenes, each drawn from ranges moved by what collided before.
 
-Paper: section 3.3, steps iv and v, and section 4.2. A job is one scenario on one route; jobs are independent, so that any
-number of processes gives the same scenes.
+Paper: section 3.3, steps iv and v, and section 4.2. A job is one scenario on one route; jobs are independent, so
+that any number of processes gives the same scenes.
 """
 
 from __future__ import annotations

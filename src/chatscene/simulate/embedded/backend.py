@@ -70,8 +70,8 @@ class EmbeddedBackend:
                 return self._drive(placed, scene, ego, through_collisions)
             except _FAULTS as error:
                 raise ProgramError(
-                    f"program {program.scenario_id!r} fails while scene {scene.id!r} runs: {type(error).__name__}: {error}; "
-                    f"its parts: {', '.join(program.snippet_ids)}"
+                    f"program {program.scenario_id!r} fails while scene {scene.id!r} runs: "
+                    f"{type(error).__name__}: {error}; its parts: {', '.join(program.snippet_ids)}"
                 ) from error
 
     def _drive(self, placed: Any, scene: Scene, ego: EgoPolicy, through: bool) -> Episode | Rejected:

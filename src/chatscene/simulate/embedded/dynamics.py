@@ -47,6 +47,8 @@ class Body:
         "y",
     )
 
+    heading: float
+
     def __init__(self, x: float, y: float, heading: float, length: float, width: float) -> None:
         self.x = x
         self.y = y
