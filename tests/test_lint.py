@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.maps.network import resolve_map
@@ -120,7 +122,7 @@ def test_the_world_model_names_what_snippets_build_on() -> None:
     assert "egoRoute" not in world_names()
 
 
-def track(name: str, role: Role, kind: str, x: np.ndarray, speed: np.ndarray) -> Track:
+def track(name: str, role: Role, kind: str, x: NDArray[Any], speed: NDArray[Any]) -> Track:
     still = np.zeros_like(x)
     return Track(actor=name, role=role, kind=kind, length=4.9, width=2.1, x=x, y=still, heading=still, speed=speed)
 
@@ -149,7 +151,7 @@ def test_a_car_that_drives_through_another_is_implausible() -> None:
 
 
 @pytest.mark.parametrize(("speed", "word"), [(np.array([0.0, 5.0, 5.0]), "accelerates"), (np.full(3, 30.0), "reaches")])
-def test_a_car_beyond_its_limits_is_implausible(speed: np.ndarray, word: str) -> None:
+def test_a_car_beyond_its_limits_is_implausible(speed: NDArray[Any], word: str) -> None:
     (problem,) = implausible(episode(track("adversary", Role.ADVERSARY, "Car", np.zeros(3), speed)))
     assert word in problem
 

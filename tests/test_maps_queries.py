@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from chatscene.errors import MapError
 from chatscene.maps.drawing import map_drawing
@@ -31,7 +32,7 @@ LANES = LaneMap(NETWORK)
 MAIN_LANES = {lane.uid: lane for road in NETWORK.roads for lane in road.lanes}
 
 
-def _line(lane: Any) -> np.ndarray:
+def _line(lane: Any) -> NDArray[Any]:
     return centre_line(lane).points
 
 

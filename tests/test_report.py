@@ -6,11 +6,13 @@ import shutil
 import subprocess
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 from PIL import Image
 
 from chatscene.errors import RunError
@@ -130,7 +132,7 @@ def test_highlighting_changes_no_character_of_the_program(source: str) -> None:
     assert html.unescape(re.sub(r"</?span[^<>]*>", "", highlight(source))) == html.unescape(html.escape(source))
 
 
-def _unpacked(differences: list[int], scale: float, count: int) -> np.ndarray:
+def _unpacked(differences: list[int], scale: float, count: int) -> NDArray[Any]:
     return np.cumsum(differences + [0] * (count - len(differences))) / scale
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from chatscene.errors import ChatSceneError, NothingFits
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -31,7 +31,7 @@ class _Errors(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except NothingFits as error:
+        except (NothingFits, MeansSomethingElse) as error:
             _complain(error)
             ctx.exit(3)
         except ChatSceneError as error:

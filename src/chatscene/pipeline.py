@@ -18,7 +18,7 @@ import numpy as np
 from chatscene import runs
 from chatscene.agent.decompose import decompose
 from chatscene.ego.policy import load_ego
-from chatscene.errors import ChatSceneError, Diverged, MapError, NothingFits
+from chatscene.errors import ChatSceneError, Diverged, MapError, MeansSomethingElse, NothingFits
 from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
@@ -150,7 +150,7 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
     try:
         _search(run, jobs, progress)
         _report(run, progress)
-    except NothingFits as error:
+    except (NothingFits, MeansSomethingElse) as error:
         runs.update(run, status=runs.Status.REFUSED, reason=str(error))
         raise
     except ChatSceneError as error:

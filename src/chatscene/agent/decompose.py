@@ -208,7 +208,16 @@ def _kind(clauses: _Clauses) -> AdversaryKind | None:
         found = [(m.start(), i, kind) for i, (kind, p) in enumerate(words.KINDS.items()) if (m := p.search(bare))]
         if found:
             return min(found)[2]
+        if words.SOMEBODY.search(bare):
+            return _somebody(clauses)
     return None
+
+
+def _somebody(clauses: _Clauses) -> AdversaryKind | None:
+    """What kind somebody is of whom only that is said: a driver if he does what only drivers do."""
+    driving = (Action.RUN_LIGHT, Action.CUT_IN, Action.REVERSE, Action.CHANGE_LANE)
+    drives = any(words.ACTIONS[action].search(clauses.adversary or clauses.whole) for action in driving)
+    return AdversaryKind.CAR if drives else AdversaryKind.PEDESTRIAN
 
 
 def _occluder(clauses: _Clauses) -> Occluder | None:

@@ -35,7 +35,7 @@ EGO_AS_OBJECT = re.compile(
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
     AdversaryKind.PEDESTRIAN: _p(
         r"pedestrians?|walkers?|persons?|people|child|children|kids?|man|woman|men|women|boys?|girls?|joggers?|runners?|"
-        r"jaywalk\w*|somebody|someone|toddler|student|old lady|on foot|passer-?by"
+        r"jaywalk\w*|toddler|student|old lady|on foot|passer-?by"
     ),
     AdversaryKind.MOTORCYCLE: _p(r"motor ?(?:cycl\w+|bikes?|bikers?)|bikers?|mopeds?|scooters?|motorist on two wheels"),
     AdversaryKind.BICYCLE: _p(r"(?:bi)?cycl(?:es?|ists?)|bikes?|bike riders?|e-?bikes?"),
@@ -49,6 +49,7 @@ ENCOUNTER = _p(
     r"encounter\w*|meets?|faces?|notices?|sees?|spots?",
     r"(?:surprised|cut off|cut up|overtaken|passed|hit|approached|blocked|struck|confronted|followed|tailgated) by",
 )
+SOMEBODY = _p("somebody|someone|anyone|guy|fellow|idiot|fool|maniac")  # on foot, if nothing else is said
 ADVERSARIAL = _p("adversarial|adversary|attacking|hostile")
 
 # Parts of the scene that are no adversary; taken out before anyone is looked for

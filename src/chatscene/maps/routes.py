@@ -14,6 +14,7 @@ from itertools import islice
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
@@ -116,6 +117,7 @@ def _slug(query: RouteQuery) -> str:
     parts = [query.maneuver, query.place, query.control]
     parts += [f"{query.lanes_same_way}-lanes"] * (query.lanes_same_way > 1)
     parts += [None if query.opposite_lane is None else "opposite" if query.opposite_lane else "one-way"]
+    parts += [f"lane-{query.lane_beside}"] if query.lane_beside else []
     parts += [f"from-{side}" for side in query.conflicting_from]
     return "-".join(part for part in parts if part is not None)
 
@@ -140,6 +142,8 @@ def _in_words(query: RouteQuery) -> str:
         words.append(f"{query.lanes_same_way} lanes in the ego's direction")
     if query.opposite_lane:
         words.append("an oncoming lane beside the ego's")
+    if query.lane_beside:
+        words.append(f"a lane of the ego's direction to its {query.lane_beside}")
     if query.conflicting_from:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
     return ", ".join(words)
@@ -295,7 +299,7 @@ def _shifted(line: Polyline, left: float, out_at: float, back_at: float | None) 
     return Polyline(fine.points + (left * share)[:, None] * normal)
 
 
-def _smooth(t: np.ndarray) -> np.ndarray:
+def _smooth(t: NDArray[Any]) -> NDArray[Any]:
     t = np.clip(t, 0.0, 1.0)
     return t * t * (3 - 2 * t)
 
@@ -316,7 +320,11 @@ def _offers(lane: Any, query: RouteQuery) -> bool:
     """Whether a lane has the neighbours a query asks for."""
     if len(lane.group.lanes) < query.lanes_same_way:
         return False
+    left, right = lane.sections[0]._laneToLeft, lane.sections[0]._laneToRight
+    if query.lane_beside is not None:
+        beside = left if query.lane_beside == "left" else right
+        if beside is None or _opposes(lane, beside.lane):
+            return False
     if query.opposite_lane is None:
         return True
-    left = lane.sections[0]._laneToLeft
     return (left is not None and _opposes(lane, left.lane)) == query.opposite_lane

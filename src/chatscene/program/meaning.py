@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.program.assemble import CLASSES
 from chatscene.simulate.embedded.roadside import crossing_step
@@ -259,12 +261,12 @@ POSITIONS: dict[Position, Callable[[Seen], bool]] = {
 # What the adversary does
 
 
-def _first(condition: Array | np.ndarray) -> int | None:
+def _first(condition: NDArray[Any]) -> int | None:
     found = np.flatnonzero(condition)
     return int(found[0]) if found.size else None
 
 
-def _lasting(condition: np.ndarray, steps: int) -> np.ndarray:
+def _lasting(condition: NDArray[Any], steps: int) -> NDArray[Any]:
     """Where a condition has held for `steps` in a row, ending there."""
     if len(condition) < steps:
         return np.zeros(len(condition), bool)

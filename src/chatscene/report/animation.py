@@ -112,7 +112,7 @@ class _Camera:
             middle_x = end_x + min(max(middle_x - end_x, -reach), reach)
             reach *= HEIGHT / WIDTH
             middle_y = end_y + min(max(middle_y - end_y, -reach), reach)
-        return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / min(max(width, 40.0), largest))
+        return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / float(min(max(width, 40.0), largest)))
 
     def points(self, line: Points) -> list[tuple[float, float]]:
         """Points of the map [m] as pixels of the large picture."""

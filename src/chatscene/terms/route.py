@@ -21,6 +21,7 @@ class RouteQuery:
         control: How the junction is controlled; None for any.
         lanes_same_way: At least this many lanes in the ego's direction.
         opposite_lane: Whether a lane of the opposite direction must lie directly beside the ego's.
+        lane_beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly on that side.
         conflicting_from: Sides ("left", "right", "oncoming") from which another vehicle must be able to
             cross the ego's way at the junction.
     """
@@ -30,6 +31,7 @@ class RouteQuery:
     control: Control | None = None
     lanes_same_way: int = 1
     opposite_lane: bool | None = None
+    lane_beside: str | None = None
     conflicting_from: tuple[str, ...] = ()
 
 

@@ -27,10 +27,10 @@ if 'route' not in globalParameters:
 if 'signals' not in globalParameters:
     param signals = 'clock'
 
-def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, crossed=()):
+def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=()):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry."""
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
-        place=place, control=control, lanes=lanes, opposite=opposite, crossed=crossed)
+        place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed)
 
 def startOf(route):
     """The ego's start pose."""

@@ -74,6 +74,7 @@ def routes_for(
     control: str | None = None,
     lanes: int = 1,
     opposite: bool | None = None,
+    beside: str | None = None,
     crossed: tuple[str, ...] = (),
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
@@ -86,6 +87,7 @@ def routes_for(
         control: A `Control`, or None for any.
         lanes: Least number of lanes in the ego's direction.
         opposite: Whether an oncoming lane must lie beside the ego's.
+        beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly there.
         crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
 
     Raises:
@@ -97,6 +99,7 @@ def routes_for(
         control=None if control is None else Control(control),
         lanes_same_way=lanes,
         opposite_lane=opposite,
+        lane_beside=beside,
         conflicting_from=tuple(crossed),
     )
     return _routes(network, Path(map_path).stem, query)

@@ -28,13 +28,13 @@
 #: [[parameters]]
 #: name = "OPT_SWERVE"
 #: low = 1.2
-#: high = 1.9
+#: high = 3.8
 #: unit = "m"
 #: meaning = "how far it swerves"
 
 param OPT_ADV_SPEED = Range(4, 10)
 param OPT_ADV_DISTANCE = Range(12, 40)
-param OPT_SWERVE = Range(1.2, 1.9)
+param OPT_SWERVE = Range(1.2, 3.8)
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE

@@ -1,0 +1,20 @@
+#: description = "The ego drives straight in the right of two lanes; there is a lane of its direction to its left."
+#: rephrasings = [
+#:   "The ego keeps to the outer lane of a road with several lanes, with room for others on its left.",
+#:   "Straight ahead on a multi-lane street, the neighbouring lane lies on the left.",
+#:   "The ego cruises in the slow lane; faster traffic may overtake in the lane to the left.",
+#:   "A wide road where a parallel lane runs along the left side of the ego.",
+#:   "No lane change: the ego stays right and another lane goes the same way on its left.",
+#: ]
+#: adversaries = []
+#: requires = []
+#: provides = ["adjacentLane", "egoRoute", "egoSpawnPt", "leftLane"]
+#: origin = "own code"
+#: [slots]
+#: maneuver = "straight"
+#: place = "road"
+
+egoRoute = selectRoute(maneuver="straight", place="road", lanes=2, beside="left")
+egoSpawnPt = startOf(egoRoute)
+adjacentLane = neighbourPath(egoRoute, "left")
+leftLane = adjacentLane
