@@ -34,6 +34,7 @@ CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how l
 # [m], a bypass: the blocker, swinging out and in, passing beside
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
 
+_LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
 _STRAIGHT_ROAD = math.radians(5)
 _CURVED_ROAD = math.radians(30)
 _LEAST_TURNED = math.radians(45)
@@ -260,8 +261,17 @@ def _shape(line: Polyline, start: float, end: float) -> Place | None:
     """ROAD for a straight part of a line, CURVE for a bend, None for what is neither."""
     turns = [abs(_turned(line, start, s)) for s in np.linspace(start, end, 9).tolist()]
     if max(turns) < _STRAIGHT_ROAD:
-        return Place.ROAD
+        # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
+        shift = _aside(line, start, end) - 0.5 * _turned(line, start, end) * (end - start)
+        return Place.ROAD if abs(shift) < _LATERAL else None
     return Place.CURVE if turns[-1] > _CURVED_ROAD else None
+
+
+def _aside(line: Polyline, start: float, end: float) -> float:
+    """How far [m] a line has moved to the left of its first direction between two arc lengths."""
+    (x0, y0), (x1, y1) = line.point_at(start), line.point_at(end)
+    heading = line.heading_at(start)
+    return (y1 - y0) * math.cos(heading) - (x1 - x0) * math.sin(heading)
 
 
 def _on_road(

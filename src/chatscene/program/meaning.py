@@ -119,21 +119,20 @@ def check_meaning(slots: Slots, episode: Episode, route: Route) -> tuple[str, ..
 
 def maneuver_of(route: Route) -> Maneuver:
     """What a route does, from its shape alone."""
-    line = route.line
-    start = line.heading_at(0.0)
-    x0, y0 = line.point_at(0.0)
-    rel = line.points - np.array((x0, y0))
-    across = rel[:, 1] * math.cos(start) - rel[:, 0] * math.sin(start)
-    turned = (line.heading_at(line.length) - start + math.pi) % (2 * math.pi) - math.pi
-    if abs(turned) > math.radians(45):
-        # A bend of the road is no turn at a junction.
-        turning = Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
-        return turning if route.junction is not None else Maneuver.STRAIGHT
+    step = np.diff(route.line.points, axis=0)
+    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    turned = float(heading[-1] - heading[0])
+    if route.junction is not None and abs(turned) > math.radians(45):
+        return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
     if route.junction is None and route.place is not Place.CURVE:
-        if across.max() > 1.5 and abs(across[-1]) < 1.0:
+        # How far it moves over to the left of a road that bends evenly from its first to its last direction.
+        along = np.hypot(step[:, 0], step[:, 1])
+        even = heading[0] + turned * np.cumsum(along) / along.sum()
+        over = np.cumsum(np.sin(heading - even) * along)
+        if over.max() > 1.5 and abs(over[-1]) < 1.0:
             return Maneuver.BYPASS
-        if 1.5 < abs(across[-1]) < 8.0:
-            return Maneuver.LANE_CHANGE_LEFT if across[-1] > 0 else Maneuver.LANE_CHANGE_RIGHT
+        if abs(over[-1]) > 1.5:
+            return Maneuver.LANE_CHANGE_LEFT if over[-1] > 0 else Maneuver.LANE_CHANGE_RIGHT
     return Maneuver.STRAIGHT
 
 

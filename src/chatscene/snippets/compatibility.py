@@ -15,6 +15,7 @@ from chatscene.terms.scenario import AdversaryKind, Component, Place, Slots
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
+WAYS = {"advTrajectory", "advLane"}  # along the road, as spawns give them to adversaries that drive
 FACTS = (
     "side",
     "position",
@@ -46,6 +47,11 @@ def contradiction(one: Slots, other: Slots) -> str | None:
     return None
 
 
+def _follows(behavior: Snippet, spawn: Snippet) -> bool:
+    """Whether a behavior uses a way along the road that a spawn gives its adversary, if it gives one."""
+    return not WAYS & set(spawn.provides) or bool(WAYS & set(behavior.requires))
+
+
 def incompatibility(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | None:
     """Why three snippets cannot be joined, in words; None if they can."""
     triple = (behavior, geometry, spawn)
@@ -60,6 +66,8 @@ def incompatibility(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str
             return f"{one.id} and {other.id} both tune {', '.join(sorted(shared))}"
         if (words := contradiction(one.slots, other.slots)) is not None:
             return f"{one.id} and {other.id} contradict each other in {words}"
+    if not _follows(behavior, spawn):
+        return f"{behavior.id} is for somebody beside the road, {spawn.id} puts the adversary on it"
     if not set(behavior.adversaries) & set(spawn.adversaries):
         return f"{behavior.id} and {spawn.id} have no kind of adversary in common"
     return None
@@ -99,7 +107,9 @@ def compatibility(library: Library) -> Compatibility:
         & _none_missing(needs(g)[None, :, None], gives(b)[:, None, None], gives(s)[None, None, :])
         & _none_missing(needs(s)[None, None, :], gives(b)[:, None, None], gives(g)[None, :, None])
     )
-    kinds = np.array([[bool(set(x.adversaries) & set(y.adversaries)) for y in s] for x in b]).reshape(len(b), len(s))
+    kinds = np.array(
+        [[bool(set(x.adversaries) & set(y.adversaries)) and _follows(x, y) for y in s] for x in b]
+    ).reshape(len(b), len(s))
     pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & _pairwise(g, s)[None, :, :]
     return Compatibility(b, g, s, closed & pairs)
 

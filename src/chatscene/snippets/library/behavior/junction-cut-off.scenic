@@ -6,11 +6,12 @@
 #:   "Coming from the side, a vehicle takes the ego's way from it.",
 #:   "The crossing car slots in right before the ego's bonnet.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [slots]
+#: position = "crossing"
 #: actions = ["cut-in"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"

@@ -13,6 +13,7 @@
 #: [slots]
 #: actions = ["oncoming", "swerve"]
 #: position = "oncoming"
+#: maneuver = "bypass"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0
@@ -28,13 +29,13 @@
 #: [[parameters]]
 #: name = "OPT_SWERVE"
 #: low = 1.2
-#: high = 3.8
+#: high = 1.9
 #: unit = "m"
 #: meaning = "how far it swerves"
 
 param OPT_ADV_SPEED = Range(4, 10)
 param OPT_ADV_DISTANCE = Range(12, 40)
-param OPT_SWERVE = Range(1.2, 3.8)
+param OPT_SWERVE = Range(1.2, 1.9)
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE

@@ -6,7 +6,7 @@
 #:   "Someone crosses the carriageway stop-and-go, impossible to predict.",
 #:   "The cyclist pedals over in spurts, standing still between them.",
 #: ]
-#: adversaries = ["pedestrian", "bicycle"]
+#: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario straight-obstacle; own code"

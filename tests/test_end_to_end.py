@@ -1,0 +1,197 @@
+"""The real command, as a user runs it."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from chatscene import runs
+
+ROOT = Path(__file__).parents[1]
+SENTENCE = "A cyclist rides out from the left and stops in front of us."
+SAME = ("scenes.parquet", "events.parquet", "signals.parquet", "ranges.parquet", "map.json", "explanation.json")
+
+Chatscene = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+@pytest.fixture(scope="module")
+def chatscene() -> Chatscene:
+    def call(*arguments: str, **options: object) -> "subprocess.CompletedProcess[str]":
+        command = [sys.executable, "-m", "chatscene", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, timeout=200, check=False, **options)  # type: ignore[call-overload,no-any-return]
+
+    return call
+
+
+@pytest.fixture(scope="module")
+def finished(chatscene: Chatscene, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An uninterrupted run of one process."""
+    folder = tmp_path_factory.mktemp("whole run") / "one job"
+    done = chatscene("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1")
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    """Everything in a run folder that two equal runs must share."""
+    paths = (
+        [folder / name for name in SAME] + sorted((folder / "episodes").iterdir()) + sorted(folder.glob("programs/*"))
+    )
+    return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+
+
+def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
+    record = json.loads((finished / "run.json").read_text())
+    assert record["status"] == "done"
+    assert record["counts"]["ran"] == 40
+    assert record["counts"]["selected"] == 4
+    scenes = runs.read_scenes(runs.open_run(finished))
+    assert sum(row["meaning_ok"] for row in scenes) >= 36
+    assert 0 < sum(row["collision"] for row in scenes)
+    assert SENTENCE in (finished / "report.html").read_text()
+    assert list(finished.glob("*.gif"))
+
+
+def test_two_processes_give_the_same_files_as_one(finished: Path, chatscene: Chatscene, tmp_path: Path) -> None:
+    folder = tmp_path / "two"
+    done = chatscene("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2")
+    assert done.returncode == 0, done.stderr
+    assert content(folder) == content(finished)
+
+
+def test_a_run_killed_three_times_ends_like_one_that_was_not(
+    finished: Path, chatscene: Chatscene, tmp_path: Path
+) -> None:
+    folder = tmp_path / "killed"
+    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1"]
+    for blocks in (0, 1, 3):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "chatscene", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        _wait(lambda n=blocks: (folder / "run.json").exists() and len(list(folder.glob("parts/*.json"))) >= n)
+        os.kill(process.pid, signal.SIGKILL)
+        process.wait()
+        arguments = ["resume", str(folder)]
+    assert not (folder / "scenes.parquet").exists()
+    done = chatscene("resume", str(folder))
+    assert done.returncode == 0, done.stderr
+    assert content(folder) == content(finished)
+
+
+def _wait(ready: Callable[[], bool]) -> None:
+    until = time.monotonic() + 60
+    while not ready():
+        assert time.monotonic() < until, "the run did not come that far"
+        time.sleep(0.002)
+
+
+def test_a_finished_run_is_not_run_again(finished: Path, chatscene: Chatscene) -> None:
+    before = content(finished)
+    assert chatscene("resume", str(finished)).returncode == 0
+    assert content(finished) == before
+
+
+def test_a_scene_replays_bit_for_bit(finished: Path, chatscene: Chatscene) -> None:
+    kept = next(row for row in runs.read_scenes(runs.open_run(finished)) if row["selected"])
+    answer = chatscene("replay", str(finished), kept["scene_id"], "--json")
+    assert json.loads(answer.stdout) == {"scene_id": kept["scene_id"], "identical": True, "difference": ""}
+
+
+def test_a_replay_of_changed_tracks_says_where_they_differ(
+    finished: Path, chatscene: Chatscene, tmp_path: Path
+) -> None:
+    import shutil
+
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    folder = tmp_path / "changed"
+    shutil.copytree(finished, folder)
+    path = min((folder / "episodes").iterdir())
+    table = pq.read_table(path)
+    x = table.column("x").to_numpy().copy()
+    x[7] += 1e-9
+    pq.write_table(table.set_column(table.column_names.index("x"), "x", pa.array(x)), path)
+    scene = table.column("scene_id")[0].as_py()
+    answer = chatscene("replay", str(folder), scene)
+    assert answer.returncode == 1
+    assert "x from step 7 on" in answer.stdout
+
+
+def test_what_the_library_cannot_do_is_refused_with_status_3(chatscene: Chatscene, tmp_path: Path) -> None:
+    folder = tmp_path / "refused"
+    answer = chatscene("run", "A helicopter lands on the roof of our car.", "--out", str(folder))
+    assert answer.returncode == 3
+    assert "nothing in the library does this" in answer.stderr
+    assert json.loads((folder / "run.json").read_text())["status"] == "refused"
+
+
+BAD = {
+    "empty text": (["run", ""], "the text is empty"),
+    "noise": (["run", "x7 " * 3500], "at most"),
+    "unknown map": (["run", SENTENCE, "--map", "twon"], "did you mean 'town'"),
+    "unknown ego": (["run", SENTENCE, "--ego", "rule-base"], "did you mean 'rule-based'"),
+    "no scenes": (["run", SENTENCE, "--scenes", "0"], "at least 1"),
+    "not a run": (["resume", "."], "not a run folder"),
+    "unknown snippet": (["library", "show", "behavior/cros"], "did you mean"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_bad_input_ends_in_one_clear_message(case: str, chatscene: Chatscene, tmp_path: Path) -> None:
+    arguments, words = BAD[case]
+    answer = chatscene(*arguments, cwd=tmp_path)
+    assert answer.returncode == 1
+    assert words in answer.stderr
+    assert "Traceback" not in answer.stderr
+    assert len(answer.stderr.strip().splitlines()) == 1
+
+
+def test_a_truncated_map_is_named(chatscene: Chatscene, tmp_path: Path) -> None:
+    whole = (ROOT / "src" / "chatscene" / "maps" / "town.xodr").read_text()
+    broken = tmp_path / "half.xodr"
+    broken.write_text(whole[: len(whole) // 2])
+    answer = chatscene("run", SENTENCE, "--map", str(broken), "--out", str(tmp_path / "run"))
+    assert answer.returncode == 1
+    assert "half.xodr" in answer.stderr
+    assert "Traceback" not in answer.stderr
+
+
+def test_an_output_folder_that_cannot_be_written_is_named(chatscene: Chatscene, tmp_path: Path) -> None:
+    taken = tmp_path / "taken"
+    taken.write_text("a file, not a folder")
+    answer = chatscene("run", SENTENCE, "--out", str(taken / "run"))
+    assert answer.returncode == 1
+    assert "taken" in answer.stderr
+    assert "Traceback" not in answer.stderr
+
+
+def test_usage_errors_have_status_2(chatscene: Chatscene) -> None:
+    assert chatscene("run").returncode == 2
+    assert chatscene("fly").returncode == 2
+
+
+@pytest.mark.parametrize(
+    "command", ["", "run", "resume", "replay", "explain", "library", "library lint", "map", "map info", "doctor"]
+)
+def test_every_command_has_a_help_with_an_example(command: str, chatscene: Chatscene) -> None:
+    answer = chatscene(*command.split(), "--help")
+    assert answer.returncode == 0
+    assert command in ("library", "map") or "chatscene " in answer.stdout.split("Options:")[0].replace("Usage", "")
+
+
+def test_explain_speaks_to_people_and_to_scripts(chatscene: Chatscene) -> None:
+    assert "behavior/cross-and-stop" in chatscene("explain", SENTENCE).stdout
+    answer = json.loads(chatscene("explain", SENTENCE, "--json").stdout)
+    assert "model chatscene.world.model" in answer["program"]
+
+
+def test_doctor_finds_nothing_wrong(chatscene: Chatscene) -> None:
+    checks = json.loads(chatscene("doctor", "--json").stdout)
+    assert all(check["ok"] for check in checks), checks
