@@ -53,7 +53,7 @@ def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
     assert record["counts"]["selected"] == 4
     scenes = runs.read_scenes(runs.open_run(finished))
     assert sum(row["meaning_ok"] for row in scenes) >= 36
-    assert 0 < sum(row["collision"] for row in scenes)
+    assert sum(row["collision"] for row in scenes) > 0
     assert SENTENCE in (finished / "report.html").read_text()
     assert list(finished.glob("*.gif"))
 

@@ -27,6 +27,9 @@ if 'route' not in globalParameters:
 if 'signals' not in globalParameters:
     param signals = 'clock'
 
+from chatscene.simulate.embedded.simulation import EmbeddedSimulator as _EmbeddedSimulator
+simulator _EmbeddedSimulator()
+
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=()):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry."""
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,

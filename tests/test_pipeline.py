@@ -1,0 +1,107 @@
+"""From a sentence to a program that means it: our own sentences by golden file, the paper's forty by outcome."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from chatscene import pipeline
+from chatscene.agent.decompose import decompose
+from chatscene.ego.rule_based import RuleBased
+from chatscene.errors import NamesNotClosed, NothingFits, Unsatisfiable
+from chatscene.maps.network import resolve_map
+from chatscene.program.assemble import assemble
+from chatscene.program.check import check, probe_scenes
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.snippets.library import load_library
+from chatscene.terms.scenario import AdversaryKind, Slots
+from chatscene.terms.scene import ScenicProgram
+
+GOLDEN = Path(__file__).parent / "golden"
+SENTENCES = {
+    "bus-stop": "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",
+    "red-light": "We drive straight when a truck from the left runs the red light and brakes.",
+    "lane-change": "While we change to the left lane, a motorcycle ahead in that lane brakes hard.",
+}
+PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+
+
+@pytest.fixture(scope="module")
+def backend() -> Backend:
+    return load_backend("embedded", resolve_map("town"), SimulationSettings())
+
+
+@pytest.mark.parametrize("name", SENTENCES)
+def test_a_sentence_makes_the_program_in_its_golden_file(name: str) -> None:
+    """To accept a change: write ``understand(SENTENCES[name]).program.source`` into the file and read the diff."""
+    assert pipeline.understand(SENTENCES[name]).program.source == (GOLDEN / f"{name}.scenic").read_text()
+
+
+@pytest.mark.parametrize("name", SENTENCES)
+def test_a_golden_program_means_its_sentence(name: str, backend: Backend) -> None:
+    understood = pipeline.understand(SENTENCES[name])
+    checked = check(understood.program, understood.scenario.slots, backend, RuleBased())
+    assert len(checked.episodes) == 3
+
+
+def test_the_stock_scenic_command_compiles_and_runs_a_program() -> None:
+    scenic = Path(sys.executable).with_name("scenic")
+    command = [str(scenic), "--2d", "-S", "--count", "1", "--time", "20", str(GOLDEN / "red-light.scenic")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_what_a_user_writes_stays_a_comment() -> None:
+    text = 'A cyclist crosses from the left"""\nimport os\nparam x = 1\x00\r# '
+    source = pipeline.understand(text).program.source
+    said = source.split("\n\n")[0]
+    assert all(line.startswith("# ") for line in said.splitlines())
+    assert source.count("import os") == 1
+
+
+def test_a_part_that_lacks_a_name_is_told_which() -> None:
+    library = load_library()
+    triple = tuple(library.get(i) for i in ("behavior/lane-brake", "geometry/straight-road", "spawn/roadside-right"))
+    with pytest.raises(NamesNotClosed, match="advTrajectory"):
+        assemble(decompose("a car brakes"), (triple[0], triple[1], triple[2]), AdversaryKind.CAR)
+
+
+def test_a_program_that_can_never_be_placed_says_why(backend: Backend) -> None:
+    source = """
+model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight")
+param OPT_GEO_Y = Range(0, 1)
+behavior AdvBehavior():
+    do Park()
+ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with route egoRoute
+AdvAgent = new Car at pointOn(egoRoute, globalParameters.OPT_GEO_Y), facing 0, with behavior AdvBehavior()
+"""
+    from chatscene.terms.snippet import ParameterRange
+
+    p = ParameterRange(name="OPT_GEO_Y", low=0.0, high=1.0, unit="m")
+    program = ScenicProgram(scenario_id="stuck", source=source, parameters=(p,), snippet_ids=(), digest="stuck")
+    with pytest.raises(Unsatisfiable, match="adversary overlaps ego"):
+        check(program, Slots(), backend, RuleBased())
+    assert {scene.values["OPT_GEO_Y"] for scene in probe_scenes(program, 0)} >= {0.5, 0.25}
+
+
+def test_nonsense_is_refused() -> None:
+    with pytest.raises(NothingFits):
+        pipeline.understand("Whisk two eggs and fold in the flour.")
+
+
+def _paper() -> list[str]:
+    if not PAPER.exists():
+        return []
+    groups: dict[str, list[str]] = json.loads(PAPER.read_text())["descriptions"]
+    return [text for texts in groups.values() for text in texts]
+
+
+@pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
+@pytest.mark.parametrize("number", range(40))
+def test_each_sentence_of_the_paper_becomes_a_program_that_means_it(number: int, backend: Backend) -> None:
+    understood = pipeline.understand(_paper()[number])
+    check(understood.program, understood.scenario.slots, backend, RuleBased())
