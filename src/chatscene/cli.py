@@ -277,7 +277,7 @@ def map_group() -> None:
 @map_group.command("info")
 @click.argument("map_name", metavar="MAP", default="town")
 @JSON
-def map_info(map_name: str, as_json: bool) -> None:
+def show_map(map_name: str, as_json: bool) -> None:
     r"""Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
 
     \b
@@ -299,7 +299,7 @@ def map_info(map_name: str, as_json: bool) -> None:
 
 @map_group.command("check")
 @click.argument("map_name", metavar="MAP")
-def map_check(map_name: str) -> None:
+def check_map_file(map_name: str) -> None:
     r"""Check that a map can be used, and name what is wrong with it.
 
     \b

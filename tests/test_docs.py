@@ -1,0 +1,73 @@
+"""The documents say what is true: commands run, links lead somewhere, the glossary knows the words."""
+
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from chatscene.terms.scenario import BaseScenario, Component
+
+ROOT = Path(__file__).parents[1]
+PAGES = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md")])
+CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
+
+
+def commands(page: Path) -> list[tuple[str, int]]:
+    """The chatscene commands of a page, with the status each should end with."""
+    lines = [line for block in CONSOLE.findall(page.read_text()) for line in block.splitlines()]
+    found: list[tuple[str, int]] = []
+    for line in lines:
+        if line.startswith("$ chatscene "):
+            command, _, comment = line[2:].partition("  #")
+            status = re.search(r"status (\d)", comment)
+            found.append((command.strip(), int(status[1]) if status else 0))
+    return found
+
+
+def test_the_commands_of_the_tour_do_what_it_says(tmp_path: Path) -> None:
+    steps = commands(ROOT / "docs" / "tour.md")
+    assert len(steps) >= 7
+    for command, status in steps:
+        arguments = [sys.executable, "-m", *shlex.split(command)]
+        done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True, timeout=200, check=False)
+        assert done.returncode == status, f"{command}\n{done.stdout}\n{done.stderr}"
+
+
+def test_every_command_in_the_readme_exists() -> None:
+    for command, _ in commands(ROOT / "README.md"):
+        words = [word for word in shlex.split(command)[1:3] if word.isalpha() and word.islower()]
+        verb = words[:2] if words[0] in ("library", "map") else words[:1]
+        done = subprocess.run(
+            [sys.executable, "-m", "chatscene", *verb, "--help"], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, command
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_between_pages_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text()):
+        if not target.startswith("http"):
+            assert (page.parent / target).exists(), f"{page.name} links to {target}"
+
+
+def test_the_glossary_defines_the_words_the_design_rests_on() -> None:
+    defined = set(re.findall(r"^- \*\*([a-z -]+)\*\*:", (ROOT / "docs" / "glossary.md").read_text(), re.MULTILINE))
+    words = {"route", "base scenario", "scenario", "scene", "component", "snippet", "sub-description", "surrogate ego"}
+    words |= {"ego", "adversary", "episode", "block", "selection", "slot", "track", "event", "rejected", "fill-in"}
+    assert words <= defined
+
+
+def test_no_public_name_is_a_word_that_says_nothing() -> None:
+    for path in (ROOT / "src" / "chatscene").rglob("*.py"):
+        names = {path.stem, *re.findall(r"^(?:class|def) (\w+)", path.read_text(), re.MULTILINE)}
+        assert not {n for n in names if re.search(r"util|helper|manager|_info$|_data$", n, re.IGNORECASE)}, path
+
+
+def test_the_readme_lists_what_there_is() -> None:
+    text = (ROOT / "README.md").read_text()
+    assert all(verb in text for verb in ("run", "resume", "replay", "explain", "library", "map", "doctor"))
+    assert len(BaseScenario) == 8
+    assert len(Component) == 3
