@@ -10,7 +10,7 @@ import pytest
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy
 from chatscene.ego.rule_based import TARGET_SPEED, RuleBased
-from chatscene.errors import DoesNotCompile, MapError, ProgramError, SettingsError, StuckBehavior
+from chatscene.errors import DoesNotCompile, EgoError, MapError, ProgramError, SettingsError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.backend import BACKENDS, Backend, load_backend
@@ -171,6 +171,15 @@ def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: 
     with pytest.raises(StuckBehavior, match="loops without"):
         backend.run(moving("while True:\n        x = 1\n    take SetThrottleAction(0)"), scene(), RuleBased())
     assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
+def test_a_fault_in_an_ego_names_the_ego(backend: Backend) -> None:
+    class Broken:
+        def act(self, observation: Observation) -> tuple[float, float]:
+            raise OSError("no camera")
+
+    with pytest.raises(EgoError, match=r"Broken.*step 0.*no camera"):
+        backend.run(program(HEAD + EGO), scene(), Broken())
 
 
 def test_a_fault_in_a_behavior_names_the_program(backend: Backend) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import difflib
 import importlib
 import math
+import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation
@@ -44,6 +46,8 @@ def load_ego(name: str) -> EgoPolicy:
         raise EgoError(
             f"there is no ego {name!r}; {hint}known: {', '.join(sorted(EGOS))}; or give package.module:factory"
         )
+    if (here := str(Path.cwd())) not in sys.path:  # where a user's own module lies, even for an installed command
+        sys.path.insert(0, here)
     try:
         make: Callable[[], Any] = getattr(importlib.import_module(module), factory)
     except ImportError as error:

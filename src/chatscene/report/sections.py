@@ -69,7 +69,7 @@ def verdict(scenes: Sequence[Row]) -> str:
     return (
         f'<p class="verdict">{_scenes(len(ran))} driven, <strong>{hits} collided</strong>'
         f" ({hits / len(ran):.0%}, 95 % interval {low:.0%} to {high:.0%}), <strong>{kept} kept</strong>. "
-        f"In {meant} of {len(ran)} the adversary was seen to do what the sentence says.</p>"
+        f"In {meant} of {len(ran)} the adversary did what the sentence says, as far as the drive went.</p>"
         f'<dl class="tiles">{cells}</dl>'
     )
 

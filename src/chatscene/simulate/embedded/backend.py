@@ -10,7 +10,7 @@ import numpy as np
 
 from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, controls
-from chatscene.errors import ProgramError
+from chatscene.errors import EgoError, ProgramError
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
@@ -86,7 +86,7 @@ class EmbeddedBackend:
             rejection = run.to_the_end(ego)
             if rejection is not None:
                 return Rejected(scene=scene, reason=rejection)
-        return run.episode(scene, getattr(ego, "name", type(ego).__name__), str(placed.params["signals"]))
+        return run.episode(scene, _name(ego), str(placed.params["signals"]))
 
     def _around(self, route: Route) -> RouteSurroundings:
         if route.id not in self._surroundings:
@@ -136,7 +136,13 @@ class _Run:
             if (ending := self._ended(step, limit)) is not None:
                 self.ending = ending
                 return None
-            body.throttle, body.brake, body.steer = controls(act(observation))
+            try:
+                action = act(observation)
+            except Exception as error:
+                raise EgoError(
+                    f"the ego {_name(ego)!r} fails at step {step}: {type(error).__name__}: {error}"
+                ) from error
+            body.throttle, body.brake, body.steer = controls(action)
             try:
                 drive.advance()
             except drive.REJECTIONS as error:
@@ -229,6 +235,10 @@ class _Run:
             )
         order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
         return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
+
+
+def _name(ego: EgoPolicy) -> str:
+    return str(getattr(ego, "name", type(ego).__name__))
 
 
 def _names(objects: list[Any]) -> list[tuple[str, Role]]:
