@@ -19,6 +19,8 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from chatscene.pipeline import Summary
+
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
 MAP = click.option(
     "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
@@ -55,7 +57,7 @@ def _console() -> Console:
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="chatscene")
 def main() -> None:
-    r"""Turn a sentence about a dangerous traffic situation into scenes worth testing on.
+    """Turn a sentence about a dangerous traffic situation into scenes worth testing on.
 
     \b
     chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
@@ -83,6 +85,7 @@ def main() -> None:
     type=click.IntRange(min=1),
     help="Processes; default: as many as pay.",
 )
+@JSON
 def run(
     text: str,
     map_name: str,
@@ -92,8 +95,9 @@ def run(
     seed: int,
     out: Path | None,
     jobs: int | None,
+    as_json: bool,
 ) -> None:
-    r"""Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
+    """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
 
     \b
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
@@ -105,7 +109,7 @@ def run(
 
     settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed))
     folder = out or pipeline.free_folder(Path("runs"), text)
-    report = pipeline.run(
+    summary = pipeline.run(
         text,
         folder,
         settings=settings,
@@ -114,22 +118,23 @@ def run(
         jobs=jobs or _jobs(scenes, routes),
         progress=_progress(),
     )
-    _say_done(folder, report)
+    _say_done(folder, summary, as_json)
 
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
-def resume(folder: Path, jobs: int | None) -> None:
-    r"""Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
+@JSON
+def resume(folder: Path, jobs: int | None, as_json: bool) -> None:
+    """Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
 
     \b
     chatscene resume runs/cyclist
     """
     from chatscene import pipeline
 
-    report = pipeline.resume(folder, jobs=jobs or 1, progress=_progress())
-    _say_done(folder, report)
+    summary = pipeline.resume(folder, jobs=jobs or 1, progress=_progress())
+    _say_done(folder, summary, as_json)
 
 
 @main.command()
@@ -137,7 +142,7 @@ def resume(folder: Path, jobs: int | None) -> None:
 @click.argument("scene_id")
 @JSON
 def replay(folder: Path, scene_id: str, as_json: bool) -> None:
-    r"""Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
@@ -158,7 +163,7 @@ def replay(folder: Path, scene_id: str, as_json: bool) -> None:
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
 @JSON
 def explain(text: str, show_program: bool, as_json: bool) -> None:
-    r"""Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+    """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
     chatscene explain "a motorbike cuts us off from the right"
@@ -184,7 +189,7 @@ def library() -> None:
 @click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default=None)
 @JSON
 def list_snippets(component: str | None, as_json: bool) -> None:
-    r"""List the snippets, a line each.
+    """List the snippets, a line each.
 
     \b
     chatscene library list --component spawn
@@ -202,7 +207,7 @@ def list_snippets(component: str | None, as_json: bool) -> None:
 @library.command()
 @click.argument("snippet_id", metavar="ID")
 def show(snippet_id: str) -> None:
-    r"""Print one snippet: what it says, what it needs and gives, its code.
+    """Print one snippet: what it says, what it needs and gives, its code.
 
     \b
     chatscene library show behavior/cross-and-stop
@@ -221,7 +226,7 @@ def show(snippet_id: str) -> None:
 @click.option("--top", default=5, show_default=True)
 @JSON
 def search(text: str, component: str, top: int, as_json: bool) -> None:
-    r"""Find the snippets of one component nearest to TEXT.
+    """Find the snippets of one component nearest to TEXT.
 
     \b
     chatscene library search "slams on the brakes"
@@ -243,7 +248,7 @@ def search(text: str, component: str, top: int, as_json: bool) -> None:
 @click.option("--folder", type=click.Path(path_type=Path, exists=True), default=None, help="A library of your own.")
 @JSON
 def lint(folder: Path | None, as_json: bool) -> None:
-    r"""Check every snippet: header against code, compiles, samples, runs, does what it says.
+    """Check every snippet: header against code, compiles, samples, runs, does what it says.
 
     \b
     chatscene library lint
@@ -278,7 +283,7 @@ def map_group() -> None:
 @click.argument("map_name", metavar="MAP", default="town")
 @JSON
 def show_map(map_name: str, as_json: bool) -> None:
-    r"""Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
+    """Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
 
     \b
     chatscene map info
@@ -300,7 +305,7 @@ def show_map(map_name: str, as_json: bool) -> None:
 @map_group.command("check")
 @click.argument("map_name", metavar="MAP")
 def check_map_file(map_name: str) -> None:
-    r"""Check that a map can be used, and name what is wrong with it.
+    """Check that a map can be used, and name what is wrong with it.
 
     \b
     chatscene map check my-town.xodr
@@ -319,7 +324,7 @@ def check_map_file(map_name: str) -> None:
 @main.command()
 @JSON
 def doctor(as_json: bool) -> None:
-    r"""Check this installation: versions, encoder, library, map, one simulated scene.
+    """Check this installation: versions, encoder, library, map, one simulated scene.
 
     \b
     chatscene doctor
@@ -349,6 +354,9 @@ def _progress() -> Callable[[str, int, int], None]:
     return progress_line(sys.stderr)
 
 
-def _say_done(folder: Path, report: Any) -> None:
-    click.echo(report.in_words())
-    click.echo(f"report: {folder / 'report.html'}")
+def _say_done(folder: Path, summary: Summary, as_json: bool) -> None:
+    if as_json:
+        click.echo(json.dumps({"folder": str(folder), "seconds": summary.seconds, **summary.counts}))
+    else:
+        click.echo(summary.in_words())
+        click.echo(f"report: {folder / 'report.html'}")

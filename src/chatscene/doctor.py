@@ -66,7 +66,7 @@ def _map() -> str:
     from chatscene.maps.network import load_network, resolve_map
 
     network = load_network(resolve_map("town"))
-    return f"town: {len(network.lanes)} lanes, {len(network.intersections)} junctions"
+    return f"town: {len(network.roads)} roads, {len(network.intersections)} junctions"
 
 
 def _library() -> str:
