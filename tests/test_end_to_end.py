@@ -52,8 +52,9 @@ def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
     assert record["counts"]["ran"] == 40
     assert record["counts"]["selected"] == 4
     scenes = runs.read_scenes(runs.open_run(finished))
-    assert sum(row["meaning_ok"] for row in scenes) >= 36
-    assert sum(row["collision"] for row in scenes) > 0
+    assert all(row["meaning_ok"] for row in scenes if row["collision"])
+    assert sum(row["meaning_ok"] for row in scenes) > 20
+    assert any(row["collision"] for row in scenes)
     assert SENTENCE in (finished / "report.html").read_text()
     assert list(finished.glob("*.gif"))
 

@@ -6,7 +6,7 @@ AdvClass = Pedestrian
 
 ## behavior/cross-and-stop
 param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(2, 26)
+param OPT_ADV_DISTANCE = Range(6, 40)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from chatscene.program.assemble import CLASSES
 from chatscene.simulate.embedded.roadside import crossing_step
 from chatscene.terms.episode import Array, Ending, Episode, Role, SignalTrack, Track
+from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Action, Maneuver, Occluder, Place, Position, Side, Slots
 
@@ -45,6 +46,7 @@ class Seen:
         along: (T,) [m], position along the ego's start heading, from the ego's start.
         across: (T,) [m], to the left of it.
         offset: (T,) [m], signed lateral offset from the ego's route.
+        lead: (T,) [m], how far along the route it is ahead of the ego.
         drift: (T,) [m], to the left of the line on which the adversary itself began.
         acceleration: (T,) [m/s²].
         bearing: (T,) [rad], heading against the ego's start heading, in (-pi, pi].
@@ -57,6 +59,7 @@ class Seen:
     along: Array
     across: Array
     offset: Array
+    lead: Array
     drift: Array
     acceleration: Array
     bearing: Array
@@ -68,10 +71,7 @@ def watch(episode: Episode, route: Route, track: Track) -> Seen:
     """See one adversary of an episode in the ego's frame."""
     ego = episode.ego_track
     along, across = _frame(track, ego.x[0], ego.y[0], ego.heading[0])
-    near: int | None = None
-    offset = np.empty_like(along)
-    for i, (x, y) in enumerate(zip(track.x.tolist(), track.y.tolist(), strict=True)):
-        _, offset[i], near = route.line.project(x, y, near)
+    at, offset = _on_line(route.line, track)
     _, drift = _frame(track, track.x[0], track.y[0], track.heading[0])
     return Seen(
         track=track,
@@ -79,12 +79,22 @@ def watch(episode: Episode, route: Route, track: Track) -> Seen:
         along=along,
         across=across,
         offset=offset,
+        lead=at - _on_line(route.line, ego)[0],
         drift=drift,
         acceleration=track.acceleration(episode.dt),
         bearing=(track.heading - ego.heading[0] + math.pi) % (2 * math.pi) - math.pi,
         dt=episode.dt,
         signals=episode.signals,
     )
+
+
+def _on_line(line: Polyline, track: Track) -> tuple[Array, Array]:
+    """(T,) arc length and (T,) signed lateral offset [m] of an actor on a line."""
+    found = np.empty((2, len(track.x)))
+    near: int | None = None
+    for i, (x, y) in enumerate(zip(track.x.tolist(), track.y.tolist(), strict=True)):
+        found[0, i], found[1, i], near = line.project(x, y, near)
+    return found[0], found[1]
 
 
 def check_meaning(slots: Slots, episode: Episode, route: Route) -> tuple[str, ...]:
@@ -278,7 +288,9 @@ def _speed(s: Seen) -> Array:
 
 
 def _crosses(s: Seen) -> bool:
-    return abs(s.offset[0]) > 1.4 and float(np.abs(s.offset).min()) < 1.3
+    # Whoever reaches the line behind the ego's back crosses nobody's way.
+    before = s.lead > -s.ego.length / 2
+    return abs(s.offset[0]) > 1.4 and bool((before & (np.abs(s.offset) < 1.3)).any())
 
 
 def _stops(s: Seen) -> bool:

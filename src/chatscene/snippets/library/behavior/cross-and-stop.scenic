@@ -21,8 +21,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 2.0
-#: high = 26.0
+#: low = 6.0
+#: high = 40.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when the adversary starts to move"
 #: [[parameters]]
@@ -33,7 +33,7 @@
 #: meaning = "how far from the ego's line it comes to rest"
 
 param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(2, 26)
+param OPT_ADV_DISTANCE = Range(6, 40)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():

@@ -20,8 +20,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
-#: high = 40.0
+#: low = 18.0
+#: high = 55.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -38,7 +38,7 @@
 #: meaning = "how long it pauses"
 
 param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(6, 40)
+param OPT_ADV_DISTANCE = Range(18, 55)
 param OPT_STOP_DISTANCE = Range(0.2, 2)
 param OPT_STOP_TIME = Range(0.5, 2)
 

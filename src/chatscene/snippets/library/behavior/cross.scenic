@@ -21,13 +21,13 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 2.0
-#: high = 26.0
+#: low = 10.0
+#: high = 54.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when the adversary starts to move"
 
 param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(2, 26)
+param OPT_ADV_DISTANCE = Range(10, 54)
 
 behavior AdvBehavior():
     do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE

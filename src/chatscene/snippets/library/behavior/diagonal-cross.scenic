@@ -20,8 +20,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 5.0
-#: high = 35.0
+#: low = 14.0
+#: high = 50.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -32,7 +32,7 @@
 #: meaning = "how far its way turns from straight across"
 
 param OPT_ADV_SPEED = Range(1, 4.5)
-param OPT_ADV_DISTANCE = Range(5, 35)
+param OPT_ADV_DISTANCE = Range(14, 50)
 param OPT_ADV_ANGLE = Range(0.45, 0.95)
 
 behavior AdvBehavior():

@@ -26,8 +26,8 @@
 #: meaning = "how fast it runs in the end"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
-#: high = 40.0
+#: low = 18.0
+#: high = 55.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -39,7 +39,7 @@
 
 param OPT_ADV_SPEED = Range(0.8, 2)
 param OPT_ADV_SPRINT = Range(4.5, 7)
-param OPT_ADV_DISTANCE = Range(6, 40)
+param OPT_ADV_DISTANCE = Range(18, 55)
 param OPT_ADV_REACH = Range(1, 3)
 
 behavior AdvBehavior():
