@@ -20,8 +20,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
-#: high = 40.0
+#: low = 14.0
+#: high = 55.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -44,7 +44,7 @@
 #: meaning = "how long it stands"
 
 param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(6, 40)
+param OPT_ADV_DISTANCE = Range(14, 55)
 param OPT_ADV_ANGLE = Range(0.45, 1)
 param OPT_STOP_DISTANCE = Range(1, 3)
 param OPT_STOP_TIME = Range(0.5, 1.5)
