@@ -91,6 +91,13 @@ def test_the_ego_brakes_for_a_vehicle_ahead_but_not_for_a_pedestrian(drive: Call
     assert drive(moving("do Halt()", kind="Pedestrian", ahead=60)).collision is not None
 
 
+def test_a_vehicle_beside_does_not_hide_the_one_ahead(drive: Callable[..., Episode]) -> None:
+    # Both stand within sight at once; the one beside the lane was made first.
+    beside = "new Car at pointOn(egoRoute, 58, -3.5), facing directionOn(egoRoute, 58)\n"
+    ahead = "new Car at pointOn(egoRoute, 60), facing directionOn(egoRoute, 60)\n"
+    assert drive(program(HEAD + EGO + beside + ahead)).collision is None
+
+
 def test_a_drive_can_go_on_through_a_collision(drive: Callable[..., Episode]) -> None:
     through = drive(program(WALL), through_collisions=True)
     assert through.collision is not None

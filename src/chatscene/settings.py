@@ -42,12 +42,10 @@ class SimulationSettings:
     Attributes:
         dt: Step [s] (0.1).
         max_steps: Steps after which an episode is cut (300).
-        ego_speed: Initial speed of the ego [m/s]; the reference warms up from standstill.
     """
 
     dt: float = 0.1
     max_steps: int = 300
-    ego_speed: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

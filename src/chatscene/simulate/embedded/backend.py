@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from chatscene.ego.observation import RouteView
+from chatscene.ego.observation import SIGHT, RouteView
 from chatscene.ego.policy import EgoPolicy, controls
 from chatscene.errors import EgoError, ProgramError
 from chatscene.maps.lane_map import LaneMap
@@ -26,7 +26,6 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 PATIENCE = 20.0  # [s] of wall time for one episode, which normally takes some ten milliseconds
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
-FARTHEST = 200.0  # [m], SafeBench ends a run after this distance
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
 
 # What the code of a snippet, or of a program by a stranger, may raise while it runs.
@@ -161,8 +160,9 @@ class _Run:
     def _vehicle_ahead(self, ego: Body) -> bool:
         for other in self._vehicles:
             dx, dy = other.x - ego.x, other.y - ego.y
-            if dx * dx + dy * dy < 225.0 and dx * ego.cos + dy * ego.sin > 0.0:
-                return self._around.same_lane(ego.x, ego.y, other.x, other.y)
+            near = dx * dx + dy * dy < SIGHT * SIGHT and dx * ego.cos + dy * ego.sin > 0.0
+            if near and self._around.same_lane(ego.x, ego.y, other.x, other.y):
+                return True
         return False
 
     def _record(self) -> None:
