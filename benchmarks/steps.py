@@ -4,11 +4,13 @@
 
 Each program has an ego that a policy drives and one adversary. Both simulators run the same program text for the
 same number of steps; ours also records tracks, detects events and computes the ten metrics. The ego policy costs
-the opponent the same: it is called once per step there too.
+the opponent the same: it is called once per step there too. At the end, where our own time goes.
 """
 
 from __future__ import annotations
 
+import cProfile
+import pstats
 import statistics
 import sys
 import time
@@ -22,8 +24,7 @@ from scenic.simulators.newtonian import NewtonianSimulator
 from scenic.syntax.translator import scenarioFromString
 
 from chatscene.ego.observation import RouteView
-from chatscene.ego.policy import controls
-from chatscene.ego.rule_based import RuleBased
+from chatscene.ego.policy import EgoPolicy, controls, load_ego
 from chatscene.evaluate.score import columns, measure
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
@@ -40,26 +41,54 @@ ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with rou
 AdvAgent = new Car at pointOn(egoRoute, 30), facing directionOn(egoRoute, 30), with behavior AdvBehavior()
 """
 CASES = {
-    "throttle-only adversary (floor)": "while True:\n        take SetThrottleAction(0.4)",
-    "lane-following adversary": "do FollowLaneBehavior(target_speed=9)",
+    "throttle-only adversary (floor)": ("while True:\n        take SetThrottleAction(0.4)", "rule-based"),
+    "lane-following adversary": ("do FollowLaneBehavior(target_speed=9)", "rule-based"),
+    "lane-following adversary, SAC at the wheel": ("do FollowLaneBehavior(target_speed=9)", "sac"),
+}
+PARTS = {
+    "policy": ("ego/network.py", "ego/rule_based.py"),
+    "observation": ("ego/observation.py", "same_lane", "_vehicle_ahead"),
+    "behaviors": ("behaviors.scenic", "world/", "<bench>"),
+    "physics and contact": ("embedded/dynamics.py", "embedded/contact.py"),
+    "events and metrics": ("embedded/roadside.py", "maps/lane_map.py", "evaluate/score.py"),
+    "Scenic's loop and recording": ("embedded/", "scenic/"),
 }
 ROUNDS = 9
+LOADED: dict[str, EgoPolicy] = {}
 
 
-def ours(source: str, map_path: Path) -> float:
+def ours(source: str, map_path: Path, ego: EgoPolicy, profile: cProfile.Profile | None = None) -> float:
     """Seconds per step, everything on."""
     backend = load_backend("embedded", map_path, SimulationSettings())
     program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=(), digest=source)
     scene = Scene(id="bench", scenario_id="bench", route=0, block=0, seed=0, values={})
-    backend.run(program, scene, RuleBased())
+    backend.run(program, scene, ego)
+    if profile:
+        profile.enable()
     began = time.process_time()
-    episode = backend.run(program, scene, RuleBased())
+    episode = backend.run(program, scene, ego)
     assert isinstance(episode, Episode)
     columns(measure(episode))
+    if profile:
+        profile.disable()
     return (time.process_time() - began) / (len(episode.ego_track.x) - 1)
 
 
-def newtonian(source: str, map_path: Path, steps: int) -> float:
+def shares(profile: cProfile.Profile) -> dict[str, float]:
+    """The share of own time by part; built-in functions count for whoever called them."""
+    by_part = dict.fromkeys((*PARTS, "everything else"), 0.0)
+    for (filename, _, function), (_, _, own, _, callers) in pstats.Stats(profile).stats.items():  # type: ignore[attr-defined]
+        built_in = [((file, name), figures[2]) for (file, _, name), figures in callers.items()]
+        for (file, name), seconds in built_in if filename == "~" else [((filename, function), own)]:
+            where = f"{file} {name}"
+            by_part[next((p for p, marks in PARTS.items() if any(m in where for m in marks)), "everything else")] += (
+                seconds
+            )
+    total = sum(by_part.values())
+    return {part: seconds / total for part, seconds in by_part.items()}
+
+
+def newtonian(source: str, map_path: Path, ego: str, steps: int) -> float:
     """Seconds per step."""
     text = source.replace("model chatscene.world.model", "model newtonian_world").replace(
         "with route egoRoute", "with route egoRoute, with behavior Policy()"
@@ -67,7 +96,7 @@ def newtonian(source: str, map_path: Path, steps: int) -> float:
     text = text.replace(
         "ego = new",
         "from steps import drive_ego\nbehavior Policy():\n    view = None\n    while True:\n"
-        "        view, throttle, brake, steer = drive_ego(view, self)\n"
+        f"        view, throttle, brake, steer = drive_ego(view, self, {ego!r})\n"
         "        take SetThrottleAction(throttle), SetBrakeAction(brake), SetSteerAction(steer)\n\nego = new",
     )
     scenario = scenarioFromString(text, params={"map": str(map_path)}, mode2D=True)
@@ -79,22 +108,31 @@ def newtonian(source: str, map_path: Path, steps: int) -> float:
     return (time.process_time() - began) / steps
 
 
-def drive_ego(view: RouteView | None, ego) -> tuple[RouteView, float, float, float]:
+def drive_ego(view: RouteView | None, ego, name: str) -> tuple[RouteView, float, float, float]:
     """One decision of the policy inside a Scenic behavior."""
+    if name not in LOADED:
+        LOADED[name] = load_ego(name)
     view = view or RouteView(ego.route.line)
     position = ego.position
-    seen = view.observe(position.x, position.y, ego.heading + np.pi / 2, ego.speed, False)
-    return view, *controls(RuleBased().act(seen))
+    view.locate(position.x, position.y)
+    seen = view.four_numbers(position.x, position.y, ego.heading + np.pi / 2, ego.speed, False)
+    return view, *controls(LOADED[name].act(seen))
 
 
 def main() -> None:
     map_path = resolve_map("town")
-    for name, behavior in CASES.items():
+    for name, (behavior, ego) in CASES.items():
         source = PROGRAM.format(behavior=behavior)
-        fast = [ours(source, map_path) for _ in range(ROUNDS)]
-        slow = [newtonian(source, map_path, 100) for _ in range(3)]
+        fast = [ours(source, map_path, load_ego(ego)) for _ in range(ROUNDS)]
+        slow = [newtonian(source, map_path, ego, 100) for _ in range(3)]
         a, b = statistics.median(fast), statistics.median(slow)
         print(f"{name}: ours {1 / a:,.0f} steps/s, Newtonian {1 / b:,.0f} steps/s, ratio {b / a:.1f}")
+    profile = cProfile.Profile()
+    for _ in range(ROUNDS):
+        ours(source, map_path, load_ego(ego), profile)
+    print(f"{name}, our own time under the profiler:")
+    for part, share in sorted(shares(profile).items(), key=lambda item: -item[1]):
+        print(f"  {part:<28} {share:6.1%}")
 
 
 if __name__ == "__main__":

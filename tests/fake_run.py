@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from chatscene.evaluate.criticality import criticality, fault
+from chatscene.evaluate.drive import Ran
 from chatscene.evaluate.score import columns, measure
 from chatscene.runs import (
     Run,
@@ -19,7 +21,7 @@ from chatscene.runs import (
     write_explanation,
     write_program,
 )
-from chatscene.search.explore import Block, Ran, collided_values
+from chatscene.search.explore import Block, collided_values
 from chatscene.search.refine import refine
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
@@ -190,7 +192,19 @@ def block(
         concrete = scene(index, _drawn(ranges, rng), route=route, block=number)
         episode = drive(concrete, steps)
         meaning = () if index % 7 else ("cross: the adversary stays 2.1 m beside the ego's path",)
-        ran.append(Ran(scene=concrete, episode=episode, metrics=columns(measure(episode)), meaning=meaning))
+        measurements = measure(episode)
+        ran.append(
+            Ran(
+                scene=concrete,
+                episode=episode,
+                measurements=measurements,
+                metrics=columns(measurements),
+                meaning=meaning,
+                criticality=criticality(episode),
+                fault=fault(episode),
+                avoidable=None if episode.collision is None else index % 3 > 0,
+            )
+        )
     refused = scene(number * scenes, _drawn(ranges, rng), route=route, block=number, attempt=1)
     rejected = (Rejected(scene=refused, reason="bus-stop overlaps adversary"),)
     return Block(scenario_id=SCENARIO, route=route, number=number, ranges=ranges, ran=tuple(ran), rejected=rejected)
@@ -349,6 +363,7 @@ def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
         Candidate(
             scene_id=ran.scene.id,
             collided=ran.episode.collision is not None,
+            avoidable=ran.avoidable,
             overall_score=ran.metrics["overall_score"],
         )
         for one in done

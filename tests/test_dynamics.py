@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
 from chatscene.simulate.embedded.dynamics import Body, VehicleBody, WalkerBody, make_body
-from chatscene.world.limits import LIMITS
+from chatscene.terms.limits import LIMITS
 
 DT = 0.1
 pedal = st.floats(0, 1)

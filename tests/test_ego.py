@@ -4,16 +4,23 @@ import types
 
 import pytest
 
-from chatscene.ego.observation import RouteView
-from chatscene.ego.policy import EGOS, EgoPolicy, controls, load_ego
+from chatscene.ego.observation import OBSERVATIONS, Observation, RouteView
+from chatscene.ego.policy import EGOS, EgoPolicy, controls, load_ego, observation_of, pedals_of
 from chatscene.errors import EgoError
+from chatscene.simulate.embedded.dynamics import VehicleBody, WalkerBody
+from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
 
 EAST = Polyline([(x, 0.0) for x in range(100)])
 
 
+def four_numbers(view: RouteView, *pose: float, ahead: bool = False) -> Observation:
+    view.locate(pose[0], pose[1])
+    return view.four_numbers(pose[0], pose[1], pose[2], pose[3], ahead)
+
+
 def test_left_of_the_route_is_positive_and_so_is_pointing_left() -> None:
-    lateral, heading, speed, ahead = RouteView(EAST).observe(10.0, 1.5, 0.2, 7.0, False)
+    lateral, heading, speed, ahead = four_numbers(RouteView(EAST), 10.0, 1.5, 0.2, 7.0)
     assert lateral == pytest.approx(1.5)
     assert heading == pytest.approx(0.2)
     assert speed == 7.0
@@ -23,8 +30,8 @@ def test_left_of_the_route_is_positive_and_so_is_pointing_left() -> None:
 def test_the_view_looks_about_six_metres_ahead() -> None:
     bend = Polyline([*((float(x), 0.0) for x in range(20)), *((19.0, float(y)) for y in range(1, 20))])
     view = RouteView(bend)
-    assert view.observe(10.0, 0.0, 0.0, 5.0, False)[1] == pytest.approx(0.0)
-    assert view.observe(14.5, 0.0, 0.0, 5.0, False)[1] == pytest.approx(-math.pi / 2)
+    assert four_numbers(view, 10.0, 0.0, 0.0, 5.0)[1] == pytest.approx(0.0)
+    assert four_numbers(view, 14.5, 0.0, 0.0, 5.0)[1] == pytest.approx(-math.pi / 2)
 
 
 def test_actions_are_mapped_as_safebench_maps_them() -> None:
@@ -33,10 +40,47 @@ def test_actions_are_mapped_as_safebench_maps_them() -> None:
     assert controls((0.5, -9.0)) == (0.5, 0.0, -0.3)
 
 
+def test_full_brake_gives_the_whole_pedal_and_the_same_throttle() -> None:
+    assert controls((-1.0, 0.0), "full-brake") == (0.0, 1.0, 0.0)
+    assert controls((0.4, 0.5), "full-brake") == controls((0.4, 0.5))
+
+
+def test_the_richer_view_places_a_walker_ahead_and_to_the_left() -> None:
+    view = RouteView(EAST)
+    view.locate(10.0, 0.5)
+    ego = VehicleBody(10.0, 0.5, 0.0, LIMITS["Car"], 6.0)
+    walker = WalkerBody(22.0, 4.5, -math.pi / 2, LIMITS["Pedestrian"], 1.5)
+    observation = view.actors(ego, [(walker, True)])
+    assert observation.shape == (OBSERVATIONS["actors"],)
+    assert observation[:4] == pytest.approx((6.0, 0.5, 0.0, 89.0))
+    assert observation[4:6] == pytest.approx((5.0, -0.5))
+    row = observation[14:25]
+    assert row == pytest.approx((1.0, 12.0, 4.5, 12.0, 4.0, 0.0, -1.5, -math.pi / 2, 0.3, 0.3, 1.0), abs=1e-9)
+    assert not observation[25:].any()
+
+
+def test_the_nearest_actors_come_first_and_those_out_of_sight_not_at_all() -> None:
+    view = RouteView(EAST)
+    view.locate(0.0, 0.0)
+    ego = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 6.0)
+    others = [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False) for x in (60.0, 40.0, 20.0, 30.0)]
+    rows = view.actors(ego, others)[14:].reshape(-1, 11)
+    assert rows[:, 3].tolist() == [20.0, 30.0, 40.0, 0.0, 0.0, 0.0]
+
+
 @pytest.mark.parametrize("action", [None, (1.0,), (float("nan"), 0.0), "ab"])
 def test_an_action_that_is_not_two_finite_numbers_is_refused(action: object) -> None:
     with pytest.raises(EgoError):
         controls(action)
+
+
+def seen(ego: EgoPolicy, x: float, y: float, heading: float, speed: float) -> Observation:
+    """What an ego sees on an empty road that runs east."""
+    view = RouteView(EAST)
+    view.locate(x, y)
+    if observation_of(ego) == "safebench":
+        return view.four_numbers(x, y, heading, speed, False)
+    return view.actors(VehicleBody(x, y, heading, LIMITS["Car"], speed), [])
 
 
 @pytest.mark.parametrize("name", sorted(EGOS))
@@ -46,13 +90,24 @@ class TestContract:
     def test_it_loads_and_acts_within_bounds(self, name: str) -> None:
         ego = load_ego(name)
         assert isinstance(ego, EgoPolicy)
-        view = RouteView(EAST)
         for pose in ((0.0, 0.0, 0.0, 0.0), (5.0, -2.0, 0.5, 9.0), (50.0, 3.0, -1.0, 15.0)):
-            controls(ego.act(view.observe(*pose, True)))
+            action = ego.act(seen(ego, *pose))
+            assert all(-1.0 <= number <= 1.0 for number in action)
+            controls(action, pedals_of(ego))
 
     def test_the_same_observation_gives_the_same_action(self, name: str) -> None:
-        observation = RouteView(EAST).observe(5.0, 0.4, 0.1, 6.0, False)
-        assert tuple(load_ego(name).act(observation)) == tuple(load_ego(name).act(observation))
+        first, second = load_ego(name), load_ego(name)
+        observation = seen(first, 5.0, 0.4, 0.1, 6.0)
+        assert tuple(first.act(observation)) == tuple(second.act(observation))
+
+    def test_it_steers_back_to_its_route(self, name: str) -> None:
+        left, right = load_ego(name), load_ego(name)
+        # Learned ones have a bias; what counts is that they steer more to the right from the left than from the right.
+        assert left.act(seen(left, 5.0, 1.5, 0.0, 6.0))[1] > right.act(seen(right, 5.0, -1.5, 0.0, 6.0))[1] + 0.05
+
+    def test_it_sets_off_on_an_empty_road(self, name: str) -> None:
+        ego = load_ego(name)
+        assert ego.act(seen(ego, 5.0, 0.0, 0.0, 0.0))[0] > 0.1
 
 
 def test_an_unknown_ego_is_named_with_the_nearest_known_one() -> None:

@@ -115,7 +115,8 @@ def test_a_run_without_a_drawing_of_its_map_still_replays(tmp_path: Path) -> Non
 
 def test_the_verdict_carries_an_interval() -> None:
     row = {"status": "ran", "selected": False, "fill_in": False, "meaning_ok": True, "impact_speed": None}
-    rows = [row | {"collision": i < 41} for i in range(50)]
+    rows = [row | {"collision": i < 41, "avoidable": i < 12 if i < 41 else None} for i in range(50)]
+    assert "<dd>29%</dd>" in verdict(rows)
     assert "82%, 95 % interval 69% to 90%" in verdict(rows)
 
 

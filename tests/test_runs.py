@@ -45,7 +45,7 @@ from fake_run import DECLARED, SCENARIO, TEXT, blocks, drive, finished, scene, s
 
 CONTRACT = {
     "scenes.parquet": "scene_id scenario_id route_id block seed status reason meaning_ok meaning_failures collision "
-    "impact_speed overall_score avoidable selected",
+    "impact_speed severity fault avoidable overall_score selected",
     "episodes": "scene_id ego step time actor role kind x y heading speed acceleration yaw_rate length width",
     "events.parquet": "scene_id ego step kind actor other",
 }

@@ -5,7 +5,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.search.sample import draw, scene_seed
+from chatscene.program.sample import draw, scene_seed
 from chatscene.terms.snippet import ParameterRange
 
 SPEED = ParameterRange(name="OPT_ADV_SPEED", low=0.0, high=5.0, unit="m/s")

@@ -8,8 +8,18 @@ from chatscene.search.select import Candidate, Selected, select
 few = settings(max_examples=60)
 
 
-def candidate(scene_id: str, collided: bool, score: float) -> Candidate:
-    return Candidate(scene_id=scene_id, collided=collided, overall_score=score)
+def candidate(scene_id: str, collided: bool, score: float, avoidable: bool = True) -> Candidate:
+    return Candidate(
+        scene_id=scene_id, collided=collided, avoidable=avoidable if collided else None, overall_score=score
+    )
+
+
+def test_a_crash_nobody_could_have_avoided_is_left_out_where_avoidable_ones_are_asked_for() -> None:
+    hopeless, fair = candidate("a", True, 0.1, avoidable=False), candidate("b", True, 0.3)
+    calm = candidate("c", False, 0.9)
+    kept = select([hopeless, fair, calm], count=2, avoidable_only=True)
+    assert kept == (Selected(scene_id="b", fill_in=False), Selected(scene_id="c", fill_in=True))
+    assert [s.scene_id for s in select([hopeless, fair, calm], count=2)] == ["a", "b"]
 
 
 crowds = st.lists(

@@ -11,9 +11,9 @@ from chatscene.errors import MapError
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.simulate.embedded.signals import MODES, signal_states
+from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import CURVE_ACCELERATION, Tracker, curve_speeds, pedals
-from chatscene.world.limits import LIMITS
 from chatscene.world.places import choose_route, laneLine, neighbourPath, ownLane, trafficFrom, wayOf
 
 DT = 0.1

@@ -19,6 +19,7 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from chatscene.evaluation import Evaluated
     from chatscene.pipeline import Summary
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
@@ -73,6 +74,7 @@ def main() -> None:
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -93,6 +95,7 @@ def run(
     scenes: int,
     routes: int,
     seed: int,
+    avoidable: bool,
     out: Path | None,
     jobs: int | None,
     as_json: bool,
@@ -107,7 +110,7 @@ def run(
     from chatscene import pipeline
     from chatscene.settings import SearchSettings, Settings
 
-    settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed))
+    settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable))
     folder = out or pipeline.free_folder(Path("runs"), text)
     summary = pipeline.run(
         text,
@@ -126,15 +129,151 @@ def run(
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
 @JSON
 def resume(folder: Path, jobs: int | None, as_json: bool) -> None:
-    """Continue the run in DIR after it was killed or failed; the result is that of an uninterrupted run.
+    """Continue the run or evaluation in DIR after it was killed or failed; the result is that of an uninterrupted one.
+
+    Trainings and benchmarks are continued by giving their own command again.
 
     \b
     chatscene resume runs/cyclist
     """
-    from chatscene import pipeline
+    from chatscene import evaluation, pipeline, runs
 
+    kept = runs.open_run(folder)
+    if runs.read_record(kept).command == "evaluate":
+        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=_progress()), as_json)
+        return
     summary = pipeline.resume(folder, jobs=jobs or 1, progress=_progress())
     _say_done(folder, summary, as_json)
+
+
+@main.command()
+@click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "--ego", "egos", multiple=True, help="By name, file or package.module:factory; repeat.  [default: sac, ppo, td3]"
+)
+@click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@JSON
+def evaluate(
+    scenes: tuple[Path, ...], egos: tuple[str, ...], every_scene: bool, out: Path | None, jobs: int, as_json: bool
+) -> None:
+    """Measure egos on the kept scenes of the runs in DIR..., and print the paper's tables with intervals.
+
+    \b
+    chatscene evaluate runs/cyclist --ego sac --ego idm
+    chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
+    """
+    from chatscene import evaluation, pipeline
+
+    evaluated = evaluation.evaluate(
+        scenes,
+        out or pipeline.free_folder(Path("runs"), "evaluation"),
+        egos=egos or evaluation.EGOS,
+        every_scene=every_scene,
+        jobs=jobs,
+        progress=_progress(),
+    )
+    _say_evaluated(evaluated, as_json)
+
+
+@main.command()
+@click.option("--generator", default="chatscene", show_default=True, help="Who makes the scenes.")
+@click.option("--budget", default="small", show_default=True, help="'paper': 20,000 simulations; 'small': minutes.")
+@click.option("--ego", "egos", multiple=True, help="Who is measured; repeat.  [default: sac, ppo, td3]")
+@click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
+@MAP
+@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@click.option("--seed", default=0, show_default=True)
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@JSON
+def benchmark(
+    generator: str,
+    budget: str,
+    egos: tuple[str, ...],
+    surrogate: str,
+    map_name: str,
+    avoidable: bool,
+    seed: int,
+    out: Path,
+    jobs: int,
+    as_json: bool,
+) -> None:
+    """Search all eight base scenarios and measure egos on the scenes that are kept; the paper's main experiment.
+
+    \b
+    chatscene benchmark --budget small --out runs/benchmark
+    chatscene benchmark --budget paper --jobs 2 --out runs/paper
+    """
+    from chatscene import benchmark as benchmarks
+    from chatscene import evaluation
+
+    outcome = benchmarks.benchmark(
+        out,
+        generator=generator,
+        budget=budget,
+        egos=egos or evaluation.EGOS,
+        surrogate=surrogate,
+        map_name=map_name,
+        avoidable_only=avoidable,
+        seed=seed,
+        jobs=jobs,
+        progress=_progress(),
+    )
+    for text, reason in outcome.refused.items():
+        click.echo(f"refused: {text!r}: {reason}", err=True)
+    _say_evaluated(outcome.evaluated, as_json)
+
+
+@main.command()
+@click.option("--algorithm", default="sac", show_default=True, help="sac, ppo or td3.")
+@click.option("--observation", default="safebench", show_default=True, help="What the ego sees: safebench or actors.")
+@click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
+@click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")
+@click.option("--steps", default=60_000, show_default=True, help="Environment steps of 0.1 s.")
+@click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
+@click.option("--seed", default=0, show_default=True)
+@MAP
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+def train(
+    algorithm: str,
+    observation: str,
+    reward: str,
+    pedals: str,
+    steps: int,
+    round_: int,
+    seed: int,
+    map_name: str,
+    out: Path,
+) -> None:
+    """Train an ego on the ordinary drives of a map. Needs the extra 'train'.
+
+    \b
+    chatscene train --algorithm sac --out egos/sac
+    chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
+    """
+    from chatscene.train import TrainSettings
+    from chatscene.train import train as train_ego
+
+    settings = TrainSettings(
+        algorithm=algorithm,
+        observation=observation,
+        reward=reward,
+        pedals=pedals,
+        steps=steps,
+        round=round_,
+        seed=seed,
+        map_name=map_name,
+    )
+    trained = train_ego(out, settings, progress=_progress())
+    click.echo(" steps  completion  collisions  mean speed")
+    for row in trained.curve:
+        click.echo(
+            f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
+            + ("  kept" if row == trained.best else "")
+        )
+    click.echo(f"the best is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
 
 
 @main.command()
@@ -352,6 +491,24 @@ def _progress() -> Callable[[str, int, int], None]:
     from chatscene.report.terminal import progress_line
 
     return progress_line(sys.stderr)
+
+
+def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
+    from chatscene.report.tables import as_text
+
+    if as_json:
+        click.echo(
+            json.dumps({"folder": str(evaluated.folder), "seconds": evaluated.seconds, "failures": evaluated.failures})
+        )
+    else:
+        for name in ("generation", "collision-rate-by-ego", "avoidability", "fault"):
+            click.echo(as_text(evaluated.tables[name]))
+            click.echo("")
+        click.echo(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+    for reason in evaluated.failures.values():
+        click.echo(f"EgoError: {reason}; the other egos' results stand", err=True)
+    if evaluated.failures:
+        sys.exit(1)
 
 
 def _say_done(folder: Path, summary: Summary, as_json: bool) -> None:

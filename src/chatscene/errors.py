@@ -4,6 +4,7 @@
 
     ChatSceneError
     ├ SettingsError            a setting or argument is out of range, or names nothing
+    ├ MissingExtra             something needs an optional package that is not installed
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
     ├ SnippetError             a library file is malformed, or breaks its own contract
@@ -30,6 +31,13 @@ class ChatSceneError(Exception):
 
 class SettingsError(ChatSceneError):
     """A setting or an argument is out of range or names nothing known."""
+
+
+class MissingExtra(ChatSceneError):  # noqa: N818
+    """Something needs an optional package; the message names the extra that brings it."""
+
+    def __init__(self, what: str, *, extra: str) -> None:
+        super().__init__(f'{what}, which is not installed; install it with: pip install "chatscene[{extra}]"')
 
 
 class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits

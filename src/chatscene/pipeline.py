@@ -16,26 +16,23 @@ from typing import Any
 import numpy as np
 
 from chatscene import runs
-from chatscene.agent.decompose import decompose
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, Diverged, MapError, MeansSomethingElse, NothingFits
 from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.program.assemble import assemble
 from chatscene.program.check import check
 from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
+from chatscene.search.generator import load_generator
+from chatscene.search.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
-from chatscene.settings import Settings
+from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.backend import Backend, load_backend
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import Rejected, ScenicProgram
 from chatscene.terms.snippet import Retrieval
 from chatscene.workers import Work, run_blocks
 
@@ -48,7 +45,7 @@ class Understood:
     """What became of a sentence before anything was run (steps 2 to 4)."""
 
     scenario: Scenario
-    retrieval: Retrieval
+    retrieval: Retrieval | None
     program: ScenicProgram
 
     def as_dict(self) -> dict[str, Any]:
@@ -106,10 +103,10 @@ def understand(text: str, settings: Settings | None = None) -> Understood:
         NothingFits: The library cannot serve it.
     """
     settings = settings or Settings()
-    scenario = decompose(text)
-    retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
-    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
-    return Understood(scenario=scenario, retrieval=retrieval, program=program)
+    generator = Retrieved()
+    scenario = generator.read(text)
+    written = generator.write(scenario, settings.retrieval)
+    return Understood(scenario=scenario, retrieval=written.retrieval, program=written.program)
 
 
 def run(
@@ -120,6 +117,7 @@ def run(
     map_name: str = "town",
     ego_name: str = "rule-based",
     jobs: int = 1,
+    generator: str = "chatscene",
     progress: Progress | None = None,
 ) -> Summary:
     """Steps 2 to 7 and the report, into a new run folder.
@@ -129,10 +127,10 @@ def run(
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     settings = settings or Settings()
-    decompose(text)  # an empty text leaves no folder behind
+    load_generator(generator).read(text)  # an empty text leaves no folder behind
     resolve_map(map_name)
     load_ego(ego_name)
-    kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name)
+    kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
     return _carry_on(kept, jobs, progress or _silent)
 
 
@@ -148,7 +146,7 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress | None = None) -> 
 def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
     began = time.monotonic()
     try:
-        _search(run, jobs, progress)
+        search(run, jobs, progress)
         _report(run, progress)
     except (NothingFits, MeansSomethingElse) as error:
         runs.update(run, status=runs.Status.REFUSED, reason=str(error))
@@ -160,8 +158,8 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
     return Summary(counts=record.counts, seconds=record.timings["total"])
 
 
-def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
-    """Steps 2 to 7."""
+def search(run: runs.Run, jobs: int, progress: Progress) -> None:
+    """Steps 2 to 7 for a run folder, from where it stands."""
     done = runs.resume(run)
     record = runs.read_record(run)
     if record.status is runs.Status.DONE:
@@ -170,11 +168,12 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     map_path = resolve_map(record.map_name)
 
     progress("understanding the sentence", 0, 0)
-    scenario = decompose(record.text)
+    generator = load_generator(record.generator)
+    scenario = generator.read(record.text)
     runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
-    retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
-    runs.write_explanation(run, runs.explain(record.text, [(scenario, retrieval)]))
-    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
+    written = generator.write(scenario, settings.retrieval)
+    program = written.program
+    runs.write_explanation(run, runs.explain(record.text, [(scenario, written.retrieval)]))
     runs.write_program(run, scenario.id, program.source)
 
     progress("checking that the program means it", 0, 0)
@@ -187,6 +186,7 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
 
     work = Work(
         folder=run.path,
+        generator=record.generator,
         program=program,
         slots=scenario.slots,
         map_path=map_path,
@@ -197,19 +197,26 @@ def _search(run: runs.Run, jobs: int, progress: Progress) -> None:
     already = sum(map(len, before.values()))
     total = len(routes) * work.blocks()
     run_blocks(work, before, jobs=jobs, on_block=lambda n: progress("searching, blocks", already + n, total))
-    runs.finish(run, selected=_selected(run, settings.search.keep))
+    runs.finish(run, selected=_selected(run, settings.search))
 
 
-def _selected(run: runs.Run, keep: int) -> dict[str, bool]:
+def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
     """Step 7 for every scenario and route: scene id to whether it is a fill-in."""
     jobs: dict[tuple[str, str], list[Candidate]] = {}
     for row in runs.read_scenes(run):
         if row["status"] == "ran":
             candidate = Candidate(
-                scene_id=row["scene_id"], collided=row["collision"], overall_score=row["overall_score"]
+                scene_id=row["scene_id"],
+                collided=row["collision"],
+                avoidable=row["avoidable"],
+                overall_score=row["overall_score"],
             )
             jobs.setdefault((row["scenario_id"], row["route_id"]), []).append(candidate)
-    return {s.scene_id: s.fill_in for candidates in jobs.values() for s in select(candidates, count=keep)}
+    return {
+        s.scene_id: s.fill_in
+        for candidates in jobs.values()
+        for s in select(candidates, count=settings.keep, avoidable_only=settings.avoidable_only)
+    }
 
 
 def _routes(backend: Backend, program: ScenicProgram, wanted: int) -> dict[int, Route]:
@@ -247,27 +254,30 @@ def replay(folder: Path, scene_id: str) -> Replayed:
     record = runs.read_record(run)
     stored = runs.read_episode(run, scene_id)
     row = next(row for row in runs.read_scenes(run) if row["scene_id"] == scene_id)
-    scenario = decompose(record.text)
     settings = runs.settings_of(record)
-    retrieval = retrieve(scenario, load_library(), load_embedder(), settings.retrieval)
-    program = assemble(scenario, retrieval.snippets, retrieval.adversary)
-    kept = runs.read_programs(run)[scenario.id]
-    if kept != program.source:
-        raise Diverged(
-            f"the library has changed since {folder} was made: it now makes another program of the sentence; "
-            "install the version of chatscene that run.json names"
-        )
-    scene = Scene(
-        id=scene_id,
-        scenario_id=scenario.id,
-        route=int(row["route_id"].rpartition("-")[2]),
-        block=row["block"],
-        seed=row["seed"],
-        values={p.name: row[p.name] for p in program.parameters},
-    )
+    _, program = rebuild(run)
+    scene = runs.scene_of(row, program)
     backend = load_backend("embedded", resolve_map(record.map_name), settings.simulation)
     again = backend.run(program, scene, load_ego(record.ego))
     return Replayed(scene_id=scene_id, difference=_difference(stored, again))
+
+
+def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:
+    """The scenario and the program of a run, made again from its text: what lies in the folder is never executed.
+
+    Raises:
+        Diverged: This version makes another program of the text than the one that was kept.
+    """
+    record = runs.read_record(run)
+    generator = load_generator(record.generator)
+    scenario = generator.read(record.text)
+    program = generator.write(scenario, runs.settings_of(record).retrieval).program
+    if runs.read_programs(run).get(scenario.id) != program.source:
+        raise Diverged(
+            f"the library has changed since {run.path} was made: it now makes another program of the sentence; "
+            "install the version of chatscene that run.json names"
+        )
+    return scenario, program
 
 
 def _difference(stored: Episode, again: Episode | Rejected) -> str:

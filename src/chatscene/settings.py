@@ -15,6 +15,7 @@ class SearchSettings:
         scenes: Simulations per scenario and route (paper: 50).
         block: Scenes between two range updates (paper: 10).
         keep: Scenes selected per scenario and route (paper: 2).
+        avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
         seed: Everything random derives from it.
@@ -23,6 +24,7 @@ class SearchSettings:
     scenes: int = 50
     block: int = 10
     keep: int = 2
+    avoidable_only: bool = False
     routes: int = 1
     tries: int = 100
     seed: int = 0

@@ -8,22 +8,27 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Mapping
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, as_completed, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from multiprocessing import connection, get_context, parent_process
 from pathlib import Path
+from typing import Any, TypeVar
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import RunError
 from chatscene.runs import Run, write_block
-from chatscene.search.explore import collided_values, explore
+from chatscene.search.explore import collided_values
+from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
 
+Setup = TypeVar("Setup")
+Task = TypeVar("Task")
+Result = TypeVar("Result")
 Values = list[dict[str, float]]
 
 
@@ -33,6 +38,7 @@ class Work:
 
     Attributes:
         folder: The run folder.
+        generator: Who explores, by name.
         program: What to search with.
         slots: What was said.
         map_path: The map.
@@ -41,6 +47,7 @@ class Work:
     """
 
     folder: Path
+    generator: str
     program: ScenicProgram
     slots: Slots
     map_path: Path
@@ -59,12 +66,13 @@ class _Worker:
         self._work = work
         self._backend: Backend = load_backend("embedded", work.map_path, work.settings.simulation)
         self._ego: EgoPolicy = load_ego(work.ego)
+        self._generator = load_generator(work.generator)
 
     def run_block(self, route: int, collided: list[Values]) -> Values:
         """Run and keep the next block of a route; what collided in it."""
         work = self._work
         block = next(
-            explore(
+            self._generator.explore(
                 work.program,
                 work.slots,
                 route,
@@ -150,6 +158,54 @@ def _start_worker(work: Work) -> None:
 
 def _run_block(route: int, collided: list[Values]) -> Values:
     return _worker[0].run_block(route, collided)
+
+
+def spread(
+    make: Callable[[Setup], Callable[[Task], Result]], setup: Setup, tasks: Sequence[Task], *, jobs: int
+) -> Iterator[Result]:
+    """Do tasks that do not depend on one another, in this process or in several.
+
+    Args:
+        make: Makes what does one task; called once per process, with `setup`.
+        setup: What every process needs to know.
+        tasks: What to do.
+        jobs: How many processes.
+
+    Yields:
+        What each task came to, as it is done.
+
+    Raises:
+        RunError: A process died.
+    """
+    if jobs == 1 or len(tasks) <= 1:
+        do = make(setup)
+        yield from map(do, tasks)
+        return
+    with ProcessPoolExecutor(
+        min(jobs, len(tasks)), mp_context=get_context("spawn"), initializer=_start_spread, initargs=(make, setup)
+    ) as pool:
+        try:
+            for future in as_completed([pool.submit(_do, task) for task in tasks]):
+                yield future.result()
+        except BrokenProcessPool as error:
+            raise RunError(
+                "a worker process was killed, perhaps for want of memory; nothing finished is lost: continue with "
+                "chatscene resume DIR, perhaps with --jobs 1"
+            ) from error
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+_doing: list[Callable[[Any], Any]] = []
+
+
+def _start_spread(make: Callable[[Any], Callable[[Any], Any]], setup: Any) -> None:
+    threading.Thread(target=_die_with_parent, daemon=True).start()
+    _doing.append(make(setup))
+
+
+def _do(task: Any) -> Any:
+    return _doing[0](task)
 
 
 def _die_with_parent() -> None:

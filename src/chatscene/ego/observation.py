@@ -1,4 +1,6 @@
-"""The four numbers an ego sees (SafeBench v1, ``carla_env.py``, observation type 0; paper, appendix on egos).
+"""What an ego sees: two presets, each a vector of fixed size.
+
+``safebench``, four numbers (SafeBench v1, ``carla_env.py``, observation type 0; paper, appendix on egos):
 
 | index | meaning | unit |
 |---|---|---|
@@ -10,21 +12,56 @@
 Signs: SafeBench computes both errors in CARLA's left-handed frame and flips them, which gives the values above in
 our right-handed frame. Pedestrians, cyclists on the pavement, props and crossing traffic are not seen: that is the
 reference, not an oversight.
-"""
+
+``actors``, the route ahead and whoever is near, of any kind (ours; decision 0011):
+
+| index | meaning | unit |
+|---|---|---|
+| 0 to 3 | speed; lateral offset and heading error at the ego itself; distance to the end of the route, at most 100 | m/s, m, rad, m |
+| 4 to 13 | the route 5, 10, 15, 20 and 30 m ahead: x, y in the ego's frame (x ahead, y left) | m |
+| from 14 | for each of the six nearest actors within 50 m: 1; along the route ahead of the ego, left of the route; x, y and velocity x, y in the ego's frame; heading against the ego's; half length, half width; 1 if it walks | 1, m, m/s, rad |
+
+Rows of actors that are not there are zero. Nothing hides anybody: a preset is eyes, not a sensor model.
+"""  # noqa: E501 - a table
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.errors import EgoError
 from chatscene.terms.polyline import Polyline
 
 Observation = NDArray[np.float64]
 
 PREVIEW = 6  # route points 1 m apart: SafeBench drops those within 4 m and looks at the third of the rest
-SIGHT = 15.0  # [m]
+SIGHT = 15.0  # [m], how far `safebench` sees a vehicle
+RANGE = 50.0  # [m], how far `actors` sees anybody
+NEAREST = 6  # actors
+AHEAD = (5.0, 10.0, 15.0, 20.0, 30.0)  # [m], where `actors` looks at the route
+PER_ACTOR = 11
+OWN = 4 + 2 * len(AHEAD)
+HORIZON = 100.0  # [m] of route left beyond which it does not matter how much
+
+OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": OWN + NEAREST * PER_ACTOR}
+"""The presets by name, and the size of each vector."""
+
+
+class Posed(Protocol):
+    """Anything with a pose and a size: what `actors` sees of an actor."""
+
+    x: float
+    y: float
+    heading: float
+    speed: float
+    cos: float
+    sin: float
+    half_length: float
+    half_width: float
 
 
 class RouteView:
@@ -34,8 +71,8 @@ class RouteView:
         line: The route, points about 1 m apart.
 
     Attributes:
-        along: Arc length of the ego on the route [m], after `observe`.
-        offset: Lateral offset of the ego from the route [m, positive = left], after `observe`.
+        along: Arc length of the ego on the route [m], after `locate`.
+        offset: Lateral offset of the ego from the route [m, positive = left], after `locate`.
     """
 
     __slots__ = ("_line", "_near", "along", "offset")
@@ -46,8 +83,12 @@ class RouteView:
         self.along = 0.0
         self.offset = 0.0
 
-    def observe(self, x: float, y: float, heading: float, speed: float, vehicle_ahead: bool) -> Observation:
-        """The four numbers for an ego at a pose.
+    def locate(self, x: float, y: float) -> None:
+        """Find the ego on its route; `x`, `y` [m]."""
+        self.along, self.offset, self._near = self._line.project(x, y, self._near)
+
+    def four_numbers(self, x: float, y: float, heading: float, speed: float, vehicle_ahead: bool) -> Observation:
+        """The preset ``safebench`` for an ego that was located at this pose.
 
         Args:
             x: [m].
@@ -59,9 +100,71 @@ class RouteView:
         Returns:
             (4,) float64.
         """
-        self.along, self.offset, self._near = self._line.project(x, y, self._near)
         wx, wy, hx, hy = self._line.segment(self._near + PREVIEW)
         lateral = hx * (y - wy) - hy * (x - wx)
-        cross = hx * math.sin(heading) - hy * math.cos(heading)
-        error = math.asin(1.0 if cross > 1.0 else -1.0 if cross < -1.0 else cross)
-        return np.array((lateral, error, abs(speed), 1.0 if vehicle_ahead else 0.0))
+        return np.array((lateral, _error(hx, hy, heading), abs(speed), 1.0 if vehicle_ahead else 0.0))
+
+    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool]]) -> Observation:
+        """The preset ``actors`` for an ego that was located at its pose.
+
+        Args:
+            ego: The ego.
+            others: Everybody else, and whether each walks.
+
+        Returns:
+            (``OBSERVATIONS["actors"]``,) float64.
+        """
+        line, x, y, cos, sin = self._line, ego.x, ego.y, ego.cos, ego.sin
+        _, _, hx, hy = line.segment(self._near)
+        left = line.length - self.along
+        seen = [ego.speed, self.offset, _error(hx, hy, ego.heading), left if left < HORIZON else HORIZON]
+        for ahead in AHEAD:
+            px, py = line.point_at(self.along + ahead)
+            dx, dy = px - x, py - y
+            seen += (dx * cos + dy * sin, dy * cos - dx * sin)
+        near = sorted(
+            (
+                (distance, i)
+                for i, (other, _) in enumerate(others)
+                if (distance := math.hypot(other.x - x, other.y - y)) < RANGE
+            )
+        )
+        for _, i in near[:NEAREST]:
+            seen += self._row(ego, *others[i])
+        seen += [0.0] * (OBSERVATIONS["actors"] - len(seen))
+        return np.array(seen)
+
+    def _row(self, ego: Posed, other: Posed, walks: bool) -> tuple[float, ...]:
+        along, beside, _ = self._line.project(other.x, other.y, self._near)
+        dx, dy = other.x - ego.x, other.y - ego.y
+        turned = other.heading - ego.heading
+        return (
+            1.0,
+            along - self.along,
+            beside,
+            dx * ego.cos + dy * ego.sin,
+            dy * ego.cos - dx * ego.sin,
+            other.speed * math.cos(turned),
+            other.speed * math.sin(turned),
+            math.remainder(turned, 2.0 * math.pi),
+            other.half_length,
+            other.half_width,
+            1.0 if walks else 0.0,
+        )
+
+
+def check_preset(name: str) -> str:
+    """The name of a preset, if it is one.
+
+    Raises:
+        EgoError: It is not.
+    """
+    if name not in OBSERVATIONS:
+        raise EgoError(f"there is no observation {name!r}; known: {', '.join(OBSERVATIONS)}")
+    return name
+
+
+def _error(hx: float, hy: float, heading: float) -> float:
+    """Heading error [rad] against a direction, positive = points left of it; SafeBench's arc sine."""
+    cross = hx * math.sin(heading) - hy * math.cos(heading)
+    return math.asin(1.0 if cross > 1.0 else -1.0 if cross < -1.0 else cross)

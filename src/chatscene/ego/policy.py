@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
-from chatscene.ego.observation import Observation
+from chatscene.ego.observation import Observation, check_preset
 from chatscene.errors import EgoError
 
 
@@ -18,10 +18,16 @@ from chatscene.errors import EgoError
 class EgoPolicy(Protocol):
     """An ego under test.
 
-    Input: the four numbers of `chatscene.ego.observation`.
+    Input: one of the presets of `chatscene.ego.observation`.
     Output: acceleration and steering, each in [-1, 1]; steering is right positive. They are mapped to pedals and
     wheel as SafeBench maps them (see `controls`).
-    Determinism: the same observations since `reset` give the same actions.
+    Determinism: the same observations since the start of an episode give the same actions.
+
+    What it may have besides:
+        name: How it is called in tables; its class name if it does not say.
+        observation: Which preset it sees; ``safebench`` if it does not say.
+        pedals: Which of `PEDALS` its actions go through; ``safebench`` if it does not say.
+        reset: Called without arguments before each episode.
     """
 
     def act(self, observation: Observation) -> tuple[float, float]:
@@ -29,22 +35,62 @@ class EgoPolicy(Protocol):
         ...
 
 
-EGOS: dict[str, str] = {"rule-based": "chatscene.ego.rule_based:RuleBased"}
+def name_of(ego: EgoPolicy) -> str:
+    """How an ego is called in tables."""
+    return str(getattr(ego, "name", type(ego).__name__))
+
+
+def observation_of(ego: EgoPolicy) -> str:
+    """Which preset an ego sees.
+
+    Raises:
+        EgoError: There is no such preset.
+    """
+    return check_preset(getattr(ego, "observation", "safebench"))
+
+
+def pedals_of(ego: EgoPolicy) -> str:
+    """Which of `PEDALS` an ego's actions go through.
+
+    Raises:
+        EgoError: There is no such mapping.
+    """
+    pedals = getattr(ego, "pedals", "safebench")
+    if pedals not in PEDALS:
+        raise EgoError(f"the ego {name_of(ego)!r} wants pedals {pedals!r}; known: {', '.join(PEDALS)}")
+    return pedals
+
+
+FILES = (".npz", ".zip", ".pt", ".onnx")
+"""What an ego may be loaded from: ours, Stable-Baselines3, TorchScript or SafeBench, ONNX."""
+
+EGOS: dict[str, str] = {
+    "rule-based": "chatscene.ego.rule_based:RuleBased",
+    "idm": "chatscene.ego.intelligent_driver:IntelligentDriver",
+    "sac": "chatscene.ego.trained:sac",
+    "ppo": "chatscene.ego.trained:ppo",
+    "td3": "chatscene.ego.trained:td3",
+}
 
 
 def load_ego(name: str) -> EgoPolicy:
-    """An ego by its name in `EGOS` or as ``package.module:factory``.
+    """An ego by its name in `EGOS`, from a file, or as ``package.module:factory``.
 
     Raises:
         EgoError: Nothing of that name exists, or what the factory makes has no `act`.
     """
+    if Path(name).suffix in FILES:
+        from chatscene.ego.files import load_file
+
+        return load_file(Path(name))
     target = EGOS.get(name, name)
     module, colon, factory = target.partition(":")
     if not colon:
         near = difflib.get_close_matches(name, EGOS, n=1)
         hint = f"did you mean {near[0]!r}? " if near else ""
         raise EgoError(
-            f"there is no ego {name!r}; {hint}known: {', '.join(sorted(EGOS))}; or give package.module:factory"
+            f"there is no ego {name!r}; {hint}known: {', '.join(sorted(EGOS))}; "
+            f"or give a file ({', '.join(FILES)}) or package.module:factory"
         )
     if (here := str(Path.cwd())) not in sys.path:  # where a user's own module lies, even for an installed command
         sys.path.insert(0, here)
@@ -60,11 +106,16 @@ def load_ego(name: str) -> EgoPolicy:
     return ego
 
 
-def controls(action: Any) -> tuple[float, float, float]:
+PEDALS: dict[str, float] = {"safebench": 0.375, "full-brake": 1.0}
+"""How an acceleration becomes pedals, by name, and the hardest brake each can command."""
+
+
+def controls(action: Any, pedals: str = "safebench") -> tuple[float, float, float]:
     """Throttle, brake and steering for an action, as SafeBench maps it.
 
     Acceleration is three times the first number [m/s²]: throttle = a/3 when positive, else brake = -a/8, so that
-    the hardest brake an ego can command is 0.375. Steering is 0.3 times the second.
+    the hardest brake an ego can command is 0.375; ``full-brake`` stretches braking to the whole pedal. Steering is
+    0.3 times the second.
 
     Raises:
         EgoError: The action is not two finite numbers.
@@ -76,8 +127,8 @@ def controls(action: Any) -> tuple[float, float, float]:
         raise EgoError(f"an ego must return acceleration and steering, not {action!r}") from error
     if not (math.isfinite(acceleration) and math.isfinite(steering)):
         raise EgoError(f"an ego returned {action!r}; acceleration and steering must be finite")
-    acceleration = 3.0 * min(max(acceleration, -1.0), 1.0)
+    acceleration = min(max(acceleration, -1.0), 1.0)
     steer = 0.3 * min(max(steering, -1.0), 1.0)
     if acceleration > 0.0:
-        return acceleration / 3.0, 0.0, steer
-    return 0.0, -acceleration / 8.0, steer
+        return acceleration, 0.0, steer
+    return 0.0, -acceleration * PEDALS[pedals], steer

@@ -101,7 +101,7 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     if not candidates:
         raise MapError(f"map {map_name!r} has no place for {_in_words(query)}")
     chosen = _spread(candidates)[:count]
-    return tuple(replace(route, id=f"{_slug(query)}-{number:02d}") for number, route in enumerate(chosen))
+    return tuple(replace(route, id=f"{query.slug}-{number:02d}") for number, route in enumerate(chosen))
 
 
 def _needs_junction(query: RouteQuery) -> bool:
@@ -111,16 +111,6 @@ def _needs_junction(query: RouteQuery) -> bool:
         or query.control in (Control.SIGNAL, Control.STOP_SIGN)
         or bool(query.conflicting_from)
     )
-
-
-def _slug(query: RouteQuery) -> str:
-    """A name for all that a query asks for, so that a route's id stands for one route of the map."""
-    parts = [query.maneuver, query.place, query.control]
-    parts += [f"{query.lanes_same_way}-lanes"] * (query.lanes_same_way > 1)
-    parts += [None if query.opposite_lane is None else "opposite" if query.opposite_lane else "one-way"]
-    parts += [f"lane-{query.lane_beside}"] if query.lane_beside else []
-    parts += [f"from-{side}" for side in query.conflicting_from]
-    return "-".join(part for part in parts if part is not None)
 
 
 def _spread(candidates: list[_Candidate]) -> list[Route]:

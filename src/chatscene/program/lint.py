@@ -25,11 +25,11 @@ from chatscene.simulate.backend import Backend
 from chatscene.snippets.compatibility import incompatibility
 from chatscene.snippets.library import Library, names_of
 from chatscene.terms.episode import Episode, Role, Track
+from chatscene.terms.limits import LIMITS
 from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, ScenicProgram
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
-from chatscene.world.limits import LIMITS
 
 Triple = tuple[Snippet, Snippet, Snippet]
 

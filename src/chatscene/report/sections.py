@@ -18,6 +18,13 @@ from chatscene.runs import RunRecord, Status
 Row = Mapping[str, Any]
 
 _METRIC_NAMES = {column: name for name, column in COLUMNS.items()}
+_CRITICALITY_NAMES = {
+    "time_to_collision": "least time to collision [s]",
+    "post_encroachment_time": "post-encroachment time [s]",
+    "time_headway": "least time headway [s]",
+    "deceleration_required": "deceleration required [m/s²]",
+    "distance": "least distance [m]",
+}
 _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", "spawn": "Spawn position"}
 
 
@@ -45,6 +52,7 @@ def verdict(scenes: Sequence[Row]) -> str:
         return '<p class="verdict">No scene was driven.</p>'
     hits, kept = sum(row["collision"] for row in ran), sum(row["selected"] for row in ran)
     fill_ins = sum(row["fill_in"] for row in ran)
+    avoidable = sum(row["avoidable"] is True for row in ran)
     low, high = wilson(hits, len(ran))
     fastest = max((row["impact_speed"] or 0.0 for row in ran), default=0.0)
     tiles = [
@@ -58,6 +66,11 @@ def verdict(scenes: Sequence[Row]) -> str:
             f"{kept}",
             "scenes kept",
             f"{fill_ins} of them without a collision" if fill_ins else "collision first, then lowest score",
+        ),
+        (
+            f"{avoidable / hits:.0%}" if hits else "none",
+            "of the crashes avoidable",
+            "by the careful driver of UN R157" if hits else "nothing collided",
         ),
         (f"{len(scenes) - len(ran)}", "draws rejected", f"of {len(scenes)}; the reasons are below"),
     ]
@@ -88,6 +101,8 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
             ("Scene", ""),
             ("Outcome", ""),
             ("Impact<small>m/s</small>", ' class="n"'),
+            ("Avoidable", ""),
+            ("Who hit", ""),
             ("Score", ' class="n"'),
             ("As said", ""),
             *((f"{escape(short(name))}<small>{escape(units[name])}</small>", ' class="n"') for name in parameters),
@@ -108,7 +123,9 @@ def short(parameter: str) -> str:
 def metric_label(column: str) -> str:
     """A metric's name in words, with its abbreviation: ``collision rate (CR)``."""
     name = _METRIC_NAMES.get(column)
-    return f"{name.replace('_', ' ')} ({column.upper()})" if name else column.replace("_", " ")
+    if name is None:
+        return _CRITICALITY_NAMES.get(column, column.replace("_", " "))
+    return f"{name.replace('_', ' ')} ({column.upper()})"
 
 
 def scene_label(scene_id: str) -> str:
@@ -128,13 +145,16 @@ def _scene_line(row: Row, parameters: Sequence[str], replayable: bool) -> str:
     badge = ' <span class="chip kept">kept</span>' if row["selected"] else ""
     badge += ' <span class="chip">fill-in</span>' if row["fill_in"] else ""
     outcome = "collision" if row["collision"] else row["ending"]
+    avoidable = {True: "yes", False: "no", None: ""}[row["avoidable"]]
+    fault = (row["fault"] or "").replace("-", " ")
     failures = row["meaning_failures"] or []
     said = "yes" if not failures else f'<span class="no" title="{escape("; ".join(failures), quote=True)}">no</span>'
     numbers = "".join(f'<td class="n">{_number(row.get(name))}</td>' for name in parameters)
     return (
         f'<tr data-scene="{ident}"><th scope="row">{name}{badge}</th>'
         f'<td><span class="chip {"hit" if row["collision"] else ""}">{escape(outcome)}</span></td>'
-        f'<td class="n">{_number(row["impact_speed"], 1)}</td><td class="n">{_number(row["overall_score"], 3)}</td>'
+        f'<td class="n">{_number(row["impact_speed"], 1)}</td><td>{avoidable}</td><td>{escape(fault)}</td>'
+        f'<td class="n">{_number(row["overall_score"], 3)}</td>'
         f"<td>{said}</td>{numbers}</tr>"
     )
 
@@ -295,4 +315,6 @@ def command(record: RunRecord) -> str:
     for name in ("scenes", "routes", "seed"):
         if name in search:
             words += [f"--{name}", str(search[name])]
+    if search.get("avoidable_only"):
+        words.append("--avoidable")
     return shlex.join(words)

@@ -17,6 +17,7 @@ from chatscene.report import sections
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     Run,
+    criticality_of,
     metrics_of,
     open_run,
     read_drawing,
@@ -118,7 +119,9 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "impact": row["impact_speed"],
         "kept": row["selected"],
         "metrics": {
-            sections.metric_label(name): round(value, 3) for name, value in metrics_of(row).items() if isfinite(value)
+            sections.metric_label(name): round(value, 3)
+            for name, value in (metrics_of(row) | criticality_of(row)).items()
+            if isfinite(value)
         },
         "drive": drive,
     }

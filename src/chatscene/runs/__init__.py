@@ -17,7 +17,10 @@
 from __future__ import annotations
 
 from chatscene.runs.blocks import (
+    done_blocks,
+    drop_blocks,
     finish,
+    read_adversaries,
     read_episode,
     read_episodes,
     read_events,
@@ -41,19 +44,25 @@ from chatscene.runs.folder import (
     write_explanation,
     write_program,
 )
-from chatscene.runs.record import SCHEMA_VERSION, RunRecord, Status, settings_of
-from chatscene.runs.tables import metrics_of
+from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, settings_of
+from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_index, scene_of
 
 __all__ = [
     "SCHEMA_VERSION",
     "Run",
     "RunRecord",
+    "SourceRecord",
     "Status",
     "create",
+    "criticality_of",
+    "done_blocks",
+    "drop_blocks",
     "explain",
     "finish",
+    "measurements_of",
     "metrics_of",
     "open_run",
+    "read_adversaries",
     "read_drawing",
     "read_episode",
     "read_episodes",
@@ -65,6 +74,8 @@ __all__ = [
     "read_scenes",
     "read_signals",
     "resume",
+    "route_index",
+    "scene_of",
     "settings_of",
     "update",
     "write_block",

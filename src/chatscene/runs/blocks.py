@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,14 +38,16 @@ from chatscene.runs.tables import (
     route_index,
     scenes_table,
     signals_table,
+    tracks_of,
     write_table,
 )
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.scene import Rejected
 from chatscene.terms.snippet import ParameterRange
 
 if TYPE_CHECKING:
-    from chatscene.search.explore import Block, Ran
+    from chatscene.evaluate.drive import Ran
+    from chatscene.search.explore import Block
 
 _TABLES = {
     "events.parquet": events_table,
@@ -100,6 +103,13 @@ def _ran_row(ran: Ran) -> SceneRow:
         route_completion=float(ran.episode.route_completion),
         dt=ran.episode.dt,
         metrics={name: float(value) for name, value in ran.metrics.items()},
+        measurements=asdict(ran.measurements),
+        criticality={
+            name: value for name, value in asdict(ran.criticality).items() if name not in ("impact_speed", "severity")
+        },
+        severity=ran.criticality.severity,
+        fault=ran.fault,
+        avoidable=ran.avoidable,
     )
 
 
@@ -190,7 +200,6 @@ def finish(
     run: Run,
     *,
     selected: Mapping[str, bool],
-    avoidable: Mapping[str, bool] | None = None,
     timings: Mapping[str, float] | None = None,
 ) -> RunRecord:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
@@ -198,7 +207,6 @@ def finish(
     Args:
         run: Which run.
         selected: The scenes kept, by id; True for a fill-in, which was kept although nothing collided.
-        avoidable: Whether a careful driver would have avoided the crash, by scene id, where that is known.
         timings: Seconds by phase, added to those in `run.json`.
 
     Raises:
@@ -209,7 +217,7 @@ def finish(
         parts = read_parts(run)
         for name, fold in _TABLES.items():
             write_table(run.file(name), fold(parts))
-        scenes = scenes_table(parts, selected, avoidable)
+        scenes = scenes_table(parts, selected)
         write_table(run.file("scenes.parquet"), scenes)
         record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings)
     _drop_parts(run)
@@ -286,6 +294,26 @@ def read_episodes(run: Run, scene_ids: Iterable[str]) -> Iterator[Episode]:
         path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
         rows = read_table(path, scene_id=scene_id)
         yield episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
+
+
+def read_adversaries(run: Run, scenario_id: str, route: int, block: int, scene_ids: Iterable[str]) -> list[Track]:
+    """The track of the first adversary in each of some scenes of one block, in the order asked for."""
+    rows = read_table(run.episodes(scenario_id, route, block), role=Role.ADVERSARY.value)
+    tracks = dict(tracks_of(rows))
+    return [tracks[scene_id] for scene_id in scene_ids if scene_id in tracks]
+
+
+def done_blocks(run: Run) -> set[tuple[str, int, int]]:
+    """Scenario, route and number of every part that is kept, of a run that is not finished."""
+    return {(part.scenario_id, part.route, part.block) for part in read_parts(run)}
+
+
+def drop_blocks(run: Run, block: int) -> None:
+    """Forget every part of that number: an ego that failed leaves no half results."""
+    for part in read_parts(run):
+        if part.block == block:
+            run.part(part.scenario_id, part.route, block).unlink(missing_ok=True)
+            run.episodes(part.scenario_id, part.route, block).unlink(missing_ok=True)
 
 
 def _driven(run: Run, scene_id: str, scene: dict[str, Any] | None) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import TEMPORARY, read_json, sweep, write_bytes, write_json, writing
-from chatscene.runs.record import SCHEMA_VERSION, RunRecord, Status, first_problem, settings_to_json
+from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, first_problem, settings_to_json
 from chatscene.settings import Settings
 
 
@@ -52,6 +52,8 @@ def create(
     settings: Settings,
     map_name: str,
     ego: str,
+    generator: str = "chatscene",
+    sources: Sequence[SourceRecord] = (),
     given: Mapping[str, Any] | None = None,
 ) -> Run:
     """Start a run in a new or empty folder, with status ``running``.
@@ -61,7 +63,9 @@ def create(
         text: The sentence.
         settings: All settings, resolved.
         map_name: The map as the user named it.
-        ego: The ego as the user named it.
+        ego: The ego as the user named it; of an evaluation, the egos, comma between them.
+        generator: Who makes the scenes.
+        sources: The runs whose scenes are driven, for an evaluation.
         given: The settings that the user gave, by name.
 
     Raises:
@@ -81,6 +85,9 @@ def create(
             text=text,
             map_name=map_name,
             ego=ego,
+            generator=generator,
+            command="evaluate" if sources else "run",
+            sources=list(sources),
             given=dict(given or {}),
             settings=settings_to_json(settings),
             versions=_versions(),
@@ -142,6 +149,7 @@ def update(
     reason: str = "",
     counts: Mapping[str, int] | None = None,
     timings: Mapping[str, float] | None = None,
+    failures: Mapping[str, str] | None = None,
 ) -> RunRecord:
     """Rewrite `run.json` in one step.
 
@@ -151,6 +159,7 @@ def update(
         reason: Why it failed or was refused.
         counts: New counts; None leaves them.
         timings: Added to those that stand there, key by key, so that a resumed run keeps its first part.
+        failures: Why egos were given up; None leaves them.
     """
     record = read_record(run)
     changes: dict[str, Any] = {}
@@ -160,6 +169,8 @@ def update(
         changes["counts"] = dict(counts)
     if timings is not None:
         changes["timings"] = _added(record.timings, timings)
+    if failures is not None:
+        changes["failures"] = dict(failures)
     changed = record.model_copy(update=changes)
     _write_record(run, changed)
     return changed

@@ -27,6 +27,22 @@ class _Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="ignore")
 
 
+class SourceRecord(_Frozen):
+    """A run whose scenes an evaluation drives.
+
+    Attributes:
+        folder: Its absolute path.
+        scenario_id: Its scenario.
+        base: The base scenario it belongs to, or None.
+        generator: Who made its scenes.
+    """
+
+    folder: str
+    scenario_id: str
+    base: str | None
+    generator: str
+
+
 class RunRecord(_Frozen):
     """The content of `run.json`.
 
@@ -36,7 +52,11 @@ class RunRecord(_Frozen):
         reason: Why it failed or was refused; else empty.
         text: The sentence.
         map_name: The map as it was given.
-        ego: The ego as it was given.
+        ego: The ego as it was given; of an evaluation, the egos, comma between them.
+        generator: Who made the scenes.
+        command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
+        sources: Of an evaluation: the runs whose scenes were driven.
+        failures: Of an evaluation: why an ego was given up, by ego.
         given: Settings the user gave, by name; the rest are defaults.
         settings: All settings, resolved, as `Settings` nests them.
         versions: Of chatscene, Python, Scenic and numpy.
@@ -51,6 +71,10 @@ class RunRecord(_Frozen):
     text: str
     map_name: str
     ego: str
+    generator: str = "chatscene"
+    command: str = "run"
+    sources: list[SourceRecord] = []
+    failures: dict[str, str] = {}
     given: dict[str, Any] = {}
     settings: dict[str, dict[str, Any]]
     versions: dict[str, str] = {}
@@ -84,6 +108,11 @@ class SceneRow(_Frozen):
     route_completion: float | None = None
     dt: float | None = None
     metrics: dict[str, float] = {}
+    measurements: dict[str, float | None] = {}
+    criticality: dict[str, float | None] = {}
+    severity: str | None = None
+    fault: str | None = None
+    avoidable: bool | None = None
 
 
 class EventRow(_Frozen):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,10 @@ from numpy.typing import NDArray
 from chatscene.errors import RunError
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.record import Part, SceneRow
+from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.metrics import Measurements
+from chatscene.terms.scene import Scene, ScenicProgram
 
 Table = Any  # a `pyarrow.Table`; pyarrow ships no types
 
@@ -98,6 +102,9 @@ _SCENE_OUTCOME = pa.schema(
         ("meaning_failures", pa.list_(pa.string())),
         ("collision", pa.bool_()),
         ("impact_speed", pa.float64()),
+        ("severity", pa.string()),
+        ("fault", pa.string()),
+        ("avoidable", pa.bool_()),
         ("ego", pa.string()),
         ("ending", pa.string()),
         ("route_completion", pa.float64()),
@@ -107,12 +114,16 @@ _SCENE_OUTCOME = pa.schema(
 _SCENE_TAIL = pa.schema(
     [
         ("overall_score", pa.float64()),
-        ("avoidable", pa.bool_()),
         ("selected", pa.bool_()),
         ("fill_in", pa.bool_()),
     ]
 )
-_FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.names]) - {"overall_score"}
+RAW = "raw_"  # what the metrics are computed from, so that any set of scenes can be scored from the table alone
+_MEASUREMENTS = tuple(f"{RAW}{field.name}" for field in fields(Measurements))
+_CRITICALITY = tuple(field.name for field in fields(Criticality) if field.name not in ("impact_speed", "severity"))
+_FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.names, *_MEASUREMENTS, *_CRITICALITY]) - {
+    "overall_score"
+}
 
 
 def write_table(path: Path, table: Table) -> None:
@@ -145,17 +156,12 @@ def route_index(name: str) -> int:
     return int(name.removeprefix("route-"))
 
 
-def scenes_table(
-    parts: Sequence[Part],
-    selected: Mapping[str, bool] | None = None,
-    avoidable: Mapping[str, bool] | None = None,
-) -> Table:
+def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = None) -> Table:
     """One row per scene.
 
     Args:
         parts: The finished blocks, in order.
         selected: The scenes kept, by id; whether it is a fill-in (kept although nothing collided).
-        avoidable: Whether a careful driver would have avoided the crash, by scene id, where that is known.
 
     Raises:
         RunError: A metric has the name of another column.
@@ -172,10 +178,11 @@ def scenes_table(
             *numbers[: len(parameters)],
             *_SCENE_OUTCOME,
             *numbers[len(parameters) :],
+            *((name, pa.float64()) for name in (*_CRITICALITY, *_MEASUREMENTS)),
             *_SCENE_TAIL,
         ]
     )
-    rows = [_scene_row(part, scene, selected or {}, avoidable or {}) for part in parts for scene in part.scenes]
+    rows = [_scene_row(part, scene, selected or {}) for part in parts for scene in part.scenes]
     return pa.Table.from_pylist(rows, schema=schema)
 
 
@@ -188,10 +195,34 @@ def metrics_of(row: Mapping[str, Any]) -> dict[str, float]:
     }
 
 
-def _scene_row(
-    part: Part, scene: SceneRow, selected: Mapping[str, bool], avoidable: Mapping[str, bool]
-) -> dict[str, Any]:
-    row = scene.model_dump(exclude={"values", "metrics"}) | scene.values | scene.metrics
+def criticality_of(row: Mapping[str, Any]) -> dict[str, float]:
+    """The measures of criticality in a row of `scenes.parquet`, by name; those that do not apply are left out."""
+    return {name: row[name] for name in _CRITICALITY if row[name] is not None}
+
+
+def scene_of(row: Mapping[str, Any], program: ScenicProgram) -> Scene:
+    """The scene in a row of `scenes.parquet`, ready to be driven again."""
+    return Scene(
+        id=row["scene_id"],
+        scenario_id=row["scenario_id"],
+        route=route_index(row["route_id"]),
+        block=row["block"],
+        seed=row["seed"],
+        values={p.name: row[p.name] for p in program.parameters},
+    )
+
+
+def measurements_of(row: Mapping[str, Any]) -> Measurements:
+    """The raw numbers in a row of `scenes.parquet`, of a scene that was driven."""
+    numbers: dict[str, Any] = {field.name: row[RAW + field.name] for field in fields(Measurements)}
+    numbers |= {name: int(numbers[name]) for name in ("red_lights", "stop_signs", "lane_invasions")}
+    return Measurements(**numbers | {"collided": bool(numbers["collided"])})
+
+
+def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:
+    row = scene.model_dump(exclude={"values", "metrics", "measurements", "criticality"})
+    row |= scene.values | scene.metrics | scene.criticality
+    row |= {f"{RAW}{name}": value for name, value in scene.measurements.items()}
     driven = scene.reason is None
     return row | {
         "scenario_id": part.scenario_id,
@@ -200,7 +231,6 @@ def _scene_row(
         "status": "ran" if driven else "rejected",
         "meaning_ok": not scene.meaning_failures if driven else None,
         "meaning_failures": scene.meaning_failures if driven else None,
-        "avoidable": avoidable.get(scene.scene_id),
         "selected": scene.scene_id in selected,
         "fill_in": selected.get(scene.scene_id, False),
     }
@@ -305,7 +335,16 @@ def episode_of(
     )
 
 
-def _runs_of(values: Sequence[str]) -> list[tuple[int, int]]:
+def tracks_of(rows: Table) -> list[tuple[str, Track]]:
+    """Each scene's first track among some rows of an episode table, with the scene's id."""
+    names = list(zip(rows.column("scene_id").to_pylist(), rows.column("actor").to_pylist(), strict=True))
+    found: dict[str, Track] = {}
+    for start, end in _runs_of(names):
+        found.setdefault(names[start][0], _track(rows, start, end))
+    return list(found.items())
+
+
+def _runs_of(values: Sequence[object]) -> list[tuple[int, int]]:
     """Start and end of each stretch of equal values."""
     starts = [i for i, value in enumerate(values) if i == 0 or value != values[i - 1]]
     return list(zip(starts, [*starts[1:], len(values)], strict=True))

@@ -10,33 +10,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.evaluate.score import columns, measure
-from chatscene.program.meaning import check_meaning
+from chatscene.evaluate.drive import Ran, drive
+from chatscene.program.sample import draw, scene_seed
 from chatscene.search.refine import refine
-from chatscene.search.sample import draw, scene_seed
 from chatscene.settings import SearchSettings
 from chatscene.simulate.backend import Backend
-from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ran:
-    """A scene that was driven, and what came of it.
-
-    Attributes:
-        scene: The scene.
-        episode: The surrogate ego's drive.
-        metrics: One number per metric, by column name, paper mode.
-        meaning: What the drive did not show of what was said; empty is good.
-    """
-
-    scene: Scene
-    episode: Episode
-    metrics: dict[str, float]
-    meaning: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,20 +114,11 @@ def _run_block(
     rejected: list[Rejected] = []
     for place in places:
         for scene in _draws(place, ranges, settings):
-            outcome = backend.run(program, scene, ego)
-            if isinstance(outcome, Rejected):
-                rejected.append(outcome)
-                continue
-            route = backend.route(program, place.route)
-            ran.append(
-                Ran(
-                    scene=scene,
-                    episode=outcome,
-                    metrics=columns(measure(outcome)),
-                    meaning=check_meaning(slots, outcome, route),
-                )
-            )
-            break
+            outcome = drive(program, slots, scene, backend=backend, ego=ego)
+            if isinstance(outcome, Ran):
+                ran.append(outcome)
+                break
+            rejected.append(outcome)
     return Block(
         scenario_id=program.scenario_id,
         route=places[0].route,

@@ -18,11 +18,13 @@ class Candidate:
     Attributes:
         scene_id: Which.
         collided: Whether the ego collided.
+        avoidable: Whether a careful driver would have avoided the collision; None without one.
         overall_score: Of that one drive, paper mode.
     """
 
     scene_id: str
     collided: bool
+    avoidable: bool | None
     overall_score: float
 
 
@@ -39,12 +41,13 @@ class Selected:
     fill_in: bool
 
 
-def select(candidates: Iterable[Candidate], *, count: int) -> tuple[Selected, ...]:
+def select(candidates: Iterable[Candidate], *, count: int, avoidable_only: bool = False) -> tuple[Selected, ...]:
     """Scenes that collided first, lowest overall score first; if too few, the lowest-scoring others fill up.
 
     Args:
         candidates: The scenes of one scenario on one route.
         count: How many to keep, at least 1.
+        avoidable_only: Never keep a collision that a careful driver would not have avoided.
 
     Returns:
         At most `count`, in the order of their ids; equal scores are decided by id.
@@ -54,6 +57,7 @@ def select(candidates: Iterable[Candidate], *, count: int) -> tuple[Selected, ..
     """
     if count < 1:
         raise SettingsError(f"at least one scene must be kept, not {count}")
-    best = sorted(candidates, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
+    allowed = (c for c in candidates if not (avoidable_only and c.avoidable is False))
+    best = sorted(allowed, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
     kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))

@@ -5,14 +5,55 @@ from __future__ import annotations
 import difflib
 import importlib
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
+from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import SettingsError
 from chatscene.settings import SimulationSettings
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+
+class OpenDrive(Protocol):
+    """A drive that is stepped from outside; one at a time per process.
+
+    `observation` is what the ego sees now; `ending` is None while the drive goes on; `rejection` says why the
+    program itself gave the drive up, and is empty otherwise. Nothing may be stepped after an ending or a rejection.
+    """
+
+    observation: Observation
+    ending: Ending | None
+    rejection: str
+    step_number: int
+
+    @property
+    def along(self) -> float:
+        """Arc length of the ego on its route [m]."""
+        ...
+
+    @property
+    def offset(self) -> float:
+        """Lateral offset of the ego from its route [m, positive = left]."""
+        ...
+
+    @property
+    def speed(self) -> float:
+        """Speed of the ego [m/s]."""
+        ...
+
+    def step(self, action: Any) -> None:
+        """Drive one step with an action, acceleration and steering in [-1, 1]."""
+        ...
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far."""
+        ...
+
+    def close(self) -> None:
+        """Give the process free for another drive; to be called once, whatever happened."""
+        ...
 
 
 class Backend(Protocol):
@@ -33,6 +74,26 @@ class Backend(Protocol):
             scene: The concrete values.
             ego: Who drives.
             through_collisions: Go on after a collision, to see whether the adversary does what was said.
+        """
+        ...
+
+    def open(
+        self,
+        program: ScenicProgram,
+        scene: Scene,
+        *,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        through_collisions: bool = False,
+    ) -> OpenDrive | Rejected:
+        """Start a drive that is stepped from outside.
+
+        Args:
+            program: What to run.
+            scene: The concrete values.
+            observation: A preset of `chatscene.ego.observation`.
+            pedals: One of `chatscene.ego.policy.PEDALS`.
+            through_collisions: Go on after a collision.
         """
         ...
 

@@ -34,6 +34,16 @@ class RouteQuery:
     lane_beside: str | None = None
     conflicting_from: tuple[str, ...] = ()
 
+    @property
+    def slug(self) -> str:
+        """A name for all that it asks for, so that a route's id stands for one route of the map."""
+        parts = [self.maneuver, self.place, self.control]
+        parts += [f"{self.lanes_same_way}-lanes"] * (self.lanes_same_way > 1)
+        parts += [None if self.opposite_lane is None else "opposite" if self.opposite_lane else "one-way"]
+        parts += [f"lane-{self.lane_beside}"] if self.lane_beside else []
+        parts += [f"from-{side}" for side in self.conflicting_from]
+        return "-".join(part for part in parts if part is not None)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Route:

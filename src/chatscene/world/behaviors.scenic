@@ -8,7 +8,7 @@ import math
 
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.control import pedals
-from chatscene.world.places import headingLine, laneLine, progressOn, trackerFor
+from chatscene.world.places import distanceLeft, followingSpeed, headingLine, laneLine, progressOn, trackerFor
 
 ## Vehicles and two-wheelers
 
@@ -67,6 +67,20 @@ behavior PaceOnPath(path, other, ahead=0, top=25, least=0):
 behavior KeepStation(path, other, least=5):
     """Hold the present distance to another actor along a path, as traffic in the next lane does."""
     do PaceOnPath(path, other, progressOn(path, self)[0] - progressOn(path, other)[0], least=least)
+
+behavior FollowTraffic(path, speed):
+    """Follow a path at a speed as a careful driver: keeps its distance from whoever is ahead on it. Never ends."""
+    tracker = trackerFor(self, path, 0)
+    others = [other for other in simulation().objects if other.body is not self.body]
+    while True:
+        wish = followingSpeed(path, self, others, speed)
+        take DriveAction(*tracker.controls(self.pose, wish))
+
+behavior WaitFor(other, way, speed):
+    """Stand before a junction until the ego, the `other`, has passed it, then drive on with the traffic."""
+    while distanceLeft(other.route, other, other.route.exitAt) > -8:
+        take DriveAction(0, 1, 0)
+    do FollowTraffic(way, speed)
 
 behavior ReverseStraight(speed):
     """Drive straight backwards."""

@@ -18,9 +18,9 @@ from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, besideRoad, brakingDistance, choose_route as _choose_route,
-    crossingDirection, directionOn, distanceLeft, extended, gap, headway, levelOn, maximum, neighbourPath, offsetFrom,
-    ownLane, pointOn, progressOn, restsWithin, trafficFrom, wayOf)
-from chatscene.world.limits import LIMITS as _LIMITS
+    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, levelOn, maximum, neighbourPath,
+    offsetFrom, ownLane, pointOn, progressOn, restsWithin, trafficFrom, waitingTraffic, wayOf)
+from chatscene.terms.limits import LIMITS as _LIMITS
 
 if 'route' not in globalParameters:
     param route = 0

@@ -8,7 +8,7 @@ specifiers.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, cast
@@ -20,13 +20,17 @@ from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
+from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place
 from chatscene.world.control import Tracker
-from chatscene.world.limits import LIMITS
 
 QUARTER = math.pi / 2
+FOLLOWING_SIGHT = 40.0  # [m], beyond which a driver in traffic need not care
+FOLLOWING_CORRIDOR = 1.3  # [m] beside a path that a driver keeps free
+FOLLOWING_BRAKE = 2.5  # [m/s²], comfortable
+STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
 _WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
 ROUTES = 10  # per geometry, as in the paper (section 4.2)
 
@@ -162,6 +166,39 @@ def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vecto
     lanes = route.network.drivableRegion
     edge = next(d for d in _WIDTHS if not lanes.containsPoint(Vector(x + d * dx, y + d * dy)))
     return Vector(x + (edge + beyond) * dx, y + (edge + beyond) * dy)
+
+
+def followingSpeed(path: Any, agent: Any, others: Sequence[Any], wish: float) -> float:  # noqa: N802
+    """The speed [m/s], at most `wish`, from which an agent on a path can still stop behind whoever is ahead on it."""
+    line = line_of(path)
+    x, y, _, _ = agent.pose
+    along, _, near = line.project(x, y)
+    for other in others:
+        ox, oy, _, speed = other.pose
+        if math.hypot(ox - x, oy - y) > FOLLOWING_SIGHT:
+            continue
+        at, beside, _ = line.project(ox, oy, near)
+        if at > along and abs(beside) < FOLLOWING_CORRIDOR + 0.5 * other.width:
+            room = at - along - 0.5 * (agent.length + other.length) - STANDSTILL_GAP
+            wish = min(wish, math.sqrt(max(speed, 0.0) ** 2 + 2 * FOLLOWING_BRAKE * room) if room > 0.0 else 0.0)
+    return wish
+
+
+def waitingTraffic(route: EgoRoute) -> tuple[CrossingPath, ...]:  # noqa: N802
+    """One way into the ego's junction for each side that traffic comes from and that meets the ego's; else none."""
+    ways = conflicting_paths(route.network, route.route)
+    return tuple({way.from_side: way for way in reversed(ways)}.values())
+
+
+def lanesBeside(route: EgoRoute) -> tuple[tuple[Polyline, bool], ...]:  # noqa: N802
+    """The lines of the lanes directly beside the ego's, and whether each runs against it."""
+    lane = route.network.elements[route.route.lane_ids[0]]
+    section = route.network.laneSectionAt(route.line.point_at(0.0)) or lane.sections[0]
+    return tuple(
+        (neighbour_line(route.network, route.route, side), beside.isForward != section.isForward)
+        for side, beside in (("left", section._laneToLeft), ("right", section._laneToRight))
+        if beside is not None
+    )
 
 
 @_deferred

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from chatscene.world.limits import LIMITS, Limits
+from chatscene.terms.limits import LIMITS, Limits
 
 TAU = 2.0 * math.pi
 

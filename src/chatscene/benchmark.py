@@ -1,0 +1,205 @@
+"""The ChatScene benchmark: every base scenario, scenes by a generator against a surrogate ego, then other egos on them.
+
+Paper: section 4.2. Eight base scenarios, five scenarios each, ten routes, fifty simulations with refinement, two kept
+(20,000 simulations, 800 scenes), then measured with SAC, PPO and TD3.
+
+A benchmark's folder holds a run folder per scenario under ``scenes/<base scenario>/<n>``, the evaluation under
+``evaluation``, and says in ``benchmark.json`` what it is. It can be killed at any moment: what is there is not done
+again.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from chatscene import runs
+from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError
+from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
+from chatscene.pipeline import Progress, search
+from chatscene.runs.atomic import read_json, write_json, writing
+from chatscene.search.generator import load_generator
+from chatscene.settings import SearchSettings, Settings
+from chatscene.terms.scenario import BaseScenario
+from chatscene.workers import spread
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Budget:
+    """How much a generator may try.
+
+    Attributes:
+        scenarios: Per base scenario.
+        search: Scenes, blocks, routes and how many are kept, per scenario.
+    """
+
+    scenarios: int
+    search: SearchSettings
+
+
+BUDGETS: dict[str, Budget] = {
+    "paper": Budget(scenarios=5, search=SearchSettings(scenes=50, block=10, keep=2, routes=10)),
+    "small": Budget(scenarios=2, search=SearchSettings(scenes=20, block=10, keep=2, routes=2)),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Benchmarked:
+    """What a benchmark came to.
+
+    Attributes:
+        folder: Where it is.
+        evaluated: The egos on the kept scenes, with the tables.
+        refused: Scenarios that could not be searched with, and why, by text.
+        counts: Scenes ran, collided, kept, fill-ins, rejected draws.
+        seconds: Wall time by phase, over every call that worked on the folder.
+    """
+
+    folder: Path
+    evaluated: Evaluated
+    refused: dict[str, str]
+    counts: dict[str, int]
+    seconds: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Task:
+    """One scenario to search with."""
+
+    folder: Path
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Setup:
+    """What every process of a benchmark needs to know."""
+
+    generator: str
+    settings: Settings
+    map_name: str
+    surrogate: str
+
+
+def benchmark(
+    folder: Path,
+    *,
+    generator: str = "chatscene",
+    budget: str = "small",
+    egos: Sequence[str] = EGOS,
+    surrogate: str = "sac",
+    map_name: str = "town",
+    seed: int = 0,
+    avoidable_only: bool = False,
+    jobs: int = 1,
+    progress: Progress,
+) -> Benchmarked:
+    """Run a benchmark, or go on with one that was cut.
+
+    Raises:
+        SettingsError: There is no such generator or budget.
+        RunError: The folder holds something else, or a benchmark with other settings.
+    """
+    if budget not in BUDGETS:
+        raise SettingsError(f"there is no budget {budget!r}; known: {', '.join(BUDGETS)}")
+    chosen = BUDGETS[budget]
+    settings = Settings(search=replace(chosen.search, seed=seed, avoidable_only=avoidable_only))
+    setup = _Setup(generator=generator, settings=settings, map_name=map_name, surrogate=surrogate)
+    record = _open(folder, {"generator": generator, "budget": budget, "egos": list(egos), **asdict(setup)})
+    tasks = _tasks(folder, generator, chosen.scenarios)
+
+    began = time.monotonic()
+    refused: dict[str, str] = {}
+    for count, (task, reason) in enumerate(spread(_Searcher, setup, tasks, jobs=jobs), 1):
+        if reason:
+            refused[task.text] = reason
+        progress("searching, scenarios", count, len(tasks))
+    searched = time.monotonic() - began
+    counts = _counts(task.folder for task in tasks if task.text not in refused)
+
+    where = folder / "evaluation"
+    if (where / "run.json").exists():
+        evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
+    else:
+        found = [task.folder for task in tasks if task.text not in refused]
+        evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
+    spent = record.get("seconds", {})
+    seconds = {
+        "search": round(spent.get("search", 0.0) + searched, 1),
+        "evaluation": round(spent.get("evaluation", 0.0) + evaluated.seconds, 1),
+    }
+    write_json(folder / "benchmark.json", {**record, "refused": refused, "counts": counts, "seconds": seconds})
+    return Benchmarked(folder=folder, evaluated=evaluated, refused=refused, counts=counts, seconds=seconds)
+
+
+def _open(folder: Path, settings: dict[str, Any]) -> dict[str, Any]:
+    """The record of a benchmark, new or taken up again."""
+    path = folder / "benchmark.json"
+    if path.is_file():
+        record = read_json(path)
+        if {name: record.get(name) for name in settings} != settings:
+            raise RunError(f"{folder} holds a benchmark with other settings; choose another folder with --out")
+        return record
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise RunError(f"{folder} is not empty and holds no benchmark; choose another folder with --out")
+    write_json(path, settings)
+    return settings
+
+
+def _tasks(folder: Path, generator: str, scenarios: int) -> list[_Task]:
+    source = load_generator(generator)
+    return [
+        _Task(folder=folder / "scenes" / base / str(number), text=text)
+        for base in BaseScenario
+        for number, text in enumerate(source.texts(base)[:scenarios])
+    ]
+
+
+def _counts(folders: Any) -> dict[str, int]:
+    total: dict[str, int] = {}
+    for folder in folders:
+        for name, count in runs.read_record(runs.open_run(folder)).counts.items():
+            total[name] = total.get(name, 0) + count
+    return total
+
+
+class _Searcher:
+    """Searches with one scenario after another."""
+
+    def __init__(self, setup: _Setup) -> None:
+        self._setup = setup
+
+    def __call__(self, task: _Task) -> tuple[_Task, str]:
+        """Search; the reason if the scenario cannot be searched with."""
+        setup = self._setup
+        if (task.folder / "run.json").exists():
+            run = runs.open_run(task.folder)
+        else:
+            run = runs.create(
+                task.folder,
+                text=task.text,
+                settings=setup.settings,
+                map_name=setup.map_name,
+                ego=setup.surrogate,
+                generator=setup.generator,
+            )
+        record = runs.read_record(run)
+        if record.status is runs.Status.REFUSED:
+            return task, record.reason
+        try:
+            search(run, 1, _silent)
+        except (NothingFits, MeansSomethingElse, MapError) as error:
+            runs.update(run, status=runs.Status.REFUSED, reason=str(error))
+            return task, str(error)
+        except ChatSceneError as error:
+            runs.update(run, status=runs.Status.FAILED, reason=str(error))
+            raise
+        return task, ""
+
+
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass

@@ -1,0 +1,228 @@
+"""Egos from files: our own networks, Stable-Baselines3, SafeBench v1, TorchScript, ONNX.
+
+A checkpoint gives its weights and nothing else: nothing in it is unpickled, and of Stable-Baselines3's description
+only what is plain text is read. Networks become numpy, so that torch is needed only while they are loaded.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
+from chatscene.ego.observation import OBSERVATIONS, Observation
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import EgoError, MissingExtra
+
+State = Mapping[str, Any]
+SAFEBENCH_EVERY = 4  # SafeBench v1 trained at a frame skip of 4: a decision each 0.4 s
+
+
+def load_file(path: Path) -> EgoPolicy:
+    """The ego in a file, by its suffix.
+
+    Raises:
+        EgoError: It is missing, damaged, or no policy that can be driven with.
+        MissingExtra: It takes torch to read, which is not installed.
+    """
+    if not path.is_file():
+        raise EgoError(f"there is no file {path}; give the path of a policy, or the name of an ego")
+    return _READERS[path.suffix](path)
+
+
+def _npz(path: Path) -> EgoPolicy:
+    network, about = load_network(path)
+    observation = str(about.get("observation", "safebench"))
+    _check_size(network.size, path, observation)
+    return NetworkEgo(network, name=path.stem, observation=observation, pedals=str(about.get("pedals", "safebench")))
+
+
+def _stable_baselines(path: Path) -> EgoPolicy:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            about: dict[str, Any] = json.loads(archive.read("data"))
+            weights = archive.read("policy.pth")
+    except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
+        raise EgoError(f"{path} is not a model saved by Stable-Baselines3: {error}") from error
+    state = _state(io.BytesIO(weights), path)
+    names, output = _stable_baselines_layers(state, path)
+    # PPO and A2C use tanh unless told otherwise, SAC, TD3 and DDPG relu; a choice is written out in plain text.
+    chosen = str(about.get("policy_kwargs", {}).get("activation_fn", "")).lower()
+    default = "tanh" if output == "clip" else "relu"
+    hidden = "relu" if "relu" in chosen else "tanh" if "tanh" in chosen else default
+    network = Network(layers=layers_of(state, names), hidden=hidden, output=output)
+    return NetworkEgo(network, name=path.stem, observation=_check_size(network.size, path))
+
+
+def _stable_baselines_layers(state: State, path: Path) -> tuple[list[str], str]:
+    """The layers of the deterministic policy, by name and in order, and what follows them."""
+    for stem, last, output in (
+        ("actor.latent_pi.", "actor.mu", "tanh"),
+        ("mlp_extractor.policy_net.", "action_net", "clip"),
+        ("actor.mu.", None, "tanh"),
+    ):
+        found = sorted(
+            {key.removesuffix(".weight") for key in state if key.startswith(stem) and key.endswith(".weight")},
+            key=lambda name: int(name.removeprefix(stem)),
+        )
+        if found and (last is None or f"{last}.weight" in state):
+            return [*found, *([last] if last else [])], output
+    raise EgoError(
+        f"{path} holds no policy of fully connected layers with two continuous actions "
+        f"(its weights: {', '.join(sorted(state)[:6])}, ...); wrap it in a module and give package.module:factory"
+    )
+
+
+def _torch(path: Path) -> EgoPolicy:
+    """TorchScript, which carries its code, or a checkpoint of SafeBench v1."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            scripted = any("/code/" in name for name in archive.namelist())
+    except (OSError, zipfile.BadZipFile):
+        scripted = False  # older checkpoints are no archives
+    return _torchscript(path) if scripted else _safebench(path)
+
+
+def _torchscript(path: Path) -> EgoPolicy:
+    torch = _import_torch()
+    try:
+        module = torch.jit.load(str(path), map_location="cpu").eval()
+    except (RuntimeError, ValueError) as error:
+        raise EgoError(f"cannot read TorchScript from {path}: {_first_line(error)}") from error
+
+    def ask(observation: np.ndarray[Any, Any]) -> Any:
+        with torch.no_grad():
+            return module(torch.from_numpy(observation)).numpy()
+
+    return _asked(ask, path)
+
+
+def _onnx(path: Path) -> EgoPolicy:
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    try:
+        session = onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
+    except Exception as error:
+        raise EgoError(f"cannot read an ONNX model from {path}: {_first_line(error)}") from error
+    name = session.get_inputs()[0].name
+
+    def ask(observation: np.ndarray[Any, Any]) -> Any:
+        return session.run(None, {name: observation})[0]
+
+    return _asked(ask, path)
+
+
+class _Asked:
+    """An ego that asks a model of its own kind, one observation at a time."""
+
+    pedals = "safebench"
+
+    def __init__(self, ask: Callable[[np.ndarray[Any, Any]], Any], name: str, observation: str) -> None:
+        self.name = name
+        self.observation = observation
+        self._ask = ask
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        answer = np.asarray(self._ask(observation.astype(np.float32)[None]), dtype=float).ravel()
+        if answer.shape != (2,):
+            raise EgoError(f"the model {self.name!r} answers with {answer.size} numbers, not acceleration and steering")
+        first, second = np.clip(answer, -1.0, 1.0).tolist()
+        return round(first, 6), round(second, 6)
+
+
+def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path) -> EgoPolicy:
+    """The ego of a model, whose preset is found by trying which size of input it takes."""
+    problems: list[str] = []
+    for observation, size in OBSERVATIONS.items():
+        ego = _Asked(ask, path.stem, observation)
+        try:
+            ego.act(np.zeros(size))
+        except EgoError:
+            raise
+        except Exception as error:  # noqa: BLE001 - whatever a stranger's model raises for a wrong size
+            problems.append(f"{observation} ({size}): {_first_line(error)}")
+        else:
+            return ego
+    raise EgoError(f"the model in {path} takes none of the observations: {'; '.join(problems)}")
+
+
+def _safebench(path: Path) -> EgoPolicy:
+    """A checkpoint of SafeBench v1: a pair of state dicts, of the actor and of the critic.
+
+    The sign of its steering is that of its environment, which negates it; ours does not (decision 0015).
+    """
+    stored = _state(path, path)
+    if not (isinstance(stored, tuple) and stored and isinstance(stored[0], Mapping)):
+        raise EgoError(f"{path} is neither TorchScript nor a checkpoint of SafeBench v1 (actor and critic)")
+    actor: State = stored[0]
+    for names, output in (
+        (("net.0", "net.2", "mu_layer"), "tanh"),  # SAC
+        (("pi.0", "pi.2", "pi.4"), "tanh"),  # TD3
+        (("mu_net.0", "mu_net.2", "mu_net.4"), "sigmoid"),  # PPO
+    ):
+        if all(f"{name}.weight" in actor for name in names):
+            layers = layers_of(actor, names)
+            weights, bias = layers[-1]
+            signs = np.array((1.0, -1.0), np.float32)
+            turned = (weights * signs[:, None], bias * signs)
+            network = Network(layers=(*layers[:-1], turned), output=output)
+            observation = _check_size(network.size, path)
+            return NetworkEgo(network, name=path.stem, observation=observation, every=SAFEBENCH_EVERY)
+    raise EgoError(f"{path}: no actor of SafeBench v1 has the weights {', '.join(sorted(actor)[:6])}")
+
+
+def _check_size(size: int, path: Path, observation: str | None = None) -> str:
+    """The preset of observations of that size."""
+    for name, numbers in OBSERVATIONS.items():
+        if numbers == size and observation in (None, name):
+            return name
+    known = ", ".join(f"{name} ({numbers})" for name, numbers in OBSERVATIONS.items())
+    raise EgoError(f"the policy in {path} looks at {size} numbers; observations are {known}")
+
+
+def _state(source: Any, path: Path) -> Any:
+    """What a file of PyTorch holds, tensors as arrays; anything that would run code is refused."""
+    import pickle
+
+    torch = _import_torch()
+    try:
+        stored = torch.load(source, map_location="cpu", weights_only=True)
+    except (pickle.UnpicklingError, RuntimeError, EOFError, OSError, ValueError, KeyError) as error:
+        raise EgoError(f"cannot read weights from {path}: {_first_line(error)}; only tensors are read") from error
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, torch.Tensor):
+            return value.numpy()
+        if isinstance(value, Mapping):
+            return {key: plain(item) for key, item in value.items()}
+        return tuple(plain(item) for item in value) if isinstance(value, list | tuple) else value
+
+    return plain(stored)
+
+
+def _import_torch() -> Any:
+    try:
+        import torch
+    except ImportError as error:
+        raise MissingExtra("reading this policy needs torch", extra="train") from error
+    return torch
+
+
+def _first_line(error: Exception) -> str:
+    return str(error).strip().partition("\n")[0][:200]
+
+
+_READERS: dict[str, Callable[[Path], EgoPolicy]] = {
+    ".npz": _npz,
+    ".zip": _stable_baselines,
+    ".pt": _torch,
+    ".onnx": _onnx,
+}

@@ -1,0 +1,151 @@
+"""Small fully connected policies in numpy: what an ego from a file becomes once it is loaded."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.observation import Observation
+from chatscene.errors import EgoError
+
+Weights = NDArray[np.float32]
+DECIMALS = 6  # of an action: a sum in another order, by another BLAS, gives the same drive
+HIDDEN = ("relu", "tanh")
+OUTPUTS = ("tanh", "clip", "sigmoid")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Network:
+    """A deterministic policy.
+
+    Attributes:
+        layers: For each layer its weights, (out, in), and bias, (out,), float32; the last has two outputs.
+        hidden: What comes after each layer but the last: ``relu`` or ``tanh``.
+        output: What comes after the last: ``tanh``; ``clip`` to [-1, 1]; or ``sigmoid``, stretched to [-1, 1].
+    """
+
+    layers: tuple[tuple[Weights, Weights], ...]
+    hidden: str = "relu"
+    output: str = "tanh"
+
+    def __post_init__(self) -> None:
+        if self.hidden not in HIDDEN or self.output not in OUTPUTS:
+            raise EgoError(f"a network cannot have {self.hidden!r} layers and a {self.output!r} output")
+        if not self.layers:
+            raise EgoError("a network needs at least one layer")
+        width = self.layers[0][0].shape[-1]
+        for weights, bias in self.layers:
+            if weights.ndim != 2 or weights.shape[1] != width or bias.shape != weights.shape[:1]:
+                raise EgoError(f"the layers of a network do not fit: {weights.shape} and {bias.shape} after {width}")
+            if not (np.isfinite(weights).all() and np.isfinite(bias).all()):
+                raise EgoError("a network has weights that are not finite; its training diverged")
+            width = weights.shape[0]
+        if width != 2:
+            raise EgoError(f"a network must answer with acceleration and steering, not with {width} numbers")
+
+    @property
+    def size(self) -> int:
+        """How many numbers it looks at."""
+        return int(self.layers[0][0].shape[1])
+
+    def __call__(self, observation: Observation) -> tuple[float, float]:
+        """Acceleration and steering in [-1, 1]; `observation` is (`size`,)."""
+        x = observation.astype(np.float32)
+        relu = self.hidden == "relu"
+        for weights, bias in self.layers[:-1]:
+            x = weights @ x
+            x += bias
+            if relu:
+                np.maximum(x, 0.0, out=x)
+            else:
+                np.tanh(x, out=x)
+        weights, bias = self.layers[-1]
+        first, second = (weights @ x + bias).tolist()
+        return _squashed(first, self.output), _squashed(second, self.output)
+
+    def stored(self, about: Mapping[str, str | float]) -> bytes:
+        """The content of an ``.npz`` file, without pickles: weights and a description. `load_network` reads it."""
+        arrays: dict[str, Any] = {
+            f"{kind}{i}": array for i, layer in enumerate(self.layers) for kind, array in zip("wb", layer, strict=True)
+        }
+        sink = io.BytesIO()
+        description = json.dumps({"hidden": self.hidden, "output": self.output, **about})
+        np.savez_compressed(sink, about=np.array(description), **arrays)
+        return sink.getvalue()
+
+
+def load_network(path: Path) -> tuple[Network, dict[str, Any]]:
+    """A network and its description from an ``.npz`` file.
+
+    Raises:
+        EgoError: It is missing, damaged, or no network.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            about = json.loads(str(stored["about"]))
+            layers = tuple((stored[f"w{i}"], stored[f"b{i}"]) for i in range((len(stored.files) - 1) // 2))
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise EgoError(f"cannot read a network from {path}: {error}") from error
+    return Network(layers=layers, hidden=str(about.pop("hidden")), output=str(about.pop("output"))), about
+
+
+def layers_of(state: Mapping[str, NDArray[Any]], names: Sequence[str]) -> tuple[tuple[Weights, Weights], ...]:
+    """The layers of those names in a PyTorch state dict, as float32."""
+    return tuple(
+        (
+            np.ascontiguousarray(state[f"{name}.weight"], dtype=np.float32),
+            np.ascontiguousarray(state[f"{name}.bias"], dtype=np.float32),
+        )
+        for name in names
+    )
+
+
+def _squashed(value: float, output: str) -> float:
+    if output == "tanh":
+        value = float(np.tanh(value))
+    elif output == "sigmoid":
+        value = float(np.tanh(0.5 * value))  # 2 / (1 + exp(-x)) - 1, without overflow
+    return round(max(-1.0, min(1.0, value)), DECIMALS)
+
+
+class NetworkEgo:
+    """An ego that asks a network.
+
+    Args:
+        network: What decides.
+        name: How it is called in tables.
+        observation: What it looks at, a preset of `chatscene.ego.observation`.
+        pedals: One of `chatscene.ego.policy.PEDALS`.
+        every: It decides at each `every`-th step and holds the action in between (SafeBench's frame skip).
+    """
+
+    def __init__(
+        self, network: Network, *, name: str, observation: str = "safebench", pedals: str = "safebench", every: int = 1
+    ) -> None:
+        self.name = name
+        self.observation = observation
+        self.pedals = pedals
+        self._network = network
+        self._every = every
+        self.reset()
+
+    def reset(self) -> None:
+        """Begin an episode."""
+        self._left = 0
+        self._held = (0.0, 0.0)
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        """Decide, or hold what was decided."""
+        if self._left == 0:
+            self._left = self._every
+            self._held = self._network(observation)
+        self._left -= 1
+        return self._held

@@ -1,0 +1,28 @@
+"""The egos that ship with the package, trained here; `docs/egos.md` has the commands, seeds, curves and figures."""
+
+from __future__ import annotations
+
+from importlib.resources import as_file, files
+
+from chatscene.ego.network import NetworkEgo, load_network
+
+
+def _load(name: str) -> NetworkEgo:
+    with as_file(files("chatscene.ego").joinpath("weights", f"{name}.npz")) as path:
+        network, about = load_network(path)
+    return NetworkEgo(network, name=name, observation=str(about["observation"]), pedals=str(about["pedals"]))
+
+
+def sac() -> NetworkEgo:
+    """Soft actor-critic, the default surrogate."""
+    return _load("sac")
+
+
+def ppo() -> NetworkEgo:
+    """Proximal policy optimisation."""
+    return _load("ppo")
+
+
+def td3() -> NetworkEgo:
+    """Twin delayed deep deterministic policy gradient."""
+    return _load("td3")

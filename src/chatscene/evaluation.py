@@ -1,0 +1,307 @@
+"""Step 8 of 9: egos on kept scenes, into a folder with the run's contract and the paper's tables.
+
+The unit of work is one ego on the kept scenes of one scenario on one route; it is kept when it is done, as a block is
+(in an evaluation the column `block` is the ego's place in the list), so an evaluation can be killed and continued. An
+ego that fails is given up with its reason, and the others' results stand.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from chatscene import runs
+from chatscene.ego.policy import load_ego
+from chatscene.errors import ChatSceneError, EgoError, RunError, SettingsError
+from chatscene.evaluate.drive import Ran, drive
+from chatscene.evaluate.score import average_displacement
+from chatscene.evaluate.tables import (
+    avoidability_table,
+    diagnostic_table,
+    ego_table,
+    fault_table,
+    generation_table,
+)
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import Progress, rebuild
+from chatscene.report.tables import write_tables
+from chatscene.search.explore import Block
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.terms.metrics import Mode
+from chatscene.terms.results import Displacement, Drive, ResultTable
+from chatscene.terms.scenario import BaseScenario, Scenario
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.workers import spread
+
+EGOS = ("sac", "ppo", "td3")  # the paper's
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Evaluated:
+    """What an evaluation came to.
+
+    Attributes:
+        folder: Where it is.
+        tables: By name; also written to ``tables/``.
+        failures: Why egos were given up, by ego.
+        seconds: Wall time of this call.
+    """
+
+    folder: Path
+    tables: dict[str, ResultTable]
+    failures: dict[str, str]
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Task:
+    """One ego on the kept scenes of one route of one source."""
+
+    folder: Path
+    source: runs.SourceRecord
+    ego: str
+    number: int
+    route: int
+    map_name: str
+
+
+def evaluate(
+    sources: Sequence[Path],
+    folder: Path,
+    *,
+    egos: Sequence[str] = EGOS,
+    every_scene: bool = False,
+    jobs: int = 1,
+    progress: Progress,
+) -> Evaluated:
+    """Drive the kept scenes of runs with egos, into a new folder.
+
+    Args:
+        sources: Run folders, finished; or folders with run folders somewhere below.
+        folder: Where to.
+        egos: By name, file or ``package.module:factory``.
+        every_scene: Not only the kept scenes but all that ran.
+        jobs: Processes.
+        progress: Told what is done.
+
+    Raises:
+        RunError: A source is not finished, they lie on different maps, or the folder is taken.
+        EgoError: An ego cannot be loaded.
+        SettingsError: There is no ego, or one is named twice.
+    """
+    if not egos or len(set(egos)) != len(egos):
+        raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
+    for ego in egos:
+        load_ego(ego)
+    found = [runs.open_run(path) for path in _run_folders(sources)]
+    records = [runs.read_record(run) for run in found]
+    for run, record in zip(found, records, strict=True):
+        if record.status is not runs.Status.DONE:
+            raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        if (record.map_name, record.settings["simulation"]) != (records[0].map_name, records[0].settings["simulation"]):
+            raise RunError(f"{run.path} and {found[0].path} differ in map or step; evaluate them one by one")
+    kept = runs.create(
+        folder,
+        text="all scenes" if every_scene else "kept scenes",
+        settings=runs.settings_of(records[0]),
+        map_name=records[0].map_name,
+        ego=",".join(egos),
+        sources=[_source(run, record) for run, record in zip(found, records, strict=True)],
+    )
+    return carry_on(kept, jobs=jobs, progress=progress)
+
+
+def _run_folders(sources: Sequence[Path]) -> list[Path]:
+    """Every run folder among or below some folders, in a fixed order."""
+    folders: list[Path] = []
+    for source in sources:
+        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
+        searches = [path for path in below if runs.read_record(runs.Run(path)).command == "run"]
+        if not searches:
+            raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
+        folders += searches
+    return list(dict.fromkeys(path.resolve() for path in folders))
+
+
+def _source(run: runs.Run, record: runs.RunRecord) -> runs.SourceRecord:
+    scenario = runs.read_explanation(run)["scenarios"][0]
+    return runs.SourceRecord(
+        folder=str(run.path),
+        scenario_id=scenario["scenario_id"],
+        base=scenario["base"],
+        generator=record.generator,
+    )
+
+
+def carry_on(run: runs.Run, *, jobs: int, progress: Progress) -> Evaluated:
+    """Do what is left of an evaluation."""
+    began = time.monotonic()
+    runs.resume(run)
+    record = runs.read_record(run)
+    failures = dict(record.failures)
+    if record.status is not runs.Status.DONE:
+        try:
+            failures |= _drive_all(run, record, failures, jobs, progress)
+            runs.finish(run, selected=_fill_ins(record))
+        except ChatSceneError as error:
+            runs.update(run, status=runs.Status.FAILED, reason=str(error))
+            raise
+    runs.update(run, timings={"total": time.monotonic() - began})
+    progress("computing the tables", 0, 0)
+    tables = tabulate(run)
+    write_tables(run.file("tables"), tables)
+    return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
+
+
+def _drive_all(
+    run: runs.Run,
+    record: runs.RunRecord,
+    failed: dict[str, str],
+    jobs: int,
+    progress: Progress,
+) -> dict[str, str]:
+    """Run every task that is not done; the reasons of the egos that failed in it."""
+    tasks = [
+        _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
+        for number, ego in enumerate(record.ego.split(","))
+        if ego not in failed
+        for source in record.sources
+        for route in sorted({row for row, _ in _kept(source, record)})
+    ]
+    done = runs.done_blocks(run)
+    left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
+    failures: dict[str, str] = {}
+    for count, (task, reason) in enumerate(spread(_Evaluator, record, left, jobs=jobs), len(tasks) - len(left) + 1):
+        if reason and task.ego not in failures:
+            failures[task.ego] = reason
+            runs.update(run, failures={**failed, **failures})
+        progress("driving, ego and route", count, len(tasks))
+    for number, ego in enumerate(record.ego.split(",")):
+        if ego in failures:
+            runs.drop_blocks(run, number)
+    return failures
+
+
+def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, dict[str, object]]]:
+    """The rows of a source that are to be driven, each with its route."""
+    rows = runs.read_scenes(runs.Run(Path(source.folder)))
+    every = record.text == "all scenes"
+    return [
+        (runs.route_index(row["route_id"]), row)
+        for row in rows
+        if row["selected"] or (every and row["status"] == "ran")
+    ]
+
+
+def _fill_ins(record: runs.RunRecord) -> dict[str, bool]:
+    return {str(row["scene_id"]): bool(row["fill_in"]) for source in record.sources for _, row in _kept(source, record)}
+
+
+class _Evaluator:
+    """Does tasks in one process, and keeps what was compiled and loaded."""
+
+    def __init__(self, record: runs.RunRecord) -> None:
+        self._record = record
+        settings = runs.settings_of(record)
+        self._backend: Backend = load_backend("embedded", resolve_map(record.map_name), settings.simulation)
+        self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
+        self._failed: dict[str, str] = {}
+
+    def __call__(self, task: _Task) -> tuple[_Task, str]:
+        """Drive and keep; the reason if the ego failed, now or before."""
+        if task.ego in self._failed:
+            return task, self._failed[task.ego]
+        source = runs.Run(Path(task.source.folder))
+        if task.source.folder not in self._programs:
+            self._programs[task.source.folder] = rebuild(source)
+        scenario, program = self._programs[task.source.folder]
+        scenes = [runs.scene_of(row, program) for route, row in _kept(task.source, self._record) if route == task.route]
+        try:
+            block = self._block(task, scenario, program, scenes)
+        except EgoError as error:
+            self._failed[task.ego] = str(error)
+            return task, str(error)
+        runs.write_block(runs.Run(task.folder), block)
+        return task, ""
+
+    def _block(self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene]) -> Block:
+        ego = load_ego(task.ego)
+        outcomes = [drive(program, scenario.slots, scene, backend=self._backend, ego=ego) for scene in scenes]
+        return Block(
+            scenario_id=scenario.id,
+            route=task.route,
+            number=task.number,
+            ranges=(),
+            ran=tuple(outcome for outcome in outcomes if isinstance(outcome, Ran)),
+            rejected=tuple(outcome for outcome in outcomes if isinstance(outcome, Rejected)),
+        )
+
+
+def tabulate(run: runs.Run) -> dict[str, ResultTable]:
+    """The tables of a finished evaluation, by name."""
+    record = runs.read_record(run)
+    drives = read_drives(run, record)
+    displacements = read_displacements(run, record)
+    tables: dict[str, ResultTable] = {}
+    for mode in Mode:
+        suffix = "" if mode is Mode.PAPER else f"-{mode}"
+        tables[f"generation{suffix}"] = generation_table(drives, displacements, mode)
+        tables[f"diagnostic{suffix}"] = diagnostic_table(drives, mode)
+        tables[f"overall-score-by-ego{suffix}"] = ego_table(drives, mode, which="overall_score")
+    tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
+    tables["avoidability"] = avoidability_table(drives)
+    tables["fault"] = fault_table(drives)
+    return tables
+
+
+def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
+    """Every drive of an evaluation that was not rejected and whose scenario has a base scenario."""
+    sources = {source.scenario_id: source for source in record.sources}
+    egos = record.ego.split(",")
+    drives: list[Drive] = []
+    for row in runs.read_scenes(run):
+        source = sources[row["scenario_id"]]
+        if row["status"] == "ran" and source.base is not None:
+            drives.append(
+                Drive(
+                    generator=source.generator,
+                    base_scenario=BaseScenario(source.base),
+                    scenario_id=row["scenario_id"],
+                    route=runs.route_index(row["route_id"]),
+                    scene_id=row["scene_id"],
+                    ego=egos[row["block"]],
+                    measurements=runs.measurements_of(row),
+                    fill_in=row["fill_in"],
+                    avoidable=row["avoidable"],
+                    fault=row["fault"],
+                )
+            )
+    return drives
+
+
+def read_displacements(run: runs.Run, record: runs.RunRecord) -> list[Displacement]:
+    """The ADE of each scenario, route and ego of which at least two scenes were driven."""
+    sources = {source.scenario_id: source for source in record.sources}
+    egos = record.ego.split(",")
+    groups: dict[tuple[str, str, int], list[str]] = {}
+    for row in runs.read_scenes(run):
+        if row["status"] == "ran" and sources[row["scenario_id"]].base is not None:
+            groups.setdefault((row["scenario_id"], row["route_id"], row["block"]), []).append(row["scene_id"])
+    found: list[Displacement] = []
+    for (scenario_id, route_id, number), scene_ids in sorted(groups.items()):
+        source, route = sources[scenario_id], runs.route_index(route_id)
+        tracks = runs.read_adversaries(run, scenario_id, route, number, scene_ids)
+        if len(tracks) > 1:
+            found.append(
+                Displacement(
+                    generator=source.generator,
+                    base_scenario=BaseScenario(str(source.base)),
+                    scenario_id=scenario_id,
+                    route=route,
+                    ego=egos[number],
+                    value=average_displacement(tracks),
+                )
+            )
+    return found

@@ -1,0 +1,96 @@
+"""Who makes scenes: one Protocol, one table of names. A budget goes in, scenes come out.
+
+A generator says what it searches with for a base scenario, makes the program of it, and explores one route of it
+block by block. Everything else — where scenes are kept, how they are selected, who is measured on them — is the same
+for all, so that generators can be compared.
+"""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import SettingsError
+from chatscene.search.explore import Block
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.backend import Backend
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import Retrieval
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """What a generator made of a scenario.
+
+    Attributes:
+        program: The program.
+        retrieval: Why it consists of these snippets; None for a generator that does not retrieve.
+    """
+
+    program: ScenicProgram
+    retrieval: Retrieval | None
+
+
+class Generator(Protocol):
+    """Makes scenes.
+
+    Determinism: the same text, settings and seed give the same scenes, whatever ran before and however often the
+    search was interrupted.
+    """
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:
+        """The scenarios it searches with for a base scenario, in order of preference."""
+        ...
+
+    def read(self, text: str) -> Scenario:
+        """A scenario from its text.
+
+        Raises:
+            SettingsError: It is no text of this generator.
+        """
+        ...
+
+    def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:
+        """The program of a scenario.
+
+        Raises:
+            NothingFits: It cannot make one.
+        """
+        ...
+
+    def explore(
+        self,
+        program: ScenicProgram,
+        slots: Slots,
+        route: int,
+        *,
+        backend: Backend,
+        ego: EgoPolicy,
+        settings: SearchSettings,
+        collided: Sequence[Sequence[dict[str, float]]],
+    ) -> Iterator[Block]:
+        """The blocks of one route that are still to be done; `collided` holds what collided in those that are."""
+        ...
+
+
+GENERATORS: dict[str, str] = {"chatscene": "chatscene.search.retrieved:Retrieved"}
+
+
+def load_generator(name: str) -> Generator:
+    """A generator by its name in `GENERATORS`.
+
+    Raises:
+        SettingsError: There is none of that name.
+    """
+    if name not in GENERATORS:
+        near = difflib.get_close_matches(name, GENERATORS, n=1)
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        raise SettingsError(f"there is no generator {name!r}; {hint}known: {', '.join(GENERATORS)}")
+    module, _, cls = GENERATORS[name].partition(":")
+    generator: Generator = getattr(importlib.import_module(module), cls)()
+    return generator

@@ -1,0 +1,62 @@
+"""The method of the paper as a generator: sentences, retrieved snippets, ranges moved toward collision."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+
+from chatscene.agent.decompose import decompose
+from chatscene.ego.policy import EgoPolicy
+from chatscene.program.assemble import assemble
+from chatscene.search.explore import Block, explore
+from chatscene.search.generator import Written
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.backend import Backend
+from chatscene.snippets.embedding import load_embedder
+from chatscene.snippets.library import load_library
+from chatscene.snippets.retrieve import retrieve
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scene import ScenicProgram
+
+
+class Retrieved:
+    """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:
+        """Five sentences, in our words, for the situations of the paper's five."""
+        return _benchmark_texts()[base]
+
+    def read(self, text: str) -> Scenario:
+        """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
+        scenario = decompose(text)
+        listed = next((base for base, texts in _benchmark_texts().items() if text in texts), None)
+        return scenario if listed is None else replace(scenario, base=listed)
+
+    def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:
+        """Steps 3 and 4."""
+        retrieval = retrieve(scenario, load_library(), load_embedder(), settings)
+        program = assemble(scenario, retrieval.snippets, retrieval.adversary)
+        return Written(program=program, retrieval=retrieval)
+
+    def explore(
+        self,
+        program: ScenicProgram,
+        slots: Slots,
+        route: int,
+        *,
+        backend: Backend,
+        ego: EgoPolicy,
+        settings: SearchSettings,
+        collided: Sequence[Sequence[dict[str, float]]],
+    ) -> Iterator[Block]:
+        """Steps 5 and 6."""
+        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, collided=collided)
+
+
+@cache
+def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
+    content = json.loads(files("chatscene.search").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8"))
+    return {BaseScenario(base): tuple(texts) for base, texts in content.items()}

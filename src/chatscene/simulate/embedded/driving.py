@@ -1,0 +1,251 @@
+"""One drive in progress: what the ego sees, what it does, and the episode that comes of it."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
+from chatscene.ego.policy import controls
+from chatscene.errors import ProgramError
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
+from chatscene.simulate.embedded.dynamics import Body, VehicleBody
+from chatscene.simulate.embedded.roadside import RouteSurroundings
+from chatscene.simulate.embedded.simulation import Drive
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.route import Route
+
+ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
+SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
+
+# What the code of a snippet, or of a program by a stranger, may raise while it runs.
+FAULTS = (ArithmeticError, AssertionError, AttributeError, LookupError, NameError, TypeError, ValueError)
+
+
+class EmbeddedDrive:
+    """A drive in progress; see `chatscene.simulate.backend.OpenDrive` for the contract.
+
+    Args:
+        drive: The scene, set up.
+        route: The ego's.
+        around: What lies along it.
+        settings: Step and limits.
+        observation: A preset of `chatscene.ego.observation`.
+        through: Whether to go on after a collision.
+
+    Attributes:
+        observation: What the ego sees now.
+        ending: Why the drive ended, or None while it goes on.
+        rejection: Why the program itself rejects the drive, or empty.
+        step_number: How many steps were driven.
+        offset: Lateral offset of the ego from its route [m, positive = left].
+        along: Arc length of the ego on its route [m].
+    """
+
+    def __init__(
+        self,
+        drive: Drive,
+        route: Route,
+        around: RouteSurroundings,
+        settings: SimulationSettings,
+        observation: str,
+        pedals: str,
+        through: bool,
+        label: str,
+    ) -> None:
+        body = drive.bodies[0]
+        if not isinstance(body, VehicleBody):
+            raise ProgramError(f"the ego must be a vehicle, not a {type(drive.objects[0]).__name__}")
+        self._ego = body
+        self._drive = drive
+        self._route = route
+        self._around = around
+        self._settings = settings
+        self._pedals = pedals
+        self._through = through
+        self._label = label
+        self._names = _names(drive.objects)
+        self._limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
+        self._view = RouteView(route.line)
+        self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
+        self._moving = [body for body in drive.bodies if type(body) is not Body]
+        self._vehicles = [body for obj, body in zip(drive.objects, drive.bodies, strict=True) if obj.isVehicle][1:]
+        self._others = [(body, obj.isWalker) for obj, body in zip(drive.objects, drive.bodies, strict=True)][1:]
+        self._rows: list[float] = []
+        self._offsets: list[float] = []
+        self._contacts: list[Event] = []
+        self._touching: set[int] = set()
+        self.step_number = 0
+        self.ending: Ending | None = None
+        self.rejection = _overlap(drive.bodies, self._names)
+        self.observation: Observation
+        if not self.rejection:
+            self._look()
+
+    @property
+    def along(self) -> float:
+        """Arc length of the ego on its route [m]."""
+        return self._view.along
+
+    @property
+    def offset(self) -> float:
+        """Lateral offset of the ego from its route [m, positive = left]."""
+        return self._view.offset
+
+    @property
+    def speed(self) -> float:
+        """Speed of the ego [m/s]."""
+        return self._ego.speed
+
+    def step(self, action: Any) -> None:
+        """Drive one step of the simulation.
+
+        Raises:
+            EgoError: The action is not two finite numbers.
+            ProgramError: The program's own code fails.
+        """
+        body, drive = self._ego, self._drive
+        body.throttle, body.brake, body.steer = controls(action, self._pedals)
+        try:
+            drive.advance()
+        except drive.REJECTIONS as error:
+            self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
+            return
+        except FAULTS as error:
+            raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
+        self.step_number += 1
+        self._look()
+
+    def close(self) -> None:
+        """Give the process free for another drive."""
+        self._drive.__exit__()
+
+    def _look(self) -> None:
+        """Take in the state that a step left: what the ego sees, what is kept, whether it is over."""
+        body, view = self._ego, self._view
+        view.locate(body.x, body.y)
+        add = self._rows.extend
+        for moving in self._moving:
+            add((moving.x, moving.y, moving.heading, moving.speed))
+        self._offsets.append(view.offset)
+        self.ending = self._ended()
+        self.observation = self._see()  # after the last step too: a learner's value of a cut drive rests on it
+
+    def _ended(self) -> Ending | None:
+        if self._collides() and not self._through:
+            return Ending.COLLISION
+        if self._view.along >= ARRIVAL * self._route.length:
+            return Ending.ARRIVED
+        if self._drive.done is not None:
+            return Ending.SCENARIO_DONE
+        return Ending.TIMEOUT if self.step_number >= self._limit else None
+
+    def _four_numbers(self) -> Observation:
+        body = self._ego
+        return self._view.four_numbers(body.x, body.y, body.heading, body.speed, self._vehicle_ahead())
+
+    def _actors(self) -> Observation:
+        return self._view.actors(self._ego, self._others)
+
+    def _vehicle_ahead(self) -> bool:
+        ego = self._ego
+        for other in self._vehicles:
+            dx, dy = other.x - ego.x, other.y - ego.y
+            near = dx * dx + dy * dy < SIGHT * SIGHT and dx * ego.cos + dy * ego.sin > 0.0
+            if near and self._around.same_lane(ego.x, ego.y, other.x, other.y):
+                return True
+        return False
+
+    def _collides(self) -> bool:
+        bodies, ego = self._drive.bodies, self._ego
+        for i in range(1, len(bodies)):
+            if touch(ego, bodies[i]):
+                if i not in self._touching:
+                    self._touching.add(i)
+                    self._contacts.append(
+                        Event(
+                            kind=EventKind.COLLISION,
+                            step=self.step_number,
+                            other=self._names[i][0],
+                            side=contact_side(ego, bodies[i]),
+                            impact_speed=approach_speed(ego, bodies[i]),
+                        )
+                    )
+            else:
+                self._touching.discard(i)
+        return bool(self._touching)
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far, with the events that follow from the tracks."""
+        tracks = self._tracks()
+        signals = str(self._drive.scene.params["signals"])
+        states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt)
+        off_road, events = self._around.events(tracks[0], states)
+        return Episode(
+            scene_id=scene_id,
+            ego=ego,
+            dt=self._settings.dt,
+            tracks=tracks,
+            events=tuple(sorted((*self._contacts, *events), key=lambda e: (e.step, e.kind, e.other))),
+            signals=states,
+            ending=self.ending or Ending.TIMEOUT,
+            route_completion=1.0
+            if self.ending is Ending.ARRIVED
+            else min(max(self._view.along / self._route.length, 0.0), 1.0),
+            distance_to_route=np.abs(np.array(self._offsets)),
+            off_road=off_road,
+        )
+
+    def _tracks(self) -> tuple[Track, ...]:
+        steps = len(self._offsets)
+        moving = iter(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
+        tracks: list[Track] = []
+        for obj, body, (name, role) in zip(self._drive.objects, self._drive.bodies, self._names, strict=True):
+            if type(body) is Body:
+                state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
+            else:
+                state = next(moving)
+            tracks.append(
+                Track(
+                    actor=name,
+                    role=role,
+                    kind=type(obj).__name__,
+                    length=body.length,
+                    width=body.width,
+                    x=state[0],
+                    y=state[1],
+                    heading=state[2],
+                    speed=state[3],
+                )
+            )
+        order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
+        return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
+
+
+def _names(objects: list[Any]) -> list[tuple[str, Role]]:
+    """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary."""
+    named: list[tuple[str, Role]] = []
+    seen: dict[str, int] = {}
+    for i, obj in enumerate(objects):
+        if i == 0:
+            name, role = "ego", Role.EGO
+        elif type(obj.behavior).__name__ == "AdvBehavior":
+            name, role = "adversary", Role.ADVERSARY
+        elif obj.behavior is not None:
+            name, role = obj.label or type(obj).__name__.lower(), Role.BACKGROUND
+        else:
+            name, role = obj.label or type(obj).__name__.lower(), Role.OCCLUDER
+        seen[name] = seen.get(name, 0) + 1
+        named.append((name if seen[name] == 1 else f"{name}-{seen[name]}", role))
+    return named
+
+
+def _overlap(bodies: list[Body], names: list[tuple[str, Role]]) -> str:
+    """Which two actors stand in each other at the start, in words; empty if none do."""
+    for (i, a), (j, b) in itertools.combinations(enumerate(bodies), 2):
+        if touch(a, b):
+            return f"{names[j][0]} overlaps {names[i][0]} at the start"
+    return ""

@@ -1,0 +1,95 @@
+"""What an evaluation yields, and the tables made of it.
+
+Paper: section 4 (setup, tables 1 and 2), appendix (tables of each ego).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chatscene.terms.metrics import Measurements
+from chatscene.terms.scenario import BaseScenario
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """One ego's drive through one kept scene.
+
+    Attributes:
+        generator: Who made the scene.
+        base_scenario: Of the scene.
+        scenario_id: Of the scene.
+        route: Index of the route on the map, for the scenario's geometry.
+        scene_id: The scene.
+        ego: Who drove.
+        measurements: The raw numbers of the drive.
+        fill_in: The scene did not collide with the surrogate ego; it was kept because too few did.
+        avoidable: Whether a careful driver would have avoided the collision; None without one.
+        fault: Whose own motion closed the gap at the collision; None without one.
+        mean_speed: Of the ego [m/s]; None where nobody asks for it.
+    """
+
+    generator: str
+    base_scenario: BaseScenario
+    scenario_id: str
+    route: int
+    scene_id: str
+    ego: str
+    measurements: Measurements
+    fill_in: bool
+    avoidable: bool | None
+    fault: str | None
+    mean_speed: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Displacement:
+    """The average displacement (ADE) of the scenes of one scenario on one route under one ego.
+
+    Attributes:
+        generator: Who made the scenes.
+        base_scenario: Of the scenes.
+        scenario_id: Of the scenes.
+        route: Index of the route on the map, for the scenario's geometry.
+        ego: Who drove.
+        value: The ADE [m].
+    """
+
+    generator: str
+    base_scenario: BaseScenario
+    scenario_id: str
+    route: int
+    ego: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A number and its confidence interval.
+
+    Attributes:
+        value: The number; None where there is nothing to compute it from.
+        low: Lower end of the interval; None where none can be given.
+        high: Upper end of the interval; None where none can be given.
+    """
+
+    value: float | None
+    low: float | None = None
+    high: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ResultTable:
+    """A table of numbers with intervals.
+
+    Attributes:
+        title: What it shows.
+        columns: Heads of the columns, without the one over the rows' labels.
+        rows: The label of each row and its cells, one per column.
+        notes: Which interval, which mode, how many.
+    """
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str, tuple[Cell, ...]], ...]
+    notes: tuple[str, ...]

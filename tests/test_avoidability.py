@@ -1,0 +1,174 @@
+"""The careful driver of UN R157 against toy scenes with known answers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from chatscene.ego.observation import Observation
+from chatscene.evaluate.avoidability import (
+    BRAKING_DELAY,
+    FULL_BRAKE,
+    RAMP,
+    RISK_EVALUATION,
+    _CarefulDriver,  # pyright: ignore[reportPrivateUsage]
+    avoidable,
+    risk_step,
+)
+from chatscene.maps.network import resolve_map
+from chatscene.program.ordinary import ordinary_program, ordinary_queries
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.embedded.dynamics import VehicleBody
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.limits import LIMITS
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import Scene
+
+EAST = Polyline([(float(x), 0.0) for x in range(300)])
+DT = 0.1
+
+
+def track(actor: str, role: Role, x: float, y: float, heading: float, speed: float, *, steps: int = 60) -> Track:
+    """Somebody who goes straight on, from a pose at step 0."""
+    time = np.arange(steps) * DT
+    size = (4.9, 2.1) if role is not Role.ADVERSARY else (0.6, 0.6)
+    return Track(
+        actor=actor,
+        role=role,
+        kind="Car",
+        length=size[0],
+        width=size[1],
+        x=x + speed * time * math.cos(heading),
+        y=y + speed * time * math.sin(heading),
+        heading=np.full(steps, heading),
+        speed=np.full(steps, speed),
+    )
+
+
+def episode(*others: Track, crash_at: int, speed: float = 8.0) -> Episode:
+    ego = track("ego", Role.EGO, 0.0, 0.0, 0.0, speed)
+    steps = len(ego.x)
+    return Episode(
+        scene_id="s",
+        ego="toy",
+        dt=DT,
+        tracks=(ego, *others),
+        events=(Event(kind=EventKind.COLLISION, step=crash_at, other="adversary"),),
+        signals=(),
+        ending=Ending.COLLISION,
+        route_completion=0.5,
+        distance_to_route=np.zeros(steps),
+        off_road=np.zeros(steps, dtype=bool),
+    )
+
+
+def test_a_thing_in_the_way_is_a_risk_three_seconds_before_it_is_hit() -> None:
+    standing = track("adversary", Role.ADVERSARY, 40.0, 0.0, 0.0, 0.0)
+    # 40 m less half a car (2.45) and half a walker (0.3) is 37.25 m; 3 s at 8 m/s are 24 m; so after 13.25 m.
+    assert risk_step(episode(standing, crash_at=46), EAST) == math.ceil(13.25 / 0.8)
+
+
+def test_somebody_who_walks_beside_the_road_is_none_until_they_turn_into_it() -> None:
+    walker = track("adversary", Role.ADVERSARY, 30.0, 4.0, 0.0, 0.0)
+    turned = np.where(np.arange(60) < 20, 0.0, -math.pi / 2)
+    speed = np.where(np.arange(60) < 20, 0.0, 2.5)
+    walker = replace(walker, heading=turned, speed=speed)
+    assert risk_step(episode(walker, crash_at=40), EAST) == 20
+
+
+def test_nobody_is_a_risk_while_a_thing_hides_them() -> None:
+    walker = track("adversary", Role.ADVERSARY, 30.0, -4.0, math.pi / 2, 1.2)
+    van = track("van", Role.OCCLUDER, 26.0, -3.4, 0.0, 0.0)
+    seen, hidden = risk_step(episode(walker, crash_at=34), EAST), risk_step(episode(walker, van, crash_at=34), EAST)
+    assert seen is not None
+    assert hidden is not None
+    assert hidden > seen
+
+
+def test_without_a_crash_there_is_no_risk_to_speak_of() -> None:
+    calm = replace(episode(crash_at=0), events=())
+    assert risk_step(calm, EAST) is None
+
+
+@given(turn=st.floats(-3.0, 3.0), dx=st.floats(-500.0, 500.0), dy=st.floats(-500.0, 500.0))
+def test_the_moment_of_risk_does_not_depend_on_where_the_map_lies(turn: float, dx: float, dy: float) -> None:
+    cos, sin = math.cos(turn), math.sin(turn)
+
+    def moved(t: Track) -> Track:
+        return replace(t, x=t.x * cos - t.y * sin + dx, y=t.x * sin + t.y * cos + dy, heading=t.heading + turn)
+
+    walker = track("adversary", Role.ADVERSARY, 31.3, 4.1, -math.pi / 2, 1.3)
+    van = track("van", Role.OCCLUDER, 22.0, 3.4, 0.0, 0.0)
+    here = episode(walker, van, crash_at=30)
+    there = replace(here, tracks=tuple(moved(t) for t in here.tracks))
+    x, y = EAST.points.T
+    line = Polyline(np.column_stack((x * cos - y * sin + dx, x * sin + y * cos + dy)))
+    assert risk_step(there, line) == risk_step(here, EAST)
+
+
+def test_the_careful_driver_brakes_along_the_ramp_of_the_regulation() -> None:
+    class Cruise:
+        def act(self, observation: Observation) -> tuple[float, float]:
+            return 0.0, 0.0
+
+    driver = _CarefulDriver(Cruise(), 5, DT)
+    body = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 20.0)
+    speeds = [body.speed]
+    for _ in range(20):
+        acceleration, _ = driver.act(np.zeros(4))
+        body.brake = max(0.0, -acceleration)
+        body.step(DT)
+        speeds.append(body.speed)
+    braking = -np.diff(speeds) / DT
+    air = 0.0008 * 20.0**2
+    assert braking[:5] == pytest.approx(0.2, abs=air)
+    assert braking[5:11] == pytest.approx(FULL_BRAKE * np.arange(1, 7) * DT / RAMP, abs=air)
+    assert braking[11:] == pytest.approx(FULL_BRAKE, abs=air)
+
+
+STRAIGHT = ordinary_program(ordinary_queries()[0])
+
+
+class Blind:
+    """Drives at about 8 m/s and brakes for nobody."""
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        lateral, heading, speed, _ = observation.tolist()
+        return 0.5 * (8.0 - speed), 0.35 * lateral + 1.6 * heading
+
+
+@pytest.fixture(scope="module")
+def backend() -> Backend:
+    return load_backend("embedded", resolve_map("town"), SimulationSettings())
+
+
+@pytest.mark.parametrize(("gap", "expected"), [(15.0, True), (80.0, None)])
+def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
+    backend: Backend, gap: float, expected: bool | None
+) -> None:
+    values = {"OPT_AHEAD_Y": gap, "OPT_AHEAD_SPEED": 5.0, "OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
+    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    driven = backend.run(STRAIGHT, scene, Blind())
+    assert isinstance(driven, Episode)
+    assert avoidable(driven, STRAIGHT, scene, Blind(), backend) is expected
+
+
+def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:
+    values = {"OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0, "OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
+    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    driven = backend.run(STRAIGHT, scene, Blind())
+    assert isinstance(driven, Episode)
+    crash = driven.collision
+    assert crash is not None
+    # The same crash, had the other only appeared one step after the last moment at which braking would have begun.
+    late = crash.step - math.ceil((RISK_EVALUATION + BRAKING_DELAY) / DT) + 1
+    ahead = next(t for t in driven.tracks if t.actor == crash.other)
+    away = replace(ahead, x=np.where(np.arange(len(ahead.x)) < late, 1e6, ahead.x))
+    hidden = replace(driven, tracks=tuple(away if t is ahead else t for t in driven.tracks))
+    assert avoidable(hidden, STRAIGHT, scene, Blind(), backend) is False

@@ -1,0 +1,195 @@
+"""The Gymnasium environment: its contract, its rewards, and what ends a drive."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+pytest.importorskip("gymnasium", reason="the extra 'train' is not installed")
+
+from gymnasium.utils.env_checker import check_env
+
+from chatscene.ego.driving_env import DrivingEnv, vector_env
+from chatscene.ego.intelligent_driver import IntelligentDriver
+from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.reward import REWARDS, Moment, progress, safebench
+from chatscene.ego.rule_based import RuleBased
+from chatscene.errors import EgoError, SettingsError
+from chatscene.maps.network import resolve_map
+from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import load_backend
+from chatscene.terms.scene import Scene
+
+STRAIGHT = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
+CALM = {"OPT_AHEAD_Y": 70.0, "OPT_AHEAD_SPEED": 9.0, "OPT_BESIDE_Y": 10.0, "OPT_BESIDE_SPEED": 6.0}
+AHEAD = {**CALM, "OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0}
+FULL = np.array((1.0, 0.0), np.float32)
+
+
+@pytest.fixture
+def env() -> Iterator[DrivingEnv]:
+    made = DrivingEnv([STRAIGHT])
+    yield made
+    made.close()
+
+
+@pytest.mark.parametrize("observation", sorted(OBSERVATIONS))
+@pytest.mark.filterwarnings("ignore:.*Box observation space.*")
+def test_gymnasium_finds_nothing_wrong_with_it(observation: str) -> None:
+    env = DrivingEnv([STRAIGHT], observation=observation)
+    check_env(env, skip_render_check=True)
+    env.close()
+
+
+def test_the_same_seed_gives_the_same_drive(env: DrivingEnv) -> None:
+    def drive() -> list[list[float]]:
+        seen, _ = env.reset(seed=5)
+        return [seen.tolist(), *(env.step(FULL)[0].tolist() for _ in range(20))]
+
+    assert drive() == drive()
+
+
+def test_a_course_and_its_values_can_be_asked_for(env: DrivingEnv) -> None:
+    _, info = env.reset(options={"course": 0, "values": CALM})
+    assert info["values"] == CALM
+    with pytest.raises(SettingsError, match="there is no course 7"):
+        env.reset(options={"course": 7})
+
+
+def test_a_crash_terminates_and_is_not_truncated(env: DrivingEnv) -> None:
+    env.reset(options={"course": 0, "values": AHEAD})
+    while True:
+        _, reward, terminated, truncated, info = env.step(FULL)
+        if terminated or truncated:
+            break
+    assert (terminated, truncated, info["ending"], info["collision"]) == (True, False, "collision", True)
+    assert info["reward"]["collision"] == -1.0
+    assert reward == pytest.approx(math.fsum(info["reward"].values()))
+    assert 0.0 < info["completion"] < 1.0
+
+
+def test_running_out_of_steps_truncates_and_is_not_terminated() -> None:
+    env = DrivingEnv([STRAIGHT], settings=SimulationSettings(max_steps=4))
+    env.reset(options={"values": CALM})
+    endings = [env.step(FULL)[2:4] for _ in range(4)]
+    env.close()
+    assert endings == [(False, False)] * 3 + [(False, True)]
+
+
+def test_to_arrive_truncates_because_driving_goes_on_after_the_route(env: DrivingEnv) -> None:
+    ego = RuleBased()
+    observation, _ = env.reset(options={"values": CALM})
+    while True:
+        last = observation
+        action = np.array(ego.act(observation.astype(float)), np.float32)
+        observation, _, terminated, truncated, info = env.step(action)
+        if terminated or truncated:
+            break
+    assert (terminated, truncated, info["ending"], info["completion"]) == (False, True, "arrived", 1.0)
+    assert not np.array_equal(observation, last)  # a learner's bootstrap needs the state after the last step
+
+
+def test_its_drives_are_those_of_the_backend(env: DrivingEnv) -> None:
+    ego = RuleBased()
+    observation, _ = env.reset(options={"values": CALM})
+    for _ in range(40):
+        # The policy sees float32 through Gymnasium; these four numbers are chosen by a driver that does not mind.
+        observation = env.step(np.array((0.5, 0.0), np.float32))[0]
+    episode = env.episode("half throttle")
+    env.close()
+
+    class HalfThrottle:
+        def act(self, observation: object) -> tuple[float, float]:
+            return 0.5, 0.0
+
+    backend = load_backend("embedded", resolve_map("town"), SimulationSettings(max_steps=40))
+    scene = Scene(id="s", scenario_id=STRAIGHT.program.scenario_id, route=0, block=0, seed=0, values=CALM)
+    again = backend.run(STRAIGHT.program, scene, HalfThrottle())
+    assert hasattr(again, "ego_track")
+    assert np.array_equal(episode.ego_track.x, again.ego_track.x)  # pyright: ignore[reportAttributeAccessIssue]
+    assert ego.act(observation.astype(float))
+
+
+def test_stepping_without_a_drive_says_to_reset(env: DrivingEnv) -> None:
+    with pytest.raises(EgoError, match="call reset first"):
+        env.step(FULL)
+
+
+def test_a_second_environment_takes_the_drive_and_says_so(env: DrivingEnv) -> None:
+    env.reset(seed=0)
+    other = DrivingEnv([STRAIGHT])
+    other.reset(seed=0)
+    other.step(FULL)
+    with pytest.raises(EgoError, match="a process of its own"):
+        env.step(FULL)
+    other.close()
+
+
+@pytest.mark.parametrize(("what", "name"), [("reward", "money"), ("pedals", "clutch")])
+def test_unknown_presets_are_named(what: str, name: str) -> None:
+    with pytest.raises(SettingsError, match=name):
+        DrivingEnv([STRAIGHT], **{what: name})  # pyright: ignore[reportArgumentType]
+
+
+def test_several_environments_run_in_processes_of_their_own() -> None:
+    envs = vector_env(2, courses=[STRAIGHT])
+    seen, _ = envs.reset(seed=[1, 1])
+    assert np.array_equal(seen[0], seen[1])
+    actions = np.array([[1.0, 0.0], [0.0, 0.0]], np.float32)
+    for _ in range(5):
+        seen, _, terminated, _, _ = envs.step(actions)
+    assert seen[0][2] > seen[1][2]
+    assert not terminated.any()
+    envs.close()
+
+
+def moment(**changes: float | bool) -> Moment:
+    standing = {"collided": False, "speed": 0.0, "lateral": 0.0, "steer": 0.0, "progress": 0.0}
+    return Moment(**standing | changes)  # pyright: ignore[reportArgumentType]
+
+
+def test_safebench_pays_for_speed_and_takes_ten_above_eight_metres_per_second() -> None:
+    assert sum(safebench(moment(speed=7.5)).values()) == pytest.approx(7.5)
+    assert sum(safebench(moment(speed=8.5)).values()) == pytest.approx(-1.5)
+
+
+def test_safebench_charges_for_lane_steering_and_cornering_as_its_code_does() -> None:
+    terms = safebench(moment(speed=5.0, lateral=-4.5, steer=0.2, collided=True))
+    assert terms == pytest.approx(
+        {
+            "collision": -1.0,
+            "speed": 5.0,
+            "too_fast": 0.0,
+            "out_of_lane": -1.0,
+            "steering": -0.2,
+            "lateral_acceleration": -1.0,
+        }
+    )
+
+
+def test_progress_does_not_pay_for_standing_still_and_charges_for_a_crash() -> None:
+    assert sum(progress(moment()).values()) < 0.0
+    assert sum(progress(moment(speed=7.0, progress=0.7)).values()) > 0.0
+    # More than driving on for the rest of a route could be worth at a discount of 0.99: 0.7 m a step, 100 times over.
+    assert progress(moment(collided=True))["collision"] < -0.5 * 0.7 / (1 - 0.99)
+
+
+@pytest.mark.parametrize("name", sorted(REWARDS))
+def test_every_reward_is_a_sum_of_named_numbers(name: str) -> None:
+    terms = REWARDS[name](moment(speed=3.0, progress=0.3))
+    assert terms
+    assert all(math.isfinite(value) for value in terms.values())
+
+
+def test_the_intelligent_driver_brakes_for_a_pedestrian_the_four_numbers_do_not_show() -> None:
+    env = DrivingEnv([STRAIGHT], observation="actors", pedals="full-brake")
+    observation, _ = env.reset(options={"values": CALM})
+    env.close()
+    walker = observation.astype(float)
+    walker[0] = 7.0
+    walker[14:25] = (1.0, 12.0, 0.0, 12.0, 0.0, 0.0, 0.5, 1.57, 0.3, 0.3, 1.0)
+    assert IntelligentDriver().act(walker)[0] < -0.2

@@ -1,0 +1,188 @@
+"""Training: what a learner is told at the end of a drive, what is kept, and that it is the same every time."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
+
+from chatscene import train as training
+from chatscene.ego import driving_env
+from chatscene.ego.network import load_network
+from chatscene.ego.policy import load_ego
+from chatscene.errors import RunError, SettingsError
+from chatscene.evaluate.ordinary import OrdinaryResult
+from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
+from chatscene.train import TrainSettings, train
+
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::DeprecationWarning"),
+    pytest.mark.filterwarnings("ignore::FutureWarning"),
+    pytest.mark.filterwarnings("ignore::UserWarning"),
+]
+
+
+def silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
+@pytest.fixture(autouse=True)
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Small networks, one course, and an evaluation that takes no time."""
+    monkeypatch.setattr(training, "HIDDEN", (8, 8))
+    monkeypatch.setitem(training.ALGORITHMS["sac"], "learning_starts", 20)
+    monkeypatch.setitem(training.ALGORITHMS["td3"], "learning_starts", 20)
+    monkeypatch.setitem(training.ALGORITHMS["ppo"], "n_steps", 40)
+    monkeypatch.setitem(training.ALGORITHMS["ppo"], "batch_size", 40)
+    monkeypatch.setitem(training.ALGORITHMS["ppo"], "n_epochs", 2)
+
+    def evaluated(ego: Any, *, map_name: str, scenes: int, seed: int) -> OrdinaryResult:
+        speed = float(ego.act(np.array((0.0, 0.0, 5.0, 0.0)))[0])
+        return OrdinaryResult(ego="e", completion=(0.5,), speed=(speed,), collided=(False,), rejected=0)
+
+    monkeypatch.setattr(training, "drive_ordinary", evaluated)
+    course = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
+    monkeypatch.setattr(driving_env, "ordinary_courses", lambda _backend: (course,))
+
+
+def settings(algorithm: str, **changes: Any) -> TrainSettings:
+    return TrainSettings(**{"algorithm": algorithm, "steps": 80, "round": 40, "seed": 3} | changes)
+
+
+@pytest.mark.parametrize("algorithm", sorted(training.ALGORITHMS))
+class TestEveryAlgorithm:
+    def test_the_same_seed_trains_the_same_ego(self, algorithm: str, tmp_path: Path) -> None:
+        for name in ("a", "b"):
+            train(tmp_path / name, settings(algorithm), progress=silent)
+        first, second = (load_network(tmp_path / name / "policy.npz")[0] for name in ("a", "b"))
+        for (w1, b1), (w2, b2) in zip(first.layers, second.layers, strict=True):
+            assert np.array_equal(w1, w2)
+            assert np.array_equal(b1, b2)
+
+    def test_a_training_that_was_cut_ends_like_one_that_was_not(
+        self, algorithm: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        whole = train(tmp_path / "whole", settings(algorithm, steps=120), progress=silent)
+        learn = training._Learner.learn  # pyright: ignore[reportPrivateUsage]
+
+        def killed(self: Any, number: int) -> None:
+            if number == 2:
+                raise KeyboardInterrupt
+            learn(self, number)
+
+        with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+            patch.setattr(training._Learner, "learn", killed)  # pyright: ignore[reportPrivateUsage]
+            train(tmp_path / "cut", settings(algorithm, steps=120), progress=silent)
+        resumed = train(tmp_path / "cut", settings(algorithm, steps=120), progress=silent)
+        figures = [[{**row, "seconds": 0.0} for row in trained.curve] for trained in (whole, resumed)]
+        assert figures[0] == figures[1]
+
+    def test_the_policy_that_is_kept_is_the_policy_that_learned(self, algorithm: str, tmp_path: Path) -> None:
+        import torch
+
+        chosen = settings(algorithm, steps=40)
+        learner = training._Learner(tmp_path, chosen)  # pyright: ignore[reportPrivateUsage]
+        learner.learn(0)
+        (tmp_path / "p.npz").write_bytes(learner.network().stored({"observation": "safebench", "pedals": "safebench"}))
+        network, about = load_network(tmp_path / "p.npz")
+        assert about == {"observation": "safebench", "pedals": "safebench"}
+        for observation in np.random.default_rng(0).normal(size=(20, 4)):
+            with torch.no_grad():
+                expected = learner.model.predict(observation.astype(np.float32), deterministic=True)[0]
+            assert network(observation) == pytest.approx(np.clip(expected, -1, 1).tolist(), abs=1e-5)
+
+    def test_the_ego_can_be_loaded_from_its_file(self, algorithm: str, tmp_path: Path) -> None:
+        train(tmp_path / "t", settings(algorithm, steps=40), progress=silent)
+        ego = load_ego(str(tmp_path / "t" / "policy.npz"))
+        assert len(tuple(ego.act(np.zeros(4)))) == 2
+
+
+@pytest.mark.parametrize("algorithm", ["sac", "td3"])
+def test_a_truncated_drive_is_bootstrapped_and_a_crash_is_not(algorithm: str, tmp_path: Path) -> None:
+    learner = training._Learner(tmp_path, settings(algorithm, steps=2000, round=2000))  # pyright: ignore[reportPrivateUsage]
+    model: Any = learner.model
+    endings: list[tuple[bool, bool]] = []
+    step = learner._env.step  # pyright: ignore[reportPrivateUsage]
+
+    def noting(action: Any) -> Any:
+        result = step(action)
+        endings.append((result[2], result[3]))
+        return result
+
+    learner._env.step = noting  # type: ignore[method-assign] # pyright: ignore
+    model.learning_starts = 10**9
+    model.learn(900)
+    learner._env.close()  # pyright: ignore[reportPrivateUsage]
+    buffer = model.replay_buffer
+    assert any(truncated for _, truncated in endings)
+    for i, (terminated, truncated) in enumerate(endings):
+        assert bool(buffer.dones[i, 0]) == (terminated or truncated)
+        assert bool(buffer.timeouts[i, 0]) == truncated
+    # What the Bellman target is multiplied by: zero after a crash only.
+    sampled = buffer._get_samples(np.arange(len(endings)))
+    assert sampled.dones.flatten().tolist() == [float(terminated) for terminated, _ in endings]
+
+
+def test_ppo_adds_the_discounted_value_of_the_last_state_where_a_drive_was_truncated(tmp_path: Path) -> None:
+    import torch
+
+    learner = training._Learner(tmp_path, settings("ppo"))  # pyright: ignore[reportPrivateUsage]
+    model: Any = learner.model
+    with torch.no_grad():  # a critic that says 7 whatever it sees
+        model.policy.value_net.weight.zero_()
+        model.policy.value_net.bias.fill_(7.0)
+    rewards: list[float] = []
+    endings: list[tuple[bool, bool]] = []
+    step, model.n_epochs = learner._env.step, 0  # pyright: ignore[reportPrivateUsage]
+
+    def noting(action: Any) -> Any:
+        observation, reward, terminated, _, info = step(action)
+        truncated = len(rewards) % 10 == 9 and not terminated
+        rewards.append(reward)
+        endings.append((terminated, truncated))
+        return observation, reward, terminated, truncated, info
+
+    learner._env.step = noting  # type: ignore[method-assign] # pyright: ignore
+    env, callback = model.get_env(), None
+    _, callback = model._setup_learn(40, callback)
+    model.collect_rollouts(env, callback, model.rollout_buffer, n_rollout_steps=40)
+    learner._env.close()  # pyright: ignore[reportPrivateUsage]
+    stored = model.rollout_buffer.rewards.flatten().tolist()
+    expected = [r + (0.99 * 7.0 if truncated else 0.0) for r, (_, truncated) in zip(rewards, endings, strict=True)]
+    assert stored == pytest.approx(expected, rel=1e-5)
+    assert sum(truncated for _, truncated in endings) >= 3
+
+
+def test_another_training_in_the_folder_is_not_continued(tmp_path: Path) -> None:
+    train(tmp_path / "t", settings("ppo", steps=40), progress=silent)
+    with pytest.raises(RunError, match="other settings"):
+        train(tmp_path / "t", settings("ppo", steps=40, seed=4), progress=silent)
+    (tmp_path / "x").mkdir()
+    (tmp_path / "x" / "letter.txt").write_text("dear all")
+    with pytest.raises(RunError, match="holds no training"):
+        train(tmp_path / "x", settings("ppo", steps=40), progress=silent)
+
+
+def test_a_damaged_checkpoint_is_said_to_be_one(tmp_path: Path) -> None:
+    train(tmp_path / "t", settings("ppo", steps=40), progress=silent)
+    record = tmp_path / "t" / "train.json"
+    content = json.loads(record.read_text())
+    content["settings"]["steps"] = 80
+    record.write_text(json.dumps(content))
+    (tmp_path / "t" / "checkpoint.pt").write_bytes(b"not a checkpoint")
+    with pytest.raises(RunError, match="cannot read"):
+        train(tmp_path / "t", settings("ppo", steps=80), progress=silent)
+
+
+def test_settings_that_cannot_be_are_refused() -> None:
+    with pytest.raises(SettingsError, match="no algorithm 'dqn'"):
+        TrainSettings(algorithm="dqn")
+    with pytest.raises(SettingsError, match="does not fit"):
+        TrainSettings(steps=10, round=20)
+    with pytest.raises(SettingsError, match="multiple"):
+        TrainSettings(algorithm="ppo", steps=2000, round=1500)
