@@ -44,8 +44,8 @@ def track(actor: str, role: Role, x: float, y: float, heading: float, speed: flo
         kind="Car",
         length=size[0],
         width=size[1],
-        x=x + speed * time * math.cos(heading),
-        y=y + speed * time * math.sin(heading),
+        x=np.asarray(x + speed * time * math.cos(heading), dtype=np.float64),
+        y=np.asarray(y + speed * time * math.sin(heading), dtype=np.float64),
         heading=np.full(steps, heading),
         speed=np.full(steps, speed),
     )

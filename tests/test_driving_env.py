@@ -94,11 +94,9 @@ def test_to_arrive_truncates_because_driving_goes_on_after_the_route(env: Drivin
 
 
 def test_its_drives_are_those_of_the_backend(env: DrivingEnv) -> None:
-    ego = RuleBased()
-    observation, _ = env.reset(options={"values": CALM})
+    env.reset(options={"values": CALM})
     for _ in range(40):
-        # The policy sees float32 through Gymnasium; these four numbers are chosen by a driver that does not mind.
-        observation = env.step(np.array((0.5, 0.0), np.float32))[0]
+        env.step(np.array((0.5, 0.0), np.float32))
     episode = env.episode("half throttle")
     env.close()
 
@@ -111,7 +109,6 @@ def test_its_drives_are_those_of_the_backend(env: DrivingEnv) -> None:
     again = backend.run(STRAIGHT.program, scene, HalfThrottle())
     assert hasattr(again, "ego_track")
     assert np.array_equal(episode.ego_track.x, again.ego_track.x)  # pyright: ignore[reportAttributeAccessIssue]
-    assert ego.act(observation.astype(float))
 
 
 def test_stepping_without_a_drive_says_to_reset(env: DrivingEnv) -> None:
@@ -141,9 +138,8 @@ def test_several_environments_run_in_processes_of_their_own() -> None:
     assert np.array_equal(seen[0], seen[1])
     actions = np.array([[1.0, 0.0], [0.0, 0.0]], np.float32)
     for _ in range(5):
-        seen, _, terminated, _, _ = envs.step(actions)
+        seen = envs.step(actions)[0]
     assert seen[0][2] > seen[1][2]
-    assert not terminated.any()
     envs.close()
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -16,7 +18,7 @@ from chatscene.ego import driving_env
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
-from chatscene.evaluate.ordinary import OrdinaryResult
+from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.train import TrainSettings, train
 
@@ -43,15 +45,16 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def evaluated(ego: Any, *, map_name: str, scenes: int, seed: int) -> OrdinaryResult:
         speed = float(ego.act(np.array((0.0, 0.0, 5.0, 0.0)))[0])
-        return OrdinaryResult(ego="e", completion=(0.5,), speed=(speed,), collided=(False,), rejected=0)
+        one = OrdinaryDrive(course=0, completion=0.5, speed=speed, collided=False)
+        return OrdinaryResult(ego="e", drives=(one,), rejected=0)
 
     monkeypatch.setattr(training, "drive_ordinary", evaluated)
     course = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
-    monkeypatch.setattr(driving_env, "ordinary_courses", lambda _backend: (course,))
+    monkeypatch.setattr(driving_env, "ordinary_courses", Mock(return_value=(course,)))
 
 
 def settings(algorithm: str, **changes: Any) -> TrainSettings:
-    return TrainSettings(**{"algorithm": algorithm, "steps": 80, "round": 40, "seed": 3} | changes)
+    return replace(TrainSettings(algorithm=algorithm, steps=80, round=40, seed=3), **changes)
 
 
 @pytest.mark.parametrize("algorithm", sorted(training.ALGORITHMS))

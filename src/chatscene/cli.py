@@ -70,7 +70,7 @@ def main() -> None:
 @main.command()
 @click.argument("text")
 @MAP
-@click.option("--ego", default="rule-based", show_default=True, help="An ego by name, or package.module:factory.")
+@click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
@@ -224,6 +224,29 @@ def benchmark(
     for text, reason in outcome.refused.items():
         click.echo(f"refused: {text!r}: {reason}", err=True)
     _say_evaluated(outcome.evaluated, as_json)
+
+
+@main.command()
+@click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
+@MAP
+@click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
+@click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Path | None, jobs: int) -> None:
+    """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
+
+    \b
+    chatscene drive --ego sac --ego idm
+    chatscene drive --ego my-policy.zip --out runs/my-policy
+    """
+    from chatscene import driving
+    from chatscene.report.tables import as_text
+
+    table = driving.drive(
+        egos, folder=out, map_name=map_name, scenes=scenes, seed=seed, jobs=jobs, progress=_progress()
+    )
+    click.echo(as_text(table))
 
 
 @main.command()

@@ -115,7 +115,7 @@ def run(
     *,
     settings: Settings | None = None,
     map_name: str = "town",
-    ego_name: str = "rule-based",
+    ego_name: str = "sac",
     jobs: int = 1,
     generator: str = "chatscene",
     progress: Progress | None = None,

@@ -31,6 +31,7 @@ T = TypeVar("T")
 DRAWS = 1000
 LEVEL = 0.95
 FEWEST_FREEDOM = 4  # degrees of freedom below which an interval would promise more than it can hold
+ROUNDING = 1e-9  # what differs by less does not differ
 METRICS = tuple(COLUMNS)
 _RF, _TS = METRICS.index("route_following"), METRICS.index("time_spent")
 
@@ -53,8 +54,8 @@ def bootstrap(
         level: Confidence.
 
     Returns:
-        Low and high; (nan, nan) from fewer than five groups, because so few cannot show how groups vary: even the
-        whole range of five covers no more than 94 %.
+        Low and high; (nan, nan), as nothing is known of how groups vary, from fewer than five groups (even the whole
+        range of five means covers no more than 94 %) and where they do not differ.
 
     Raises:
         SettingsError: There is no group, or an empty one.
@@ -79,8 +80,8 @@ def percentiles(values: Array, groups: Sequence[int], *, level: float = LEVEL) -
     """The expanded percentile interval of resampled values.
 
     The plain percentile interval of few groups is too narrow, as it lacks both the factor n / (n - 1) of the variance
-    and Student's t. So the percentiles are taken further out, by Hesterberg (2014), "What teachers should know about
-    the bootstrap", section 4.4 ("expanded percentile").
+    and Student's t. So the percentiles are taken further out, after Hesterberg (2015), "What teachers should know
+    about the bootstrap", The American Statistician 69 ("expanded percentile").
 
     Args:
         values: (draws,) Resampled values; of a mean over strata, resampled independently, its values.
@@ -88,10 +89,11 @@ def percentiles(values: Array, groups: Sequence[int], *, level: float = LEVEL) -
         level: Confidence.
 
     Returns:
-        Low and high; (nan, nan) where a stratum has one group, or all have fewer than four degrees of freedom.
+        Low and high; (nan, nan) where a stratum has one group, where all together have fewer than four degrees of
+        freedom, and where nothing varies.
     """
     freedom = sum(groups) - len(groups)
-    if freedom < FEWEST_FREEDOM or min(groups) < 2:
+    if freedom < FEWEST_FREEDOM or min(groups) < 2 or np.ptp(values) < ROUNDING:
         return math.nan, math.nan
     inflation = math.sqrt(sum(n / (n - 1) for n in groups) / len(groups))
     tail = NormalDist().cdf(-inflation * _student((1 + level) / 2, freedom))

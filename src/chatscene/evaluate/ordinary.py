@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from statistics import fmean
 
 from chatscene.ego.policy import EgoPolicy, name_of
+from chatscene.evaluate.intervals import bootstrap
 from chatscene.evaluate.score import wilson
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_courses
@@ -13,7 +15,25 @@ from chatscene.program.sample import draw, scene_seed
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.terms.episode import Episode
+from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scene import Rejected, Scene
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinaryDrive:
+    """One drive of a course.
+
+    Attributes:
+        course: Which, by number.
+        completion: Share of the route driven, in [0, 1].
+        speed: Mean speed [m/s].
+        collided: Whether it crashed.
+    """
+
+    course: int
+    completion: float
+    speed: float
+    collided: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -22,29 +42,25 @@ class OrdinaryResult:
 
     Attributes:
         ego: Its name.
-        completion: Share of the route driven, one per drive.
-        speed: Mean speed [m/s], one per drive.
-        collided: Whether it crashed, one per drive.
+        drives: Course by course.
         rejected: Draws that could not be placed.
     """
 
     ego: str
-    completion: tuple[float, ...]
-    speed: tuple[float, ...]
-    collided: tuple[bool, ...]
+    drives: tuple[OrdinaryDrive, ...]
     rejected: int
 
     def figures(self) -> dict[str, float]:
         """The means, by name, and the Wilson interval of the collision rate."""
-        drives = len(self.completion)
-        low, high = wilson(sum(self.collided), drives)
+        hits = sum(drive.collided for drive in self.drives)
+        low, high = wilson(hits, len(self.drives))
         return {
-            "drives": float(drives),
-            "completion": sum(self.completion) / drives,
-            "collision_rate": sum(self.collided) / drives,
+            "drives": float(len(self.drives)),
+            "completion": fmean(drive.completion for drive in self.drives),
+            "collision_rate": hits / len(self.drives),
             "collision_rate_low": low,
             "collision_rate_high": high,
-            "mean_speed": sum(self.speed) / drives,
+            "mean_speed": fmean(drive.speed for drive in self.drives),
         }
 
 
@@ -61,23 +77,60 @@ def drive_ordinary(ego: EgoPolicy, *, map_name: str, scenes: int, seed: int) -> 
         MapError: The map offers no route.
         EgoError: The ego fails.
     """
-    episodes = list(ordinary_episodes(ego, map_name=map_name, scenes=scenes, seed=seed))
-    driven = [episode for episode in episodes if not isinstance(episode, Rejected)]
-    return OrdinaryResult(
-        ego=name_of(ego),
-        completion=tuple(episode.route_completion for episode in driven),
-        speed=tuple(float(episode.ego_track.speed.mean()) for episode in driven),
-        collided=tuple(episode.collision is not None for episode in driven),
-        rejected=len(episodes) - len(driven),
+    driven: list[OrdinaryDrive] = []
+    rejected = 0
+    for course, outcome in ordinary_episodes(ego, map_name=map_name, scenes=scenes, seed=seed):
+        if isinstance(outcome, Rejected):
+            rejected += 1
+            continue
+        driven.append(
+            OrdinaryDrive(
+                course=course,
+                completion=outcome.route_completion,
+                speed=float(outcome.ego_track.speed.mean()),
+                collided=outcome.collision is not None,
+            )
+        )
+    return OrdinaryResult(ego=name_of(ego), drives=tuple(driven), rejected=rejected)
+
+
+def ordinary_episodes(
+    ego: EgoPolicy, *, map_name: str, scenes: int, seed: int
+) -> Iterator[tuple[int, Episode | Rejected]]:
+    """The drives themselves, each with the number of its course."""
+    backend: Backend = load_backend("embedded", resolve_map(map_name), SimulationSettings())
+    for number, course in enumerate(ordinary_courses(backend)):
+        for index in range(scenes):
+            yield number, backend.run(course.program, _scene(course, index, seed), ego)
+
+
+def ordinary_table(results: Sequence[OrdinaryResult]) -> ResultTable:
+    """Completion, collision rate and mean speed of each ego."""
+    rows: list[tuple[str, tuple[Cell, ...]]] = []
+    for result in results:
+        hits = sum(drive.collided for drive in result.drives)
+        rate = Cell(hits / len(result.drives), *wilson(hits, len(result.drives)))
+        rows.append((result.ego, (_mean(result, "completion"), rate, _mean(result, "speed"))))
+    counts = sorted({len(result.drives) for result in results})
+    courses = len({drive.course for result in results for drive in result.drives})
+    return ResultTable(
+        title="Ordinary drives",
+        columns=("Completion", "Collision rate", "Mean speed [m/s]"),
+        rows=tuple(rows),
+        notes=(
+            f"{', '.join(map(str, counts))} drives per ego on {courses} courses.",
+            "Collision rate: 95 % Wilson interval. The others: 95 % cluster bootstrap over the courses.",
+        ),
     )
 
 
-def ordinary_episodes(ego: EgoPolicy, *, map_name: str, scenes: int, seed: int) -> Iterator[Episode | Rejected]:
-    """The drives themselves, course by course."""
-    backend: Backend = load_backend("embedded", resolve_map(map_name), SimulationSettings())
-    for course in ordinary_courses(backend):
-        for number in range(scenes):
-            yield backend.run(course.program, _scene(course, number, seed), ego)
+def _mean(result: OrdinaryResult, name: str) -> Cell:
+    courses: dict[int, list[float]] = {}
+    for drive in result.drives:
+        courses.setdefault(drive.course, []).append(float(getattr(drive, name)))
+    value = fmean(number for course in courses.values() for number in course)
+    low, high = bootstrap(list(courses.values()), fmean, seed=0)
+    return Cell(value, low, high)
 
 
 def _scene(course: Course, number: int, seed: int) -> Scene:

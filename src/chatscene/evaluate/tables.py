@@ -40,7 +40,7 @@ TITLES: dict[Which, str] = {
 }
 
 WILSON = "95 % Wilson interval that takes drives for independent"
-BOOTSTRAP = f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none from too few routes"
+BOOTSTRAP = f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none where they are too few or alike"
 
 
 def generation_table(drives: Sequence[Drive], displacements: Sequence[Displacement], mode: Mode) -> ResultTable:
@@ -52,7 +52,8 @@ def generation_table(drives: Sequence[Drive], displacements: Sequence[Displaceme
         mode: How the overall score is computed.
     """
     scores = {name: _scores(own, mode) for name, own in _split(drives, _generator).items()}
-    distances = {name: _distances(own) for name, own in _split(displacements, _generator).items()}
+    displaced = _split(displacements, _generator)
+    distances = {name: _distances(displaced.get(name, [])) for name in scores}
     rows = [
         *((f"CR, {name}", _cells(found, "collision_rate")) for name, found in scores.items()),
         *((f"OS, {name}", _cells(found, "overall_score")) for name, found in scores.items()),
@@ -125,14 +126,8 @@ def avoidability_table(drives: Sequence[Drive]) -> ResultTable:
         drives: Of any generators and egos, in any order.
     """
     by_generator = _split(drives, _generator)
-    avoidable = [
-        (f"Avoidable, {name}", _shares(own, lambda some: [drive.avoidable for drive in some if drive.avoidable is not None]))
-        for name, own in by_generator.items()
-    ]
-    fill_ins = [
-        (f"Fill-in, {name}", _shares(own, lambda some: list({_scene(d): d.fill_in for d in some}.values())))
-        for name, own in by_generator.items()
-    ]
+    avoidable = [(f"Avoidable, {name}", _shares(own, _avoidable)) for name, own in by_generator.items()]
+    fill_ins = [(f"Fill-in, {name}", _shares(own, _fill_ins)) for name, own in by_generator.items()]
     return ResultTable(
         title="Share of collisions that a careful driver would have avoided, and of scenes that are fill-ins",
         columns=(*BASES, "All"),
@@ -268,6 +263,15 @@ def _shares(drives: Sequence[Drive], of: Callable[[Sequence[Drive]], Sequence[bo
     """A row: what share of something is so, on each base scenario and on all."""
     by_base = _by_base(drives)
     return *(_share(of(by_base.get(base, []))) for base in BaseScenario), _share(of(drives))
+
+
+def _avoidable(drives: Sequence[Drive]) -> list[bool]:
+    return [drive.avoidable for drive in drives if drive.avoidable is not None]
+
+
+def _fill_ins(drives: Sequence[Drive]) -> list[bool]:
+    """One per scene, however many egos drove it."""
+    return list({_scene(drive): drive.fill_in for drive in drives}.values())
 
 
 def _share(flags: Sequence[bool]) -> Cell:

@@ -59,22 +59,29 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
         if not order:
             raise RunError(f"{folder} has no scene that was driven, so there is nothing to animate")
         scene_id = str(order[0]["scene_id"])
-    content = _animate(read_episode(run, scene_id), read_drawing(run))
+    content = animate(read_episode(run, scene_id), read_drawing(run))
     path = run.file(f"{quote(scene_id.replace('/', '-'), safe='')}.gif")
     write_bytes(path, content)
     return path
 
 
-def _animate(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
+def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES) -> bytes:
+    """A drive as an animated GIF.
+
+    Args:
+        episode: The drive.
+        drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
+        frames: At most; a longer drive is cut to its end.
+    """
     steps = len(episode.ego_track.x)
     stride = max(1, round(0.1 / episode.dt))
-    shown = list(range(steps - 1, -1, -stride))[:FRAMES][::-1]
+    shown = list(range(steps - 1, -1, -stride))[:frames][::-1]
     camera = _Camera.on(episode, shown)
     ground = _draw_ground(camera, drawing)
-    frames = [_draw_frame(camera, ground, episode, step) for step in shown]
+    drawn = [_draw_frame(camera, ground, episode, step) for step in shown]
     # One palette for all frames: colours do not flicker, and what does not move costs nothing.
-    palette = frames[-1].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
-    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    palette = drawn[-1].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
+    indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in drawn]
     duration = round(stride * episode.dt * 1000)
     sink = io.BytesIO()
     indexed[0].save(

@@ -6,13 +6,13 @@ import csv
 import io
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.results import Cell, ResultTable
 
-DASH = "–"  # for what is missing, and between the ends of an interval
+DASH = "\N{EN DASH}"  # for what is missing, and between the ends of an interval
 WIDTH = 12  # characters of a column of text, as wide as an interval
 GAP = "  "
 
@@ -28,13 +28,12 @@ def as_text(table: ResultTable) -> str:
     height = max((len(head) for head in heads), default=0)
     label = max((len(name) for name, _ in table.rows), default=0)
 
-    def line(first: str, rest: list[str]) -> str:
+    def line(first: str, rest: Iterable[str]) -> str:
         return GAP.join([first.ljust(label), *(each.rjust(WIDTH) for each in rest)]).rstrip()
 
     lines = [table.title, ""]
-    for level in range(height):
-        lines.append(line("", [[*[""] * (height - len(head)), *head][level] for head in heads]))
-    lines.append("-" * (label + len(table.columns) * (WIDTH + len(GAP))))
+    lines += [line("", level) for level in zip(*([""] * (height - len(head)) + head for head in heads), strict=True)]
+    lines += ["-" * (label + len(table.columns) * (WIDTH + len(GAP)))]
     for name, cells in table.rows:
         lines.append(line(name, [_value(cell) for cell in cells]))
         if any(cell.low is not None for cell in cells):

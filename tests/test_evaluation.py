@@ -1,0 +1,255 @@
+"""Egos on kept scenes: the folder, the tables, what happens to an ego that fails, kills, and the number of processes."""
+
+from __future__ import annotations
+
+import sys
+import time
+import types
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from chatscene import benchmark as benchmarks
+from chatscene import pipeline, runs
+from chatscene.benchmark import Budget, benchmark
+from chatscene.ego.policy import load_ego
+from chatscene.errors import EgoError, RunError, SettingsError
+from chatscene.evaluation import carry_on, evaluate
+from chatscene.maps.network import resolve_map
+from chatscene.search.explore import Block
+from chatscene.search.generator import GENERATORS, load_generator
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
+from chatscene.simulate.backend import load_backend
+from chatscene.simulate.embedded import backend as embedded
+from chatscene.terms.scenario import BaseScenario
+
+TEXTS = (
+    "A pedestrian steps out from behind a bus stop on the right and stops in front of us.",
+    "A car from the left runs the red light and turns right as we drive straight over the junction.",
+)
+SETTINGS = Settings(search=SearchSettings(scenes=4, block=2, keep=2, routes=2))
+
+
+def silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
+@pytest.fixture(scope="module")
+def searched(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two finished runs."""
+    folder = tmp_path_factory.mktemp("searched")
+    for number, text in enumerate(TEXTS):
+        run = runs.create(folder / str(number), text=text, settings=SETTINGS, map_name="town", ego="rule-based")
+        pipeline.search(run, 1, silent)
+    return folder
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    """Every file but the record, which holds timings and paths."""
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file() and path.name != "run.json")
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+def test_every_kept_scene_is_driven_by_every_ego(searched: Path, tmp_path: Path) -> None:
+    evaluated = evaluate([searched], tmp_path / "e", egos=["rule-based", "idm"], progress=silent)
+    rows = runs.read_scenes(runs.open_run(tmp_path / "e"))
+    kept = [
+        row["scene_id"]
+        for number in range(2)
+        for row in runs.read_scenes(runs.open_run(searched / str(number)))
+        if row["selected"]
+    ]
+    assert len(kept) == 8
+    assert sorted((row["scene_id"], row["ego"]) for row in rows) == sorted(
+        (scene, ego) for scene in kept for ego in ("RuleBased", "idm")
+    )
+    assert not evaluated.failures
+    assert (tmp_path / "e" / "tables" / "generation.tex").is_file()
+
+
+def test_the_surrogate_drives_its_scenes_as_it_did_when_they_were_found(searched: Path, tmp_path: Path) -> None:
+    evaluate([searched], tmp_path / "e", egos=["rule-based"], progress=silent)
+    found = {row["scene_id"]: row for n in range(2) for row in runs.read_scenes(runs.open_run(searched / str(n)))}
+    for row in runs.read_scenes(runs.open_run(tmp_path / "e")):
+        before = found[row["scene_id"]]
+        for name in ("collision", "impact_speed", "overall_score", "avoidable", "fault", "severity", "raw_yaw_rate"):
+            assert row[name] == before[name], name
+
+
+def test_one_process_and_two_give_the_same_files(searched: Path, tmp_path: Path) -> None:
+    for jobs in (1, 2):
+        evaluate([searched], tmp_path / str(jobs), egos=["rule-based", "idm"], jobs=jobs, progress=silent)
+    assert content(tmp_path / "1") == content(tmp_path / "2")
+
+
+def test_an_evaluation_that_was_cut_ends_like_one_that_was_not(searched: Path, tmp_path: Path) -> None:
+    evaluate([searched], tmp_path / "whole", egos=["rule-based", "idm"], progress=silent)
+
+    def cut(_what: str, done: int, _total: int) -> None:
+        if done == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evaluate([searched], tmp_path / "cut", egos=["rule-based", "idm"], progress=cut)
+    cut_run = runs.open_run(tmp_path / "cut")
+    assert runs.read_record(cut_run).status is runs.Status.RUNNING
+    assert len(runs.done_blocks(cut_run)) == 3
+    carry_on(cut_run, jobs=1, progress=silent)
+    assert content(tmp_path / "cut") == content(tmp_path / "whole")
+
+
+class _Bad:
+    """Egos that do what no ego may."""
+
+    def crash(self, observation: Any) -> Any:
+        raise ZeroDivisionError("no gradient")
+
+    def nan(self, observation: Any) -> Any:
+        return float("nan"), 0.0
+
+    def shape(self, observation: Any) -> Any:
+        return np.zeros(3)
+
+    def block(self, observation: Any) -> Any:
+        time.sleep(60)
+
+
+@pytest.mark.parametrize(
+    ("kind", "message"),
+    [
+        ("crash", "fails at step 0: ZeroDivisionError: no gradient"),
+        ("nan", "must be finite"),
+        ("shape", "must return acceleration and steering"),
+        ("block", "gave no action within 1 s, at step 0"),
+    ],
+)
+def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
+    kind: str, message: str, searched: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(embedded, "PATIENCE", 1.0)
+    module = types.ModuleType("bad_stack")
+
+    def make() -> Any:
+        ego = types.SimpleNamespace(act=getattr(_Bad(), kind), name=kind)
+        return ego
+
+    module.make = make  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "bad_stack", module)
+    alone = evaluate([searched], tmp_path / "alone", egos=["idm"], progress=silent)
+    began = time.monotonic()
+    both = evaluate([searched], tmp_path / "both", egos=["bad_stack:make", "idm"], progress=silent)
+    assert time.monotonic() - began < 30
+    assert list(both.failures) == ["bad_stack:make"]
+    assert message in both.failures["bad_stack:make"]
+    assert both.tables["collision-rate-by-ego"].rows == alone.tables["collision-rate-by-ego"].rows
+    record = runs.read_record(runs.open_run(tmp_path / "both"))
+    assert record.failures == both.failures
+    assert {row["ego"] for row in runs.read_scenes(runs.open_run(tmp_path / "both"))} == {"idm"}
+
+
+def test_what_cannot_be_evaluated_is_said(searched: Path, tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="there is no run in"):
+        evaluate([tmp_path], tmp_path / "e", egos=["idm"], progress=silent)
+    with pytest.raises(SettingsError, match="each ego once"):
+        evaluate([searched], tmp_path / "e", egos=["idm", "idm"], progress=silent)
+    with pytest.raises(EgoError, match="no ego 'idn'; did you mean 'idm'"):
+        evaluate([searched], tmp_path / "e", egos=["idn"], progress=silent)
+    unfinished = runs.create(tmp_path / "u", text=TEXTS[0], settings=SETTINGS, map_name="town", ego="idm")
+    with pytest.raises(RunError, match="is running, not done; finish it with: chatscene resume"):
+        evaluate([unfinished.path], tmp_path / "e", egos=["idm"], progress=silent)
+    assert not (tmp_path / "e").exists()
+
+
+@pytest.mark.parametrize("name", sorted(GENERATORS))
+class TestEveryGenerator:
+    """What a generator must do."""
+
+    def test_it_has_something_for_every_base_scenario(self, name: str) -> None:
+        generator = load_generator(name)
+        for base in BaseScenario:
+            texts = generator.texts(base)
+            assert texts
+            assert len(set(texts)) == len(texts)
+            assert all(generator.read(text).base is base for text in texts)
+
+    def test_it_makes_the_same_program_of_the_same_text(self, name: str) -> None:
+        generator = load_generator(name)
+        scenario = generator.read(generator.texts(BaseScenario.RIGHT_TURN)[0])
+        first, second = (generator.write(scenario, RetrievalSettings()).program for _ in range(2))
+        assert first == second
+        assert first.parameters
+
+    def test_it_goes_on_after_a_block_as_if_it_had_not_stopped(self, name: str) -> None:
+        generator = load_generator(name)
+        scenario = generator.read(generator.texts(BaseScenario.STRAIGHT_OBSTACLE)[0])
+        program = generator.write(scenario, RetrievalSettings()).program
+        backend = load_backend("embedded", resolve_map("town"), SETTINGS.simulation)
+        ego = load_ego("rule-based")
+
+        def explore(collided: list[list[dict[str, float]]]) -> list[Block]:
+            return list(
+                generator.explore(
+                    program,
+                    scenario.slots,
+                    0,
+                    backend=backend,
+                    ego=ego,
+                    settings=SETTINGS.search,
+                    collided=collided,
+                )
+            )
+
+        whole = explore([])
+        hits = [dict(r.scene.values) for r in whole[0].ran if r.episode.collision is not None]
+        (rest,) = explore([hits])
+        assert len(whole) == 2
+        assert [r.scene for r in rest.ran] == [r.scene for r in whole[1].ran]
+
+
+@pytest.fixture
+def tiny(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A budget that takes seconds."""
+    budget = Budget(scenarios=1, search=SearchSettings(scenes=2, block=1, keep=1, routes=1))
+    monkeypatch.setitem(benchmarks.BUDGETS, "tiny", budget)
+
+
+@pytest.mark.usefixtures("tiny")
+def test_a_benchmark_is_the_same_at_one_and_two_jobs_and_after_a_cut(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(name: str, jobs: int, progress: Any = silent) -> Any:
+        return benchmark(
+            tmp_path / name, budget="tiny", egos=["idm"], surrogate="rule-based", jobs=jobs, progress=progress
+        )
+
+    def cut(what: str, done: int, _total: int) -> None:
+        if what.startswith("searching") and done == 3:
+            raise KeyboardInterrupt
+
+    one = run("one", 1)
+    assert one.counts["ran"] == 16
+    assert not one.refused
+    assert [name for name, _ in one.evaluated.tables["collision-rate-by-ego"].rows] == ["idm, chatscene"]
+    run("two", 2)
+    with pytest.raises(KeyboardInterrupt):
+        run("cut", 1, cut)
+    run("cut", 1)
+    tables = [content(tmp_path / name / "evaluation") for name in ("one", "two", "cut")]
+    assert tables[0] == tables[1] == tables[2]
+    assert {path.name for path in (tmp_path / "one" / "scenes").iterdir()} == {base.value for base in BaseScenario}
+
+
+@pytest.mark.usefixtures("tiny")
+def test_a_benchmark_folder_is_not_continued_with_other_settings(tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "benchmark.json").write_text('{"generator": "chatscene", "budget": "paper"}')
+    with pytest.raises(RunError, match="benchmark with other settings"):
+        benchmark(tmp_path / "b", budget="tiny", progress=silent)
+    (tmp_path / "c").mkdir()
+    (tmp_path / "c" / "letter.txt").write_text("dear all")
+    with pytest.raises(RunError, match="holds no benchmark"):
+        benchmark(tmp_path / "c", budget="tiny", progress=silent)
+    with pytest.raises(SettingsError, match="no budget 'huge'"):
+        benchmark(tmp_path / "d", budget="huge", progress=silent)
