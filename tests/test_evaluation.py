@@ -1,4 +1,4 @@
-"""Egos on kept scenes: the folder, the tables, what happens to an ego that fails, kills, and the number of processes."""
+"""Egos on kept scenes: the folder, the tables, egos that fail, kills, and the number of processes."""
 
 from __future__ import annotations
 
