@@ -16,6 +16,7 @@ from chatscene import pipeline, runs
 from chatscene.benchmark import Budget, benchmark
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
+from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.evaluation import carry_on, evaluate
 from chatscene.maps.network import resolve_map
 from chatscene.search.explore import Block
@@ -253,3 +254,18 @@ def test_a_benchmark_folder_is_not_continued_with_other_settings(tmp_path: Path)
         benchmark(tmp_path / "c", budget="tiny", progress=silent)
     with pytest.raises(SettingsError, match="no budget 'huge'"):
         benchmark(tmp_path / "d", budget="huge", progress=silent)
+
+
+def test_ordinary_drives_make_a_table_with_intervals() -> None:
+    drives = [OrdinaryDrive(course=k // 2, completion=k / 11, speed=4.0 + k, collided=k == 3) for k in range(12)]
+    table = ordinary_table([OrdinaryResult(ego="sac", drives=tuple(drives), rejected=0)])
+    ((name, (completion, rate, speed)),) = table.rows
+    assert name == "sac"
+    assert completion.value == pytest.approx(0.5)
+    assert rate.value == pytest.approx(1 / 12)
+    assert speed.value == pytest.approx(9.5)
+    for cell in (completion, rate, speed):
+        assert cell.low is not None
+        assert cell.high is not None
+        assert cell.low < cell.value < cell.high  # type: ignore[operator] # pyright: ignore[reportOperatorIssue]
+    assert "12 drives per ego on 6 courses." in table.notes

@@ -89,7 +89,7 @@ def load_network(path: Path) -> tuple[Network, dict[str, Any]]:
         EgoError: It is missing, damaged, or no network.
     """
     try:
-        with np.load(path, allow_pickle=False) as stored:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
             about = json.loads(str(stored["about"]))
             layers = tuple((stored[f"w{i}"], stored[f"b{i}"]) for i in range((len(stored.files) - 1) // 2))
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:

@@ -55,7 +55,7 @@ def bootstrap(
 
     Returns:
         Low and high; (nan, nan), as nothing is known of how groups vary, from fewer than five groups (even the whole
-        range of five means covers no more than 94 %) and where they do not differ.
+        range of four holds the middle only 7 times in 8) and where they do not differ.
 
     Raises:
         SettingsError: There is no group, or an empty one.
@@ -66,7 +66,7 @@ def bootstrap(
 def resample(
     groups: Sequence[Sequence[T]], statistic: Callable[[Sequence[T]], float], *, seed: int, draws: int = DRAWS
 ) -> Array:
-    """(draws,) The number of each resampled set; as `bootstrap`, whose interval lies between two of them."""
+    """(draws,) The number of each resampled set; arguments and errors as of `bootstrap`."""
     counts = _counts(groups, seed, draws)
     return np.array(
         [

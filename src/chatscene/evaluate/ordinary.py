@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from statistics import fmean
@@ -130,7 +131,7 @@ def _mean(result: OrdinaryResult, name: str) -> Cell:
         courses.setdefault(drive.course, []).append(float(getattr(drive, name)))
     value = fmean(number for course in courses.values() for number in course)
     low, high = bootstrap(list(courses.values()), fmean, seed=0)
-    return Cell(value, low, high)
+    return Cell(value) if math.isnan(low) else Cell(value, low, high)
 
 
 def _scene(course: Course, number: int, seed: int) -> Scene:

@@ -14,7 +14,7 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
-from chatscene.evaluate.intervals import DRAWS, bootstrap, percentiles, resample, resample_scores
+from chatscene.evaluate.intervals import DRAWS, percentiles, resample, resample_scores
 from chatscene.evaluate.score import score, wilson
 from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Array
@@ -40,7 +40,10 @@ TITLES: dict[Which, str] = {
 }
 
 WILSON = "95 % Wilson interval that takes drives for independent"
-BOOTSTRAP = f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none where they are too few or alike"
+FEW_ROUTES = f"CR of a base scenario with too few routes, or where all or none collided: {WILSON}"
+BOOTSTRAP = (
+    f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none where they are too few or alike"
+)
 
 
 def generation_table(drives: Sequence[Drive], displacements: Sequence[Displacement], mode: Mode) -> ResultTable:
@@ -66,7 +69,7 @@ def generation_table(drives: Sequence[Drive], displacements: Sequence[Displaceme
         notes=(
             _mode_note(mode),
             "A base scenario's number is the mean over the egos, Avg. the mean over the base scenarios.",
-            f"CR of a base scenario: {WILSON}. All else: {BOOTSTRAP}.",
+            f"{BOOTSTRAP}. {FEW_ROUTES}.",
             *_counts(drives),
         ),
     )
@@ -110,7 +113,7 @@ def ego_table(drives: Sequence[Drive], mode: Mode, *, which: Which) -> ResultTab
         for generator, own in _split(of_ego, _generator).items()
     ]
     rate = which == "collision_rate"
-    interval = f"CR of a base scenario: {WILSON}. Avg.: {BOOTSTRAP}." if rate else f"{BOOTSTRAP}."
+    interval = f"{BOOTSTRAP}. {FEW_ROUTES}." if rate else f"{BOOTSTRAP}."
     return ResultTable(
         title=TITLES[which],
         columns=(*BASES, "Avg."),
@@ -156,26 +159,6 @@ def fault_table(drives: Sequence[Drive]) -> ResultTable:
         columns=(*BASES, "All"),
         rows=tuple(rows),
         notes=("All: of the collisions of all base scenarios.", f"{WILSON}.", *_counts(drives)),
-    )
-
-
-def ordinary_table(drives: Sequence[Drive]) -> ResultTable:
-    """How each ego fares where nobody is out to get it.
-
-    Args:
-        drives: On ordinary courses, in any order.
-    """
-    rows: list[Row] = []
-    for ego, own in _split(drives, lambda drive: drive.ego).items():
-        collided = [drive.measurements.collided for drive in own]
-        completion = [[d.measurements.completion for d in route] for route in _routes(own)]
-        speeds = [[d.mean_speed for d in route if d.mean_speed is not None] for route in _routes(own)]
-        rows.append((ego, (_mean_cell(completion), _share(collided), _mean_cell(speeds))))
-    return ResultTable(
-        title="Ordinary drives",
-        columns=("Completion", "Collision rate", "Mean speed [m/s]"),
-        rows=tuple(rows),
-        notes=(f"Collision rate: {WILSON}. All else: {BOOTSTRAP}.", *_counts(drives)),
     )
 
 
@@ -232,11 +215,11 @@ def _cells(found: dict[BaseScenario, _Found], name: str) -> tuple[Cell, ...]:
 
 
 def _cell(found: _Found, name: str) -> Cell:
-    value = found.values[name]
-    if name == "collision_rate":
+    value, interval = found.values[name], percentiles(found.resampled[name], [found.routes])
+    if name == "collision_rate" and math.isnan(interval[0]):
         # The mean over egos is the pooled rate if all drove the same scenes; it is so near it that Wilson holds it.
-        return Cell(value, *wilson(round(value * found.drives), found.drives))
-    return _with_interval(value, percentiles(found.resampled[name], [found.routes]))
+        interval = wilson(round(value * found.drives), found.drives)
+    return _with_interval(value, interval)
 
 
 def _average(found: dict[BaseScenario, _Found], name: str) -> Cell:
@@ -246,13 +229,6 @@ def _average(found: dict[BaseScenario, _Found], name: str) -> Cell:
     value = _mean([each.values[name] for each in found.values()])
     resampled = np.mean([each.resampled[name] for each in found.values()], axis=0)
     return _with_interval(value, percentiles(resampled, [each.routes for each in found.values()]))
-
-
-def _mean_cell(routes: Sequence[Sequence[float]]) -> Cell:
-    some = [route for route in routes if route]
-    if not some:
-        return MISSING
-    return _with_interval(_mean([value for route in some for value in route]), bootstrap(some, _mean, seed=0))
 
 
 def _with_interval(value: float, interval: tuple[float, float]) -> Cell:

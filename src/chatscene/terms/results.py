@@ -26,7 +26,6 @@ class Drive:
         fill_in: The scene did not collide with the surrogate ego; it was kept because too few did.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         fault: Whose own motion closed the gap at the collision; None without one.
-        mean_speed: Of the ego [m/s]; None where nobody asks for it.
     """
 
     generator: str
@@ -39,7 +38,6 @@ class Drive:
     fill_in: bool
     avoidable: bool | None
     fault: str | None
-    mean_speed: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

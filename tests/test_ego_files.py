@@ -1,0 +1,207 @@
+"""Egos from files: what they were trained to do, and nothing that a file may try to do besides."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from chatscene.ego.files import SAFEBENCH_EVERY, load_file
+from chatscene.ego.network import Network, NetworkEgo, load_network
+from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.errors import EgoError
+
+SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "safebench"
+quiet = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::FutureWarning", "ignore::UserWarning")
+
+
+def network(sizes: tuple[int, ...] = (4, 8, 8, 2), **changes: Any) -> Network:
+    rng = np.random.default_rng(1)
+    layers = tuple(
+        (rng.normal(size=(b, a)).astype(np.float32), rng.normal(size=b).astype(np.float32)) for a, b in pairwise(sizes)
+    )
+    return Network(layers=layers, **changes)
+
+
+def observations(count: int = 20) -> np.ndarray[Any, np.dtype[np.float64]]:
+    return np.random.default_rng(2).normal(size=(count, 4)) * np.array((1.0, 0.3, 4.0, 0.5))
+
+
+@pytest.mark.parametrize("hidden", ["relu", "tanh"])
+@pytest.mark.parametrize("output", ["tanh", "clip", "sigmoid"])
+def test_a_network_computes_what_torch_computes(hidden: str, output: str) -> None:
+    torch = pytest.importorskip("torch")
+    ours = network(hidden=hidden, output=output)
+    activation = {"relu": torch.relu, "tanh": torch.tanh}[hidden]
+
+    def squash(x: Any) -> Any:
+        return {"tanh": x.tanh(), "clip": x.clamp(-1, 1), "sigmoid": 2 * x.sigmoid() - 1}[output]
+
+    for observation in observations():
+        x = torch.tensor(observation, dtype=torch.float32)
+        for weights, bias in ours.layers[:-1]:
+            x = activation(torch.from_numpy(weights) @ x + torch.from_numpy(bias))
+        weights, bias = ours.layers[-1]
+        expected = squash(torch.from_numpy(weights) @ x + torch.from_numpy(bias))
+        assert ours(observation) == pytest.approx(expected.tolist(), abs=2e-6)
+
+
+def test_a_network_is_read_as_it_was_written(tmp_path: Path) -> None:
+    ours = network(hidden="tanh", output="clip")
+    path = tmp_path / "p.npz"
+    path.write_bytes(ours.stored({"observation": "safebench", "seed": 3}))
+    again, about = load_network(path)
+    assert about == {"observation": "safebench", "seed": 3}
+    assert (again.hidden, again.output) == ("tanh", "clip")
+    assert all(again(o) == ours(o) for o in observations())
+    assert load_ego(str(path)).act(observations(1)[0]) == ours(observations(1)[0])
+
+
+def test_a_network_that_cannot_drive_is_refused() -> None:
+    with pytest.raises(EgoError, match="3 numbers"):
+        network((4, 8, 3))
+    with pytest.raises(EgoError, match="not finite"):
+        Network(layers=((np.full((2, 4), np.nan, np.float32), np.zeros(2, np.float32)),))
+    with pytest.raises(EgoError, match="do not fit"):
+        Network(layers=((np.zeros((2, 4), np.float32), np.zeros(3, np.float32)),))
+
+
+def test_an_ego_with_frame_skip_holds_its_action_and_forgets_it_at_a_reset() -> None:
+    ego = NetworkEgo(network(), name="slow", every=3)
+    first, other = observations(2)
+    held = ego.act(first)
+    assert [ego.act(other), ego.act(other)] == [held, held]
+    decided = ego.act(other)
+    assert decided != held
+    ego.reset()
+    assert ego.act(first) == held
+
+
+@pytest.mark.parametrize("name", ["none.npz", "none.zip", "none.pt", "none.onnx"])
+def test_a_missing_file_is_said_to_be_missing(name: str, tmp_path: Path) -> None:
+    with pytest.raises(EgoError, match="there is no file"):
+        load_ego(str(tmp_path / name))
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".zip", ".pt", ".onnx"])
+def test_a_damaged_file_is_an_error_of_ours(suffix: str, tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    path = tmp_path / f"damaged{suffix}"
+    path.write_bytes(b"PK\x03\x04 this is not what it seems" * 10)
+    with pytest.raises(EgoError, match="damaged"):
+        load_file(path)
+
+
+class _Exploit:
+    """What unpickling would run."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __reduce__(self) -> Any:
+        return (Path.write_text, (self.path, "owned"))
+
+
+def test_code_in_a_checkpoint_is_refused_and_not_run(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch")
+    trace = tmp_path / "trace.txt"
+    torch.save((_Exploit(trace), {}), tmp_path / "bad.pt")
+    with pytest.raises(EgoError, match="only tensors are read"):
+        load_file(tmp_path / "bad.pt")
+    with zipfile.ZipFile(tmp_path / "bad.zip", "w") as archive:
+        archive.writestr("data", json.dumps({}))
+        archive.write(tmp_path / "bad.pt", "policy.pth")
+    with pytest.raises(EgoError, match="only tensors are read"):
+        load_file(tmp_path / "bad.zip")
+    assert not trace.exists()
+
+
+@quiet
+@pytest.mark.parametrize("algorithm", ["SAC", "TD3", "PPO"])
+@pytest.mark.parametrize("activation", [None, "Tanh", "ReLU"])
+def test_a_model_of_stable_baselines_acts_as_it_does_there(
+    algorithm: str, activation: str | None, tmp_path: Path
+) -> None:
+    sb3 = pytest.importorskip("stable_baselines3")
+    import gymnasium
+    import torch
+
+    class Still(gymnasium.Env[Any, Any]):
+        observation_space = gymnasium.spaces.Box(-100.0, 100.0, (4,), np.float32)
+        action_space = gymnasium.spaces.Box(-1.0, 1.0, (2,), np.float32)
+
+    kwargs: dict[str, Any] = {"net_arch": [8, 8]}
+    if activation:
+        kwargs["activation_fn"] = getattr(torch.nn, activation)
+    model = getattr(sb3, algorithm)("MlpPolicy", Still(), policy_kwargs=kwargs, seed=5, device="cpu")
+    model.save(tmp_path / "model.zip")
+    ego = load_file(tmp_path / "model.zip")
+    for observation in observations():
+        expected = model.predict(observation.astype(np.float32), deterministic=True)[0]
+        assert ego.act(observation) == pytest.approx(expected.tolist(), abs=1e-5)
+
+
+@quiet
+def test_a_policy_that_sees_something_else_is_refused_with_the_sizes(tmp_path: Path) -> None:
+    (tmp_path / "p.npz").write_bytes(network((7, 8, 2)).stored({"observation": "safebench", "pedals": "safebench"}))
+    with pytest.raises(EgoError, match=r"looks at 7 numbers; observations are safebench \(4\)"):
+        load_file(tmp_path / "p.npz")
+
+
+@quiet
+def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch")
+    onnx = pytest.importorskip("onnx")
+    ours = network((4, 8, 2))
+    (w0, b0), (w1, b1) = ours.layers
+    module = torch.nn.Sequential(torch.nn.Linear(4, 8), torch.nn.ReLU(), torch.nn.Linear(8, 2), torch.nn.Tanh())
+    with torch.no_grad():
+        for layer, weights, bias in ((module[0], w0, b0), (module[2], w1, b1)):
+            layer.weight.copy_(torch.from_numpy(weights))
+            layer.bias.copy_(torch.from_numpy(bias))
+    torch.jit.trace(module, torch.zeros(1, 4)).save(str(tmp_path / "p.pt"))
+    helper = onnx.helper
+    graph = helper.make_graph(
+        [
+            helper.make_node("Gemm", ["x", "w0", "b0"], ["h"], transB=1),
+            helper.make_node("Relu", ["h"], ["r"]),
+            helper.make_node("Gemm", ["r", "w1", "b1"], ["o"], transB=1),
+            helper.make_node("Tanh", ["o"], ["y"]),
+        ],
+        "policy",
+        [helper.make_tensor_value_info("x", onnx.TensorProto.FLOAT, [1, 4])],
+        [helper.make_tensor_value_info("y", onnx.TensorProto.FLOAT, [1, 2])],
+        [onnx.numpy_helper.from_array(a, n) for n, a in (("w0", w0), ("b0", b0), ("w1", w1), ("b1", b1))],
+    )
+    made = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=9)
+    onnx.save(made, str(tmp_path / "p.onnx"))
+    for name in ("p.pt", "p.onnx"):
+        ego = load_file(tmp_path / name)
+        for observation in observations(5):
+            assert ego.act(observation) == pytest.approx(ours(observation), abs=3e-6)
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="SafeBench's checkpoints are not beside this checkout")
+@pytest.mark.parametrize("name", ["sac", "sac_0", "ppo_0", "td3_0"])
+class TestSafeBenchCheckpoints:
+    def ego(self, name: str) -> EgoPolicy:
+        pytest.importorskip("torch")
+        return load_file(SHARED / f"{name}.pt")
+
+    def test_it_steers_back_to_its_route_from_both_sides(self, name: str) -> None:
+        turned_left, turned_right = self.ego(name), self.ego(name)
+        assert turned_left.act(np.array((0.0, 0.3, 6.0, 0.0)))[1] > 0.3
+        assert turned_right.act(np.array((0.0, -0.3, 6.0, 0.0)))[1] < -0.3
+
+    def test_it_sets_off_and_decides_at_every_fourth_step(self, name: str) -> None:
+        ego = self.ego(name)
+        first = ego.act(np.zeros(4))
+        assert first[0] > 0.3
+        elsewhere = np.array((1.0, 0.2, 8.0, 1.0))
+        assert [ego.act(elsewhere) for _ in range(SAFEBENCH_EVERY - 1)] == [first] * (SAFEBENCH_EVERY - 1)
+        assert ego.act(elsewhere) != first
