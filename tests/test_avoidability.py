@@ -152,7 +152,13 @@ def backend() -> Backend:
 def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
     backend: Backend, gap: float, expected: bool | None
 ) -> None:
-    values = {"OPT_AHEAD_Y": gap, "OPT_AHEAD_SPEED": 5.0, "OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
+    values = {
+        "OPT_PARKED_Y": 40.0,
+        "OPT_AHEAD_Y": gap,
+        "OPT_AHEAD_SPEED": 5.0,
+        "OPT_BESIDE_Y": 0.0,
+        "OPT_BESIDE_SPEED": 4.0,
+    }
     scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
     driven = backend.run(STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
@@ -160,7 +166,13 @@ def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
 
 
 def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:
-    values = {"OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0, "OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
+    values = {
+        "OPT_PARKED_Y": 40.0,
+        "OPT_AHEAD_Y": 15.0,
+        "OPT_AHEAD_SPEED": 5.0,
+        "OPT_BESIDE_Y": 0.0,
+        "OPT_BESIDE_SPEED": 4.0,
+    }
     scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
     driven = backend.run(STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)

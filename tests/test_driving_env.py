@@ -25,7 +25,13 @@ from chatscene.simulate.backend import load_backend
 from chatscene.terms.scene import Scene
 
 STRAIGHT = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
-CALM = {"OPT_AHEAD_Y": 70.0, "OPT_AHEAD_SPEED": 9.0, "OPT_BESIDE_Y": 10.0, "OPT_BESIDE_SPEED": 6.0}
+CALM = {
+    "OPT_PARKED_Y": 40.0,
+    "OPT_AHEAD_Y": 70.0,
+    "OPT_AHEAD_SPEED": 9.0,
+    "OPT_BESIDE_Y": 10.0,
+    "OPT_BESIDE_SPEED": 6.0,
+}
 AHEAD = {**CALM, "OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0}
 FULL = np.array((1.0, 0.0), np.float32)
 

@@ -257,13 +257,16 @@ def test_a_benchmark_folder_is_not_continued_with_other_settings(tmp_path: Path)
 
 
 def test_ordinary_drives_make_a_table_with_intervals() -> None:
-    drives = [OrdinaryDrive(course=k // 2, completion=k / 11, speed=4.0 + k, collided=k == 3) for k in range(12)]
+    drives = [
+        OrdinaryDrive(course=k // 2, completion=k / 11, speed=4.0 + k, off_road=0.0, collided=k == 3) for k in range(12)
+    ]
     table = ordinary_table([OrdinaryResult(ego="sac", drives=tuple(drives), rejected=0)])
-    ((name, (completion, rate, speed)),) = table.rows
+    ((name, (completion, rate, off_road, speed)),) = table.rows
     assert name == "sac"
     assert completion.value == pytest.approx(0.5)
     assert rate.value == pytest.approx(1 / 12)
     assert speed.value == pytest.approx(9.5)
+    assert off_road.value == 0.0
     for cell in (completion, rate, speed):
         assert cell.low is not None
         assert cell.high is not None

@@ -45,7 +45,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def evaluated(ego: Any, *, map_name: str, scenes: int, seed: int) -> OrdinaryResult:
         speed = float(ego.act(np.array((0.0, 0.0, 5.0, 0.0)))[0])
-        one = OrdinaryDrive(course=0, completion=0.5, speed=speed, collided=False)
+        one = OrdinaryDrive(course=0, completion=0.5, speed=speed, off_road=0.0, collided=False)
         return OrdinaryResult(ego="e", drives=(one,), rejected=0)
 
     monkeypatch.setattr(training, "drive_ordinary", evaluated)

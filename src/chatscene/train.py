@@ -158,8 +158,9 @@ def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = E
 
 
 def _worth(row: Mapping[str, float]) -> float:
-    """What makes one ego better than another: to get there, not to crash on the way, and, among equals, to be swift."""
-    return row["completion"] - 5.0 * row["collision_rate"] + 0.01 * min(row["mean_speed"], DESIRED_SPEED)
+    """What makes one ego better than another: to arrive, not to crash, to stay on the road, and then to be swift."""
+    swift = min(row["mean_speed"], DESIRED_SPEED)
+    return row["completion"] - 5.0 * row["collision_rate"] - row["off_road"] + 0.01 * swift
 
 
 def _about(settings: TrainSettings, row: Mapping[str, float]) -> dict[str, str | float]:

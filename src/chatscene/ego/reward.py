@@ -50,7 +50,7 @@ def progress(moment: Moment) -> dict[str, float]:
         "progress": moment.progress,
         "collision": CRASH if moment.collided else 0.0,
         "too_fast": min(0.0, DESIRED_SPEED - moment.speed),
-        "offset": -0.1 * abs(moment.lateral),
+        "offset": -0.2 * abs(moment.lateral),
         "steering": -0.5 * moment.steer**2,
         "time": -0.1,
     }

@@ -28,12 +28,14 @@ class OrdinaryDrive:
         course: Which, by number.
         completion: Share of the route driven, in [0, 1].
         speed: Mean speed [m/s].
+        off_road: Share of the time that it was off the driving lanes, in [0, 1].
         collided: Whether it crashed.
     """
 
     course: int
     completion: float
     speed: float
+    off_road: float
     collided: bool
 
 
@@ -61,6 +63,7 @@ class OrdinaryResult:
             "collision_rate": hits / len(self.drives),
             "collision_rate_low": low,
             "collision_rate_high": high,
+            "off_road": fmean(drive.off_road for drive in self.drives),
             "mean_speed": fmean(drive.speed for drive in self.drives),
         }
 
@@ -89,6 +92,7 @@ def drive_ordinary(ego: EgoPolicy, *, map_name: str, scenes: int, seed: int) -> 
                 course=course,
                 completion=outcome.route_completion,
                 speed=float(outcome.ego_track.speed.mean()),
+                off_road=float(outcome.off_road.mean()),
                 collided=outcome.collision is not None,
             )
         )
@@ -106,17 +110,19 @@ def ordinary_episodes(
 
 
 def ordinary_table(results: Sequence[OrdinaryResult]) -> ResultTable:
-    """Completion, collision rate and mean speed of each ego."""
+    """Completion, collision rate, share of the time off the road, and mean speed of each ego."""
     rows: list[tuple[str, tuple[Cell, ...]]] = []
     for result in results:
         hits = sum(drive.collided for drive in result.drives)
         rate = Cell(hits / len(result.drives), *wilson(hits, len(result.drives)))
-        rows.append((result.ego, (_mean(result, "completion"), rate, _mean(result, "speed"))))
+        rows.append(
+            (result.ego, (_mean(result, "completion"), rate, _mean(result, "off_road"), _mean(result, "speed")))
+        )
     counts = sorted({len(result.drives) for result in results})
     courses = len({drive.course for result in results for drive in result.drives})
     return ResultTable(
         title="Ordinary drives",
-        columns=("Completion", "Collision rate", "Mean speed [m/s]"),
+        columns=("Completion", "Collision rate", "Off road", "Mean speed [m/s]"),
         rows=tuple(rows),
         notes=(
             f"{', '.join(map(str, counts))} drives per ego on {courses} courses.",

@@ -36,6 +36,16 @@ for lane, opposing in lanesBeside(egoRoute):
             facing directionOn(lane, globalParameters.OPT_BESIDE_Y),
             with label "beside", with behavior FollowTraffic(lane, globalParameters.OPT_BESIDE_SPEED)
 """
+_PARKED = """
+param OPT_PARKED_Y = Range(10, 60)
+for side in ("left", "right"):
+    new Car at besideRoad(egoRoute, globalParameters.OPT_PARKED_Y, side, 1.2),
+        facing directionOn(egoRoute, globalParameters.OPT_PARKED_Y), with label "parked"
+"""
+_BLOCKER = """
+new Car at pointOn(ownLane(egoRoute), egoRoute.eventAt), facing directionOn(ownLane(egoRoute), egoRoute.eventAt),
+    with label "blocker"
+"""
 _WAITING = """
 param OPT_WAITING_Y = Range(5, 25)
 param OPT_WAITING_SPEED = Range(4, 9)
@@ -49,6 +59,7 @@ _RANGES = {
     "OPT_AHEAD_SPEED": (5.0, 9.0, "m/s", "how fast it goes"),
     "OPT_BESIDE_Y": (0.0, 60.0, "m", "how far ahead cars in the lanes beside start"),
     "OPT_BESIDE_SPEED": (4.0, 10.0, "m/s", "how fast they go"),
+    "OPT_PARKED_Y": (10.0, 60.0, "m", "how far ahead a car is parked at each kerb"),
     "OPT_WAITING_Y": (5.0, 25.0, "m", "how far before the junction cars wait for the ego to pass"),
     "OPT_WAITING_SPEED": (4.0, 9.0, "m/s", "how fast they go then"),
 }
@@ -74,14 +85,16 @@ def ordinary_queries() -> tuple[RouteQuery, ...]:
 
 
 def ordinary_program(query: RouteQuery) -> ScenicProgram:
-    """The program of ordinary drives on one geometry: traffic ahead, beside, and waiting at the junction.
+    """The program of ordinary drives on one geometry: traffic ahead, beside, waiting at the junction, parked cars.
 
     Signals show green to the ego, because no preset of observations shows it signals; nobody is beside it where it
     changes lanes or passes, because the four numbers do not show it who is there.
     """
     parts = [_AHEAD]
     if query.place in (Place.ROAD, Place.CURVE):
-        parts.append(_BESIDE)
+        parts += [_BESIDE, _PARKED]
+    elif query.maneuver is Maneuver.BYPASS:
+        parts += [_BLOCKER, _PARKED]
     elif query.maneuver in (Maneuver.STRAIGHT, Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN):
         parts.append(_WAITING)
     arguments = {

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 
 class Severity(StrEnum):
-    """Severity classes of ISO 26262-3, by impact speed."""
+    """Severity classes of ISO 26262-3, from no injuries to fatal ones; decision 0012 says where each begins."""
 
     S0 = "S0"
     S1 = "S1"
@@ -16,7 +16,7 @@ class Severity(StrEnum):
 
 
 class Fault(StrEnum):
-    """Whose own motion closed the gap at impact."""
+    """Who struck whom: the party whose own motion closed more of the gap at contact. Not a matter of law."""
 
     ADVERSARY_INTO_EGO = "adversary-into-ego"
     EGO_INTO_ADVERSARY = "ego-into-adversary"
@@ -27,7 +27,24 @@ class Fault(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:
-    """The measures of one scene, the worst over its adversaries."""
+    """The measures of one drive; `docs/criticality.md` defines each.
+
+    The first five compare the ego with the adversaries and are the worst over them and over time; all are None where
+    there is no adversary. The last two are about the first collision, whoever it was with.
+
+    Attributes:
+        time_to_collision: Least time until the boxes would touch if both went on as they are [s]; lower is worse, 0
+            in a contact. None if they never were on such a course.
+        post_encroachment_time: Least time between one leaving a place and the other coming to it [s]; lower is worse,
+            0 in a contact. None if no place was taken by both.
+        time_headway: Least time the ego needed to where an adversary ahead was [s]; lower is worse. None if no
+            adversary was ever ahead of the moving ego.
+        deceleration_required: Greatest braking that just avoids contact with an adversary ahead [m/s²]; higher is
+            worse, and without bound shortly before a contact. None if the ego never closed in on one ahead.
+        distance: Least gap between the boxes [m]; lower is worse, 0 in a contact.
+        impact_speed: Speed of approach at the first collision [m/s]; higher is worse. None without a collision.
+        severity: Its class, by that speed and by what was struck. None without a collision.
+    """
 
     time_to_collision: float | None
     post_encroachment_time: float | None

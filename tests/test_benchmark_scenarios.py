@@ -1,0 +1,58 @@
+"""The benchmark's sentences are ours, and express what the paper's express."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from chatscene.search.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings
+from chatscene.terms.scenario import BaseScenario
+
+PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+OURS = {base: Retrieved().texts(base) for base in BaseScenario}
+beside_the_paper = pytest.mark.skipif(not PAPER.exists(), reason="the paper's sentences are not beside this checkout")
+
+
+def published() -> dict[str, list[str]]:
+    return json.loads(PAPER.read_text())["descriptions"]
+
+
+def runs_of_six(text: str) -> set[tuple[str, ...]]:
+    words = re.findall(r"[a-z']+", text.lower())
+    return {tuple(words[i : i + 6]) for i in range(len(words) - 5)}
+
+
+@cache
+def triple(text: str) -> tuple[str, ...]:
+    generator = Retrieved()
+    written = generator.write(generator.read(text), RetrievalSettings())
+    assert written.retrieval is not None
+    return (*written.program.snippet_ids, written.retrieval.adversary.value)
+
+
+def test_there_are_five_for_each_base_scenario_and_no_two_are_the_same() -> None:
+    assert [len(texts) for texts in OURS.values()] == [5] * 8
+    assert len({text for texts in OURS.values() for text in texts}) == 40
+
+
+@pytest.mark.parametrize("text", [text for texts in OURS.values() for text in texts])
+def test_each_becomes_a_program(text: str) -> None:
+    assert len(triple(text)) == 4
+
+
+@beside_the_paper
+@pytest.mark.parametrize("base", list(BaseScenario))
+def test_each_gets_the_snippets_that_the_papers_sentence_gets(base: BaseScenario) -> None:
+    assert [triple(text) for text in OURS[base]] == [triple(text) for text in published()[base]]
+
+
+@beside_the_paper
+def test_none_shares_six_words_in_a_row_with_the_papers() -> None:
+    theirs = {run for texts in published().values() for text in texts for run in runs_of_six(text)}
+    for text in (text for texts in OURS.values() for text in texts):
+        assert not runs_of_six(text) & theirs, text
