@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import zipfile
 from itertools import pairwise
@@ -97,6 +98,56 @@ def test_a_damaged_file_is_an_error_of_ours(suffix: str, tmp_path: Path) -> None
         load_file(path)
 
 
+@pytest.mark.parametrize("flipped", range(12))
+def test_flipped_bytes_in_a_network_are_an_error_of_ours_or_harmless(flipped: int, tmp_path: Path) -> None:
+    content = bytearray(network((4, 2)).stored({}))
+    for position in np.random.default_rng(flipped).integers(len(content), size=8).tolist():
+        content[position] ^= 0xFF
+    path = tmp_path / "flipped.npz"
+    path.write_bytes(content)
+    with contextlib.suppress(EgoError):
+        load_file(path)
+
+
+@pytest.mark.parametrize(
+    ("about", "weights"),
+    [
+        ("[]", np.zeros((2, 4))),
+        ("{}", np.zeros((2, 4))),
+        ('{"hidden": "relu", "output": "tanh"}', np.array([["a"] * 4] * 2)),
+        ('{"hidden": "relu", "output": "tanh"}', np.array(1.0)),
+        ('{"hidden": "relu", "output": "tanh"}', np.full((2, 4), np.nan)),
+        ('{"hidden": "relu", "output": "softmax"}', np.zeros((2, 4))),
+    ],
+)
+def test_an_archive_that_holds_something_else_is_refused_by_name(
+    about: str, weights: np.ndarray[Any, Any], tmp_path: Path
+) -> None:
+    np.savez(tmp_path / "other.npz", about=np.array(about), w0=weights, b0=np.zeros(2))
+    with pytest.raises(EgoError, match=r"other\.npz"):
+        load_file(tmp_path / "other.npz")
+
+
+@pytest.mark.parametrize("change", ["no bias", "not finite", "not named", "alone"])
+def test_a_checkpoint_without_a_sound_actor_is_refused_by_name(change: str, tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch")
+    state: dict[Any, Any] = {f"pi.{i}.weight": torch.ones(2, 4 if i == 0 else 2) for i in (0, 2, 4)}
+    if change != "no bias":
+        state |= {f"pi.{i}.bias": torch.full((2,), torch.nan) for i in (0, 2, 4)}
+    if change == "not named":
+        state = dict(enumerate(state.values()))
+    torch.save(state if change == "alone" else (state, {}), tmp_path / "actor.pt")
+    with pytest.raises(EgoError, match=r"actor\.pt"):
+        load_file(tmp_path / "actor.pt")
+
+
+@pytest.mark.parametrize("name", ["policy.txt", "policy.ZIP"])
+def test_an_unknown_suffix_is_refused_with_the_known_ones(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_bytes(b"")
+    with pytest.raises(EgoError, match=r"suffix.*\.npz, \.zip, \.pt, \.onnx"):
+        load_file(tmp_path / name)
+
+
 class _Exploit:
     """What unpickling would run."""
 
@@ -121,29 +172,64 @@ def test_code_in_a_checkpoint_is_refused_and_not_run(tmp_path: Path) -> None:
     assert not trace.exists()
 
 
-@quiet
-@pytest.mark.parametrize("algorithm", ["SAC", "TD3", "PPO"])
-@pytest.mark.parametrize("activation", [None, "Tanh", "ReLU"])
-def test_a_model_of_stable_baselines_acts_as_it_does_there(
-    algorithm: str, activation: str | None, tmp_path: Path
-) -> None:
+def stable_baselines_model(algorithm: str, *, actions: Any = None, sees: Any = None, **options: Any) -> Any:
     sb3 = pytest.importorskip("stable_baselines3")
     import gymnasium
-    import torch
 
     class Still(gymnasium.Env[Any, Any]):
-        observation_space = gymnasium.spaces.Box(-100.0, 100.0, (4,), np.float32)
-        action_space = gymnasium.spaces.Box(-1.0, 1.0, (2,), np.float32)
+        observation_space = sees or gymnasium.spaces.Box(-100.0, 100.0, (4,), np.float32)
+        action_space = actions or gymnasium.spaces.Box(-1.0, 1.0, (2,), np.float32)
 
-    kwargs: dict[str, Any] = {"net_arch": [8, 8]}
-    if activation:
-        kwargs["activation_fn"] = getattr(torch.nn, activation)
-    model = getattr(sb3, algorithm)("MlpPolicy", Still(), policy_kwargs=kwargs, seed=5, device="cpu")
+    options = {"policy": "MlpPolicy", "policy_kwargs": {"net_arch": [8, 8]}, **options}
+    return getattr(sb3, algorithm)(env=Still(), seed=5, device="cpu", **options)
+
+
+@quiet
+@pytest.mark.parametrize("algorithm", ["SAC", "TD3", "PPO"])
+@pytest.mark.parametrize("choice", [{}, {"activation_fn": "Tanh"}, {"activation_fn": "ReLU"}, {"net_arch": []}])
+def test_a_model_of_stable_baselines_acts_as_it_does_there(
+    algorithm: str, choice: dict[str, Any], tmp_path: Path
+) -> None:
+    torch = pytest.importorskip("torch")
+    kwargs = {"net_arch": [8, 8], **choice}
+    if "activation_fn" in choice:
+        kwargs["activation_fn"] = getattr(torch.nn, choice["activation_fn"])
+    model = stable_baselines_model(algorithm, policy_kwargs=kwargs)
     model.save(tmp_path / "model.zip")
     ego = load_file(tmp_path / "model.zip")
     for observation in observations():
         expected = model.predict(observation.astype(np.float32), deterministic=True)[0]
         assert ego.act(observation) == pytest.approx(expected.tolist(), abs=1e-5)
+
+
+@quiet
+@pytest.mark.parametrize(
+    ("algorithm", "change", "says"),
+    [
+        ("PPO", "discrete", "Discrete.*two continuous ones"),
+        ("SAC", "wide", r"between \[-3. -3.\] and \[3. 3.\].*RescaleAction"),
+        ("PPO", "picture", r"shape \[2, 2\].*one row of numbers"),
+        ("PPO", "parts", "Dict.*one row of numbers"),
+        ("SAC", "leaky", "'leakyrelu' layers"),
+        ("SAC", "sde", "without use_sde"),
+        ("DQN", "discrete", "fully connected layers with two continuous actions"),
+    ],
+)
+def test_a_model_that_only_looks_like_an_ego_is_refused(algorithm: str, change: str, says: str, tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch")
+    spaces = pytest.importorskip("gymnasium").spaces
+    pair = spaces.Box(-1.0, 1.0, (2,), np.float32)
+    options: dict[str, dict[str, Any]] = {
+        "discrete": {"actions": spaces.Discrete(2)},
+        "wide": {"actions": spaces.Box(-3.0, 3.0, (2,), np.float32)},
+        "picture": {"sees": spaces.Box(-1.0, 1.0, (2, 2), np.float32)},
+        "parts": {"sees": spaces.Dict({"a": pair, "b": pair}), "policy": "MultiInputPolicy"},
+        "leaky": {"policy_kwargs": {"net_arch": [8], "activation_fn": torch.nn.LeakyReLU}},
+        "sde": {"use_sde": True},
+    }
+    stable_baselines_model(algorithm, **options[change]).save(tmp_path / "model.zip")
+    with pytest.raises(EgoError, match=f"model.zip.*{says}"):
+        load_file(tmp_path / "model.zip")
 
 
 @quiet

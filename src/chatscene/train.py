@@ -172,7 +172,7 @@ def _open_folder(folder: Path, settings: TrainSettings) -> list[dict[str, float]
     record = folder / "train.json"
     if record.is_file():
         content = read_json(record)
-        if content.get("settings") != asdict(settings):
+        if content.get("settings", {}) | {"steps": settings.steps} != asdict(settings):  # it may go on for longer
             raise RunError(f"{folder} holds a training with other settings; choose another folder with --out")
         return list(content["curve"])
     with writing(folder):

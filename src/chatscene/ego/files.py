@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import zipfile
-from collections.abc import Callable, Mapping
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +24,7 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import EgoError, MissingExtra
 
 State = Mapping[str, Any]
+_NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")  # as numpy prints it
 SAFEBENCH_EVERY = 4  # SafeBench v1 trained at a frame skip of 4: a decision each 0.4 s
 
 
@@ -33,6 +37,8 @@ def load_file(path: Path) -> EgoPolicy:
     """
     if not path.is_file():
         raise EgoError(f"there is no file {path}; give the path of a policy, or the name of an ego")
+    if path.suffix not in _READERS:
+        raise EgoError(f"cannot tell what {path} is from its suffix; egos are read from {', '.join(_READERS)}")
     return _READERS[path.suffix](path)
 
 
@@ -46,18 +52,48 @@ def _npz(path: Path) -> EgoPolicy:
 def _stable_baselines(path: Path) -> EgoPolicy:
     try:
         with zipfile.ZipFile(path) as archive:
-            about: dict[str, Any] = json.loads(archive.read("data"))
+            about: dict[str, Any] = dict(json.loads(archive.read("data")))
             weights = archive.read("policy.pth")
-    except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
+    except (OSError, KeyError, ValueError, TypeError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
         raise EgoError(f"{path} is not a model saved by Stable-Baselines3: {error}") from error
     state = _state(io.BytesIO(weights), path)
     names, output = _stable_baselines_layers(state, path)
+    _check_spaces(about, path)
+    choices = _fields(about, "policy_kwargs")
+    if about.get("use_sde") and (output == "tanh" or choices.get("squash_output")):
+        raise EgoError(f"{path} squashes state-dependent exploration, which is not read; train without use_sde")
     # PPO and A2C use tanh unless told otherwise, SAC, TD3 and DDPG relu; a choice is written out in plain text.
-    chosen = str(about.get("policy_kwargs", {}).get("activation_fn", "")).lower()
     default = "tanh" if output == "clip" else "relu"
-    hidden = "relu" if "relu" in chosen else "tanh" if "tanh" in chosen else default
-    network = Network(layers=layers_of(state, names), hidden=hidden, output=output)
+    hidden = str(choices.get("activation_fn", default)).lower().rstrip("'>").rpartition(".")[2]
+    network = _network(state, names, path, hidden=hidden, output=output)
     return NetworkEgo(network, name=path.stem, observation=_check_size(network.size, path))
+
+
+def _check_spaces(about: Mapping[str, Any], path: Path) -> None:
+    """Refuse what looks like an ego by the shapes of its weights and is none by its spaces.
+
+    Raises:
+        EgoError: It chooses among discrete actions, acts beyond [-1, 1], or sees anything but one row of numbers.
+    """
+    sees, acts = _fields(about, "observation_space"), _fields(about, "action_space")
+    shape = sees.get("_shape")
+    if not all("Box" in str(space.get(":type:")) for space in (sees, acts)) or (shape and len(shape) != 1):
+        raise EgoError(
+            f"{path} sees {sees.get(':type:')} of shape {shape} and acts in {acts.get(':type:')}; "
+            "an ego sees one row of numbers and answers with two continuous ones"
+        )
+    ends = [{float(number) for number in _NUMBER.findall(str(acts.get(end)))} for end in ("low", "high")]
+    if ends != [{-1.0}, {1.0}]:
+        raise EgoError(
+            f"{path} acts between {acts.get('low')} and {acts.get('high')}, an ego in [-1, 1]; "
+            "train it with gymnasium's RescaleAction around the environment"
+        )
+
+
+def _fields(about: Mapping[str, Any], key: str) -> dict[str, Any]:
+    """What is plain text of an object that was pickled."""
+    value = about.get(key)
+    return value if isinstance(value, dict) else {}
 
 
 def _stable_baselines_layers(state: State, path: Path) -> tuple[list[str], str]:
@@ -67,12 +103,10 @@ def _stable_baselines_layers(state: State, path: Path) -> tuple[list[str], str]:
         ("mlp_extractor.policy_net.", "action_net", "clip"),
         ("actor.mu.", None, "tanh"),
     ):
-        found = sorted(
-            {key.removesuffix(".weight") for key in state if key.startswith(stem) and key.endswith(".weight")},
-            key=lambda name: int(name.removeprefix(stem)),
-        )
-        if found and (last is None or f"{last}.weight" in state):
-            return [*found, *([last] if last else [])], output
+        numbered = re.compile(re.escape(stem) + r"(\d+)\.weight")
+        found = sorted(int(match[1]) for key in state if (match := numbered.fullmatch(key)))
+        if f"{last}.weight" in state or (last is None and found):
+            return [*(f"{stem}{number}" for number in found), *([last] if last else [])], output
     raise EgoError(
         f"{path} holds no policy of fully connected layers with two continuous actions "
         f"(its weights: {', '.join(sorted(state)[:6])}, ...); wrap it in a module and give package.module:factory"
@@ -84,8 +118,8 @@ def _torch(path: Path) -> EgoPolicy:
     try:
         with zipfile.ZipFile(path) as archive:
             scripted = any("/code/" in name for name in archive.namelist())
-    except (OSError, zipfile.BadZipFile):
-        scripted = False  # older checkpoints are no archives
+    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile):
+        scripted = False  # older checkpoints are no archives; torch says what is wrong with a damaged one
     return _torchscript(path) if scripted else _safebench(path)
 
 
@@ -144,12 +178,14 @@ def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path) -> EgoPolicy:
     for observation, size in OBSERVATIONS.items():
         ego = _Asked(ask, path.stem, observation)
         try:
-            ego.act(np.zeros(size))
+            answer = ego.act(np.zeros(size))
         except EgoError:
             raise
         except Exception as error:  # noqa: BLE001 - whatever a stranger's model raises for a wrong size
             problems.append(f"{observation} ({size}): {_first_line(error)}")
         else:
+            if not np.isfinite(answer).all():
+                raise EgoError(f"the model in {path} answers {answer} to zeros; its training diverged")
             return ego
     raise EgoError(f"the model in {path} takes none of the observations: {'; '.join(problems)}")
 
@@ -169,14 +205,21 @@ def _safebench(path: Path) -> EgoPolicy:
         (("mu_net.0", "mu_net.2", "mu_net.4"), "sigmoid"),  # PPO
     ):
         if all(f"{name}.weight" in actor for name in names):
-            layers = layers_of(actor, names)
-            weights, bias = layers[-1]
+            network = _network(actor, names, path, hidden="relu", output=output)
+            weights, bias = network.layers[-1]
             signs = np.array((1.0, -1.0), np.float32)
             turned = (weights * signs[:, None], bias * signs)
-            network = Network(layers=(*layers[:-1], turned), output=output)
+            network = replace(network, layers=(*network.layers[:-1], turned))
             observation = _check_size(network.size, path)
             return NetworkEgo(network, name=path.stem, observation=observation, every=SAFEBENCH_EVERY)
-    raise EgoError(f"{path}: no actor of SafeBench v1 has the weights {', '.join(sorted(actor)[:6])}")
+    raise EgoError(f"{path}: no actor of SafeBench v1 has the weights {', '.join(sorted(map(str, actor))[:6])}")
+
+
+def _network(state: State, names: Sequence[str], path: Path, *, hidden: str, output: str) -> Network:
+    try:
+        return Network(layers=layers_of(state, names), hidden=hidden, output=output)
+    except EgoError as error:
+        raise EgoError(f"{path}: {error}") from error
 
 
 def _check_size(size: int, path: Path, observation: str | None = None) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +21,8 @@ Weights = NDArray[np.float32]
 DECIMALS = 6  # of an action: a sum in another order, by another BLAS, gives the same drive
 HIDDEN = ("relu", "tanh")
 OUTPUTS = ("tanh", "clip", "sigmoid")
+# What numpy and zipfile raise for files with flipped or missing bytes, or with something else in them.
+_DAMAGED = (OSError, ValueError, TypeError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile, zlib.error)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -38,7 +41,10 @@ class Network:
 
     def __post_init__(self) -> None:
         if self.hidden not in HIDDEN or self.output not in OUTPUTS:
-            raise EgoError(f"a network cannot have {self.hidden!r} layers and a {self.output!r} output")
+            raise EgoError(
+                f"a network cannot have {self.hidden!r} layers and a {self.output!r} output; "
+                f"known: {', '.join(HIDDEN)}; {', '.join(OUTPUTS)}"
+            )
         if not self.layers:
             raise EgoError("a network needs at least one layer")
         width = self.layers[0][0].shape[-1]
@@ -90,22 +96,36 @@ def load_network(path: Path) -> tuple[Network, dict[str, Any]]:
     """
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
-            about = json.loads(str(stored["about"]))
-            layers = tuple((stored[f"w{i}"], stored[f"b{i}"]) for i in range((len(stored.files) - 1) // 2))
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
-        raise EgoError(f"cannot read a network from {path}: {error}") from error
-    return Network(layers=layers, hidden=str(about.pop("hidden")), output=str(about.pop("output"))), about
+            about: dict[str, Any] = dict(json.loads(str(stored["about"])))
+            hidden, output = str(about.pop("hidden")), str(about.pop("output"))
+            layers = tuple(
+                (_float32(stored[f"w{i}"]), _float32(stored[f"b{i}"])) for i in range((len(stored.files) - 1) // 2)
+            )
+    except _DAMAGED as error:
+        raise EgoError(f"cannot read a network from {path}: {error}; save or train it again") from error
+    try:
+        return Network(layers=layers, hidden=hidden, output=output), about
+    except EgoError as error:
+        raise EgoError(f"{path}: {error}") from error
 
 
 def layers_of(state: Mapping[str, NDArray[Any]], names: Sequence[str]) -> tuple[tuple[Weights, Weights], ...]:
-    """The layers of those names in a PyTorch state dict, as float32."""
-    return tuple(
-        (
-            np.ascontiguousarray(state[f"{name}.weight"], dtype=np.float32),
-            np.ascontiguousarray(state[f"{name}.bias"], dtype=np.float32),
-        )
-        for name in names
-    )
+    """The layers of those names in a PyTorch state dict, as float32.
+
+    Raises:
+        EgoError: One of them is not there, or is not numbers.
+    """
+    try:
+        return tuple((_float32(state[f"{name}.weight"]), _float32(state[f"{name}.bias"])) for name in names)
+    except KeyError as error:
+        raise EgoError(f"a network lacks the weights {error}; each layer needs weights and a bias") from error
+    except (TypeError, ValueError) as error:
+        raise EgoError(f"a network has weights that are not numbers: {error}") from error
+
+
+def _float32(array: Any) -> Weights:
+    with np.errstate(over="ignore"):  # what does not fit becomes infinite, and is refused as that
+        return np.ascontiguousarray(array, dtype=np.float32)
 
 
 def _squashed(value: float, output: str) -> float:

@@ -186,8 +186,8 @@ def _time_to_collision(ego: Track, other: Track) -> float:
 def _post_encroachment(ego: Track, other: Track) -> float:
     """Least time [steps] between one leaving a place and the other coming to it; inf where they share none.
 
-    That is the least |s - t| for which the ego's box at s overlaps the other's at t. Whole steps tell it to within
-    two; around those found, the ego's step is cut into parts, and the other moves on evenly in its own.
+    That is the least |s - t| for which the ego's box at s overlaps the other's at t. Whole steps tell it up to two too
+    long; around those found, the ego's step is cut into parts, and the other moves on straight and evenly in its own.
     """
     b = _Boxes.of(other)
     i, j = _overlaps(_Boxes.of(ego), b)

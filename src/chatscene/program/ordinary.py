@@ -39,7 +39,7 @@ for lane, opposing in lanesBeside(egoRoute):
 _PARKED = """
 param OPT_PARKED_Y = Range(10, 60)
 for side in ("left", "right"):
-    new Car at besideRoad(egoRoute, globalParameters.OPT_PARKED_Y, side, 1.2),
+    new Car at besideRoad(egoRoute, globalParameters.OPT_PARKED_Y, side, 1.5),
         facing directionOn(egoRoute, globalParameters.OPT_PARKED_Y), with label "parked"
 """
 _BLOCKER = """
