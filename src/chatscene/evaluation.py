@@ -127,6 +127,8 @@ def _run_folders(sources: Sequence[Path]) -> list[Path]:
 
 def _source(run: runs.Run, record: runs.RunRecord) -> runs.SourceRecord:
     scenario = runs.read_explanation(run)["scenarios"][0]
+    if scenario["base"] is None:
+        raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
     return runs.SourceRecord(
         folder=str(run.path),
         scenario_id=scenario["scenario_id"],
@@ -179,7 +181,7 @@ def _drive_all(
             runs.update(run, failures={**failed, **failures})
         progress("driving, ego and route", count, len(tasks))
     for number, ego in enumerate(record.ego.split(",")):
-        if ego in failures:
+        if ego in failures or ego in failed:  # a kill may have come between the failure and this
             runs.drop_blocks(run, number)
     return failures
 
@@ -257,13 +259,13 @@ def tabulate(run: runs.Run) -> dict[str, ResultTable]:
 
 
 def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
-    """Every drive of an evaluation that was not rejected and whose scenario has a base scenario."""
+    """Every drive of an evaluation that was not rejected."""
     sources = {source.scenario_id: source for source in record.sources}
     egos = record.ego.split(",")
     drives: list[Drive] = []
     for row in runs.read_scenes(run):
         source = sources[row["scenario_id"]]
-        if row["status"] == "ran" and source.base is not None:
+        if row["status"] == "ran":
             drives.append(
                 Drive(
                     generator=source.generator,
@@ -287,7 +289,7 @@ def read_displacements(run: runs.Run, record: runs.RunRecord) -> list[Displaceme
     egos = record.ego.split(",")
     groups: dict[tuple[str, str, int], list[str]] = {}
     for row in runs.read_scenes(run):
-        if row["status"] == "ran" and sources[row["scenario_id"]].base is not None:
+        if row["status"] == "ran":
             groups.setdefault((row["scenario_id"], row["route_id"], row["block"]), []).append(row["scene_id"])
     found: list[Displacement] = []
     for (scenario_id, route_id, number), scene_ids in sorted(groups.items()):
@@ -297,7 +299,7 @@ def read_displacements(run: runs.Run, record: runs.RunRecord) -> list[Displaceme
             found.append(
                 Displacement(
                     generator=source.generator,
-                    base_scenario=BaseScenario(str(source.base)),
+                    base_scenario=BaseScenario(source.base),
                     scenario_id=scenario_id,
                     route=route,
                     ego=egos[number],

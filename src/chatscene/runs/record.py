@@ -33,13 +33,13 @@ class SourceRecord(_Frozen):
     Attributes:
         folder: Its absolute path.
         scenario_id: Its scenario.
-        base: The base scenario it belongs to, or None.
+        base: The base scenario it belongs to.
         generator: Who made its scenes.
     """
 
     folder: str
     scenario_id: str
-    base: str | None
+    base: str
     generator: str
 
 
