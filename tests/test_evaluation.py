@@ -7,6 +7,7 @@ import time
 import types
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -14,11 +15,14 @@ import pytest
 from chatscene import benchmark as benchmarks
 from chatscene import pipeline, runs
 from chatscene.benchmark import Budget, benchmark
+from chatscene.driving import drive
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
+from chatscene.evaluate import ordinary
 from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.evaluation import carry_on, evaluate
 from chatscene.maps.network import resolve_map
+from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.search.explore import Block
 from chatscene.search.generator import GENERATORS, load_generator
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
@@ -254,6 +258,19 @@ def test_a_benchmark_folder_is_not_continued_with_other_settings(tmp_path: Path)
         benchmark(tmp_path / "c", budget="tiny", progress=silent)
     with pytest.raises(SettingsError, match="no budget 'huge'"):
         benchmark(tmp_path / "d", budget="huge", progress=silent)
+
+
+def test_an_ego_that_is_driven_leaves_a_table_and_a_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = ordinary_program(ordinary_queries()[0])
+    courses = tuple(Course(program=program, route=k % 2) for k in range(11))
+    monkeypatch.setattr(ordinary, "ordinary_courses", Mock(return_value=courses))
+    table = drive(["idm", "rule-based"], folder=tmp_path, scenes=1, progress=silent)
+    assert [name for name, _ in table.rows] == ["idm", "RuleBased"]
+    completion = table.rows[0][1][0].value
+    assert completion is not None
+    assert completion > 0.9
+    assert (tmp_path / "ordinary.md").is_file()
+    assert (tmp_path / "idm.gif").read_bytes().startswith(b"GIF89a")
 
 
 def test_ordinary_drives_make_a_table_with_intervals() -> None:

@@ -18,7 +18,7 @@ from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
 
 Weights = NDArray[np.float32]
-DECIMALS = 6  # of an action: a sum in another order, by another BLAS, gives the same drive
+DECIMALS = 6  # of an action: hides most, not all, of what another BLAS changes by adding in another order
 HIDDEN = ("relu", "tanh")
 OUTPUTS = ("tanh", "clip", "sigmoid")
 # What numpy and zipfile raise for files with flipped or missing bytes, or with something else in them.
