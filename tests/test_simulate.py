@@ -173,6 +173,7 @@ def test_values_must_be_those_the_program_tunes(backend: Backend) -> None:
         backend.run(program(HEAD + EGO), scene(OPT_GEO_Y=1.0), RuleBased())
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # where the first alarm was lost
 def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(embedded, "PATIENCE", 0.5)
     with pytest.raises(StuckBehavior, match="loops without"):

@@ -22,6 +22,7 @@ from chatscene.workers import spread
 
 SEED = 20_000  # neither a training's nor that of its evaluations
 FRAMES = 200  # of a GIF: a whole drive
+WIDEST = 240.0  # [m] of a GIF: a whole route from north to south
 SHOWN = 10  # the course in the GIF: the first that turns
 
 
@@ -85,7 +86,7 @@ class _Driver:
             drives = ordinary_episodes(policy, map_name=setup.map_name, scenes=1, seed=setup.seed)
             shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
             if isinstance(shown, Episode):
-                picture = animate(shown, _drawing(shown, setup.map_name), frames=FRAMES)
+                picture = animate(shown, _drawing(shown, setup.map_name), frames=FRAMES, widest=WIDEST)
                 write_bytes(setup.folder / f"{name_of(policy)}.gif", picture)
         return ego, drive_ordinary(policy, map_name=setup.map_name, scenes=setup.scenes, seed=setup.seed)
 

@@ -24,7 +24,7 @@ WIDTH, HEIGHT = 640, 360  # [px]
 OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges
 FRAMES = 75  # at most; a longer drive is cut to its end, where things happen
 LAST = 1500  # [ms] that the last frame stands
-SIDE = 6.0, 120.0  # [m] smallest margin around the actors, largest width of what is shown
+SIDE, WIDEST = 6.0, 120.0  # [m] smallest margin around the actors, largest width of what is shown
 
 GROUND, PAINT, CENTRE = "#e9ebe4", "#ffffff", "#f2d27a"
 AREAS = {"sidewalks": "#d9d7cf", "shoulders": "#cfd1cf", "roads": "#c4c8cc", "junctions": "#c4c8cc"}
@@ -65,18 +65,19 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     return path
 
 
-def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES) -> bytes:
+def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES, widest: float = WIDEST) -> bytes:
     """A drive as an animated GIF.
 
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
         frames: At most; a longer drive is cut to its end.
+        widest: Width of the picture [m] at most; a longer way is shown to its end.
     """
     steps = len(episode.ego_track.x)
     stride = max(1, round(0.1 / episode.dt))
     shown = list(range(steps - 1, -1, -stride))[:frames][::-1]
-    camera = _Camera.on(episode, shown)
+    camera = _Camera.on(episode, shown, widest)
     ground = _draw_ground(camera, drawing)
     drawn = [_draw_frame(camera, ground, episode, step) for step in shown]
     # One palette for all frames: colours do not flicker, and what does not move costs nothing.
@@ -105,17 +106,16 @@ class _Camera:
     scale: float
 
     @classmethod
-    def on(cls, episode: Episode, shown: Sequence[int]) -> _Camera:
+    def on(cls, episode: Episode, shown: Sequence[int], largest: float) -> _Camera:
         """Hold the ego and its adversaries over the steps shown, or the end of it if they go too far."""
-        smallest, largest = SIDE
         actors = (episode.ego_track, *episode.adversaries)
         x = np.concatenate([track.x[shown] for track in actors])
         y = np.concatenate([track.y[shown] for track in actors])
-        width = max(np.ptp(x), np.ptp(y) * WIDTH / HEIGHT) + 2 * smallest
+        width = max(np.ptp(x), np.ptp(y) * WIDTH / HEIGHT) + 2 * SIDE
         end_x, end_y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
         middle_x, middle_y = float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2
         if width > largest:  # then the ego's last position is kept inside
-            reach = largest / 2 - 4 * smallest
+            reach = largest / 2 - 4 * SIDE
             middle_x = end_x + min(max(middle_x - end_x, -reach), reach)
             reach *= HEIGHT / WIDTH
             middle_y = end_y + min(max(middle_y - end_y, -reach), reach)

@@ -31,7 +31,8 @@ def time_limit(seconds: float, what: str) -> Generator[None]:
         )
 
     previous = signal.signal(signal.SIGALRM, interrupt)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    # Again and again: an exception raised while Python runs a finaliser is lost, and its block would run on.
+    signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
     try:
         yield
     finally:
