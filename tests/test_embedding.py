@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.errors import SettingsError
+from chatscene.errors import MissingExtra, SettingsError
 from chatscene.snippets import embedding
 from chatscene.snippets.embedding import EMBEDDERS, MiniLM, encode_cached, load_embedder, plain
 from chatscene.snippets.wordpiece import VOCABULARY, tokenize
@@ -111,7 +111,7 @@ def _finds_nothing(_name: str) -> None:
 
 def test_sentence_t5_names_the_extra_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("importlib.util.find_spec", _finds_nothing)
-    with pytest.raises(SettingsError, match=r"chatscene\[t5\]"):
+    with pytest.raises(MissingExtra, match=r"chatscene\[t5\]"):
         embedding.SentenceT5()
 
 

@@ -21,7 +21,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.errors import SettingsError
+from chatscene.errors import MissingExtra, SettingsError
 from chatscene.snippets.wordpiece import tokenize
 
 Vectors = NDArray[np.float32]
@@ -57,7 +57,8 @@ def load_embedder(name: str = "minilm") -> Embedder:
     """An embedder by its name in `EMBEDDERS`, loaded once per process.
 
     Raises:
-        SettingsError: There is none of that name, or its package or weights are missing.
+        SettingsError: There is none of that name, or its weights are missing.
+        MissingExtra: Its package is missing.
     """
     if name not in EMBEDDERS:
         near = difflib.get_close_matches(name, EMBEDDERS, n=1)
@@ -125,7 +126,7 @@ class SentenceT5:
 
     def __init__(self) -> None:
         if importlib.util.find_spec("sentence_transformers") is None:
-            raise SettingsError("the embedder 'sentence-t5' needs an extra: pip install 'chatscene[t5]'")
+            raise MissingExtra("the embedder 'sentence-t5' needs sentence-transformers", extra="t5")
         module: Any = importlib.import_module("sentence_transformers")
         try:
             self._model = module.SentenceTransformer(
