@@ -11,7 +11,7 @@ again.
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -101,6 +101,7 @@ def benchmark(
     Raises:
         SettingsError: There is no such generator or budget.
         RunError: The folder holds something else, or a benchmark with other settings.
+        MapError: The map serves none of the scenarios.
     """
     if budget not in BUDGETS:
         raise SettingsError(f"there is no budget {budget!r}; known: {', '.join(BUDGETS)}")
@@ -116,22 +117,29 @@ def benchmark(
         if reason:
             refused[task.text] = reason
         progress("searching, scenarios", count, len(tasks))
-    searched = time.monotonic() - began
-    counts = _counts(task.folder for task in tasks if task.text not in refused)
+    found = [task.folder for task in tasks if task.text not in refused]
+    if not found:
+        raise MapError(f"map {map_name!r} serves none of the scenarios; the first: {next(iter(refused.values()))}")
+    record |= {"refused": refused, "counts": _counts(found)}
+    record = _spent(folder, record, "search", time.monotonic() - began)
 
     where = folder / "evaluation"
     if (where / "run.json").exists():
         evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
     else:
-        found = [task.folder for task in tasks if task.text not in refused]
         evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
-    spent = record.get("seconds", {})
-    seconds = {
-        "search": round(spent.get("search", 0.0) + searched, 1),
-        "evaluation": round(spent.get("evaluation", 0.0) + evaluated.seconds, 1),
-    }
-    write_json(folder / "benchmark.json", {**record, "refused": refused, "counts": counts, "seconds": seconds})
-    return Benchmarked(folder=folder, evaluated=evaluated, refused=refused, counts=counts, seconds=seconds)
+    record = _spent(folder, record, "evaluation", evaluated.seconds)
+    return Benchmarked(
+        folder=folder, evaluated=evaluated, refused=refused, counts=record["counts"], seconds=record["seconds"]
+    )
+
+
+def _spent(folder: Path, record: dict[str, Any], phase: str, seconds: float) -> dict[str, Any]:
+    """The record with a phase's wall time added, also on disk."""
+    before: dict[str, float] = record.get("seconds", {})
+    added = record | {"seconds": before | {phase: round(before.get(phase, 0.0) + seconds, 1)}}
+    write_json(folder / "benchmark.json", added)
+    return added
 
 
 def _open(folder: Path, settings: dict[str, Any]) -> dict[str, Any]:
@@ -159,7 +167,7 @@ def _tasks(folder: Path, generator: str, scenarios: int) -> list[_Task]:
     ]
 
 
-def _counts(folders: Any) -> dict[str, int]:
+def _counts(folders: Iterable[Path]) -> dict[str, int]:
     total: dict[str, int] = {}
     for folder in folders:
         for name, count in runs.read_record(runs.open_run(folder)).counts.items():
