@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene import runs
-from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError
+from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError, no_such
 from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
 from chatscene.pipeline import Progress, search
 from chatscene.runs.atomic import read_json, write_json, writing
@@ -104,7 +104,7 @@ def benchmark(
         MapError: The map serves none of the scenarios.
     """
     if budget not in BUDGETS:
-        raise SettingsError(f"there is no budget {budget!r}; known: {', '.join(BUDGETS)}")
+        raise SettingsError(no_such("budget", budget, BUDGETS))
     chosen = BUDGETS[budget]
     settings = Settings(search=replace(chosen.search, seed=seed, avoidable_only=avoidable_only))
     setup = _Setup(generator=generator, settings=settings, map_name=map_name, surrogate=surrogate)

@@ -24,6 +24,9 @@ A message says what happened, where, and what to do.
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
+
 
 class ChatSceneError(Exception):
     """Base of every error that is ours; the command line shows it without a traceback."""
@@ -90,3 +93,11 @@ class EgoError(ChatSceneError):
 
 class RunError(ChatSceneError):
     """A run folder cannot be written, read or continued."""
+
+
+def no_such(what: str, name: str, known: Iterable[str]) -> str:
+    """The message for a name that nothing has: what was meant, the nearest known one, and all of them."""
+    names = sorted(known)
+    near = difflib.get_close_matches(name, names, n=1)
+    hint = f"did you mean {near[0]!r}? " if near else ""
+    return f"there is no {what} {name!r}; {hint}known: {', '.join(names)}"

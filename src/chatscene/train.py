@@ -22,7 +22,7 @@ import numpy as np
 
 from chatscene.ego.network import Network, NetworkEgo, layers_of
 from chatscene.ego.reward import DESIRED_SPEED
-from chatscene.errors import MissingExtra, RunError, SettingsError
+from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
 from chatscene.evaluate.ordinary import OrdinaryResult, drive_ordinary
 from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
 
@@ -93,7 +93,7 @@ class TrainSettings:
 
     def __post_init__(self) -> None:
         if self.algorithm not in ALGORITHMS:
-            raise SettingsError(f"there is no algorithm {self.algorithm!r}; known: {', '.join(ALGORITHMS)}")
+            raise SettingsError(no_such("algorithm", self.algorithm, ALGORITHMS))
         if not 0 < self.round <= self.steps:
             raise SettingsError(f"a round of {self.round} steps does not fit a training of {self.steps}")
         if self.algorithm == "ppo" and self.round % ALGORITHMS["ppo"]["n_steps"]:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from chatscene.ego.observation import OBSERVATIONS, check_preset
 from chatscene.ego.policy import PEDALS, controls
 from chatscene.ego.reward import REWARDS, Moment
-from chatscene.errors import EgoError, MissingExtra, SettingsError
+from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.settings import SimulationSettings
@@ -76,7 +76,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
     ) -> None:
         for what, name, known in (("pedals", pedals, PEDALS), ("reward", reward, REWARDS)):
             if name not in known:
-                raise SettingsError(f"there is no {what} {name!r}; known: {', '.join(known)}")
+                raise SettingsError(no_such(what, name, known))
         self._free()
         self._preset = check_preset(observation)
         self._pedals = pedals

@@ -33,7 +33,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.errors import EgoError
+from chatscene.errors import EgoError, no_such
 from chatscene.terms.polyline import Polyline
 
 Observation = NDArray[np.float64]
@@ -160,7 +160,7 @@ def check_preset(name: str) -> str:
         EgoError: It is not.
     """
     if name not in OBSERVATIONS:
-        raise EgoError(f"there is no observation {name!r}; known: {', '.join(OBSERVATIONS)}")
+        raise EgoError(no_such("observation", name, OBSERVATIONS))
     return name
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 import math
 import sys
@@ -11,7 +10,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation, check_preset
-from chatscene.errors import EgoError
+from chatscene.errors import EgoError, no_such
 
 
 @runtime_checkable
@@ -86,12 +85,7 @@ def load_ego(name: str) -> EgoPolicy:
     target = EGOS.get(name, name)
     module, colon, factory = target.partition(":")
     if not colon:
-        near = difflib.get_close_matches(name, EGOS, n=1)
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        raise EgoError(
-            f"there is no ego {name!r}; {hint}known: {', '.join(sorted(EGOS))}; "
-            f"or give a file ({', '.join(FILES)}) or package.module:factory"
-        )
+        raise EgoError(f"{no_such('ego', name, EGOS)}; or give a file ({', '.join(FILES)}) or package.module:factory")
     if (here := str(Path.cwd())) not in sys.path:  # where a user's own module lies, even for an installed command
         sys.path.insert(0, here)
     try:

@@ -7,14 +7,13 @@ for all, so that generators can be compared.
 
 from __future__ import annotations
 
-import difflib
 import importlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import SettingsError
+from chatscene.errors import SettingsError, no_such
 from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.simulate.backend import Backend
@@ -88,9 +87,7 @@ def load_generator(name: str) -> Generator:
         SettingsError: There is none of that name.
     """
     if name not in GENERATORS:
-        near = difflib.get_close_matches(name, GENERATORS, n=1)
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        raise SettingsError(f"there is no generator {name!r}; {hint}known: {', '.join(GENERATORS)}")
+        raise SettingsError(no_such("generator", name, GENERATORS))
     module, _, cls = GENERATORS[name].partition(":")
     generator: Generator = getattr(importlib.import_module(module), cls)()
     return generator

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 from pathlib import Path
 from typing import Any, Protocol
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import SettingsError
+from chatscene.errors import SettingsError, no_such
 from chatscene.settings import SimulationSettings
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
@@ -116,9 +115,7 @@ def load_backend(name: str, map_path: Path, settings: SimulationSettings) -> Bac
         SettingsError: There is no backend of that name.
     """
     if name not in BACKENDS:
-        near = difflib.get_close_matches(name, BACKENDS, n=1)
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        raise SettingsError(f"there is no backend {name!r}; {hint}known: {', '.join(sorted(BACKENDS))}")
+        raise SettingsError(no_such("backend", name, BACKENDS))
     module, _, cls = BACKENDS[name].partition(":")
     backend: Backend = getattr(importlib.import_module(module), cls)(map_path, settings)
     return backend

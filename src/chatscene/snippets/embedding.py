@@ -6,7 +6,6 @@ the paper's Sentence-T5 is an extra.
 
 from __future__ import annotations
 
-import difflib
 import hashlib
 import importlib
 import importlib.util
@@ -21,7 +20,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.errors import MissingExtra, SettingsError
+from chatscene.errors import MissingExtra, SettingsError, no_such
 from chatscene.snippets.wordpiece import tokenize
 
 Vectors = NDArray[np.float32]
@@ -61,9 +60,7 @@ def load_embedder(name: str = "minilm") -> Embedder:
         MissingExtra: Its package is missing.
     """
     if name not in EMBEDDERS:
-        near = difflib.get_close_matches(name, EMBEDDERS, n=1)
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        raise SettingsError(f"there is no embedder {name!r}; {hint}known: {', '.join(sorted(EMBEDDERS))}")
+        raise SettingsError(no_such("embedder", name, EMBEDDERS))
     module, _, cls = EMBEDDERS[name].partition(":")
     embedder: Embedder = getattr(importlib.import_module(module), cls)()
     return embedder
