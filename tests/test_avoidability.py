@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from chatscene.ego.observation import Observation
+from chatscene.errors import EgoError
 from chatscene.evaluate.avoidability import (
     BRAKING_DELAY,
     FULL_BRAKE,
@@ -163,6 +164,27 @@ def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
     driven = backend.run(STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
     assert avoidable(driven, STRAIGHT, scene, Blind(), backend) is expected
+
+
+def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(backend: Backend) -> None:
+    class Moody(Blind):
+        calls = 0
+
+        def act(self, observation: Observation) -> tuple[float, float]:
+            Moody.calls += 1
+            if Moody.calls > 200:
+                raise LookupError("no more")
+            return super().act(observation)
+
+    values = {"OPT_PARKED_Y": 40.0, "OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0}
+    values |= {"OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
+    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    driven = backend.run(STRAIGHT, scene, Moody())
+    assert isinstance(driven, Episode)
+    Moody.calls = 200
+    with pytest.raises(EgoError, match="drove scene 's' once and fails when it drives it again"):
+        avoidable(driven, STRAIGHT, scene, Moody(), backend)
+    assert isinstance(backend.run(STRAIGHT, scene, Blind()), Episode)  # the process is free for another drive
 
 
 def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:

@@ -127,13 +127,14 @@ class _Bad:
         ("crash", "fails at step 0: ZeroDivisionError: no gradient"),
         ("nan", "must be finite"),
         ("shape", "must return acceleration and steering"),
-        ("block", "gave no action within 1 s, at step 0"),
+        ("block", "gave no action within 4 s, at step 0"),
     ],
 )
 def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     kind: str, message: str, searched: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(embedded, "PATIENCE", 1.0)
+    if kind == "block":
+        monkeypatch.setattr(embedded, "PATIENCE", 4.0)  # not less: a busy machine needs some of it to compile
     module = types.ModuleType("bad_stack")
 
     def make() -> Any:
@@ -145,7 +146,7 @@ def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     alone = evaluate([searched], tmp_path / "alone", egos=["idm"], progress=silent)
     began = time.monotonic()
     both = evaluate([searched], tmp_path / "both", egos=["bad_stack:make", "idm"], progress=silent)
-    assert time.monotonic() - began < 30
+    assert time.monotonic() - began < 50
     assert list(both.failures) == ["bad_stack:make"]
     assert message in both.failures["bad_stack:make"]
     assert both.tables["collision-rate-by-ego"].rows == alone.tables["collision-rate-by-ego"].rows

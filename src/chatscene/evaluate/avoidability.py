@@ -18,9 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, observation_of, pedals_of
-from chatscene.errors import SimulationError
+from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
+from chatscene.errors import EgoError, SimulationError
 from chatscene.simulate.backend import Backend
+from chatscene.simulate.watchdog import PATIENCE, time_limit
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
@@ -74,6 +75,7 @@ def avoidable(episode: Episode, program: ScenicProgram, scene: Scene, ego: EgoPo
 
     Raises:
         SimulationError: The scene cannot be driven again.
+        EgoError: The ego fails this time.
     """
     crash = episode.collision
     if crash is None:
@@ -82,7 +84,8 @@ def avoidable(episode: Episode, program: ScenicProgram, scene: Scene, ego: EgoPo
     if risk is None:
         return False
     braking = risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / episode.dt - 1e-9)
-    return braking < crash.step and not _crashes(program, scene, ego, backend, braking, episode.dt)
+    with time_limit(PATIENCE, f"scene {scene.id!r}, driven again"):
+        return braking < crash.step and not _crashes(program, scene, ego, backend, braking, episode.dt)
 
 
 def _crashes(program: ScenicProgram, scene: Scene, ego: EgoPolicy, backend: Backend, braking: int, dt: float) -> bool:
@@ -94,7 +97,14 @@ def _crashes(program: ScenicProgram, scene: Scene, ego: EgoPolicy, backend: Back
     standing = 0
     try:
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
-            drive.step(driver.act(drive.observation))
+            try:
+                action = driver.act(drive.observation)
+            except Exception as error:
+                raise EgoError(
+                    f"the ego {name_of(ego)!r} drove scene {scene.id!r} once and fails when it drives it again, "
+                    f"at step {drive.step_number}: {type(error).__name__}: {error}"
+                ) from error
+            drive.step(action)
             standing = standing + 1 if drive.step_number > braking and abs(drive.speed) < 0.01 else 0
         return drive.ending == "collision"
     finally:

@@ -10,6 +10,8 @@ from types import FrameType
 
 from chatscene.errors import StuckBehavior
 
+PATIENCE = 20.0  # [s] of wall time for one episode, which normally takes some ten milliseconds
+
 
 @contextmanager
 def time_limit(seconds: float, what: str) -> Generator[None]:

@@ -13,12 +13,10 @@ from chatscene.simulate.embedded.driving import FAULTS, EmbeddedDrive
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
 from chatscene.simulate.embedded.staging import Stage
-from chatscene.simulate.watchdog import time_limit
+from chatscene.simulate.watchdog import PATIENCE, time_limit
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-
-PATIENCE = 20.0  # [s] of wall time for one episode, which normally takes some ten milliseconds
 
 
 class EmbeddedBackend:
