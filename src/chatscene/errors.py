@@ -9,15 +9,18 @@
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
     ├ SnippetError             a library file is malformed, or breaks its own contract
     ├ ProgramError
+    │  ├ ForeignCodeRefused    a stranger's program uses what strangers may not use
     │  ├ NamesNotClosed        a name is used that no part of the program defines
     │  ├ DoesNotCompile        Scenic refuses the text
     │  ├ Unsatisfiable         no scene could be sampled
     │  └ MeansSomethingElse    it runs, but the tracks do not show what was said
     ├ SimulationError
     │  ├ StuckBehavior         a behavior never yields control
-    │  └ Diverged              a replay differs from what was stored
+    │  ├ Diverged              a replay differs from what was stored
+    │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
-    └ RunError                 a run folder cannot be written, read or continued
+    ├ RunError                 a run folder cannot be written, read or continued
+    └ LanguageModelError       a language model gave no usable reply, or none within its budget
 
 A message says what happened, where, and what to do.
 """
@@ -59,6 +62,10 @@ class ProgramError(ChatSceneError):
     """A Scenic program failed a rung of the validation ladder."""
 
 
+class ForeignCodeRefused(ProgramError):  # noqa: N818
+    """A program by a stranger uses what strangers may not use, or lacks what every program has."""
+
+
 class NamesNotClosed(ProgramError):  # noqa: N818
     """A name is used that neither the world model nor any part of the program defines."""
 
@@ -87,12 +94,20 @@ class Diverged(SimulationError):  # noqa: N818
     """A replay differs from the stored tracks."""
 
 
+class SandboxError(SimulationError):
+    """The process for strangers' programs could not be made, was stopped, or answered nonsense."""
+
+
 class EgoError(ChatSceneError):
     """An ego could not be loaded, or returned something that is not an action."""
 
 
 class RunError(ChatSceneError):
     """A run folder cannot be written, read or continued."""
+
+
+class LanguageModelError(ChatSceneError):
+    """A language model gave no usable reply in time, or could not within its budget."""
 
 
 def no_such(what: str, name: str, known: Iterable[str]) -> str:

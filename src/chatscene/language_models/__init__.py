@@ -1,0 +1,1 @@
+"""Language models as a plug-in: one question, one validated answer."""

@@ -1,0 +1,239 @@
+"""A backend for strangers' programs: the contract of `chatscene.simulate.backend.Backend`, behind both walls.
+
+The ego stays on this side: what it sees comes out of the confined process and its action goes in, step by step. So any
+ego drives, and a program never meets it.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from pathlib import Path
+from typing import Any
+
+from chatscene.ego.observation import OBSERVATIONS, Observation, check_preset
+from chatscene.ego.policy import PEDALS, EgoPolicy, controls, name_of, observation_of, pedals_of
+from chatscene.errors import EgoError, ForeignCodeRefused, StuckBehavior
+from chatscene.sandbox.allow_list import check_foreign, refused
+from chatscene.sandbox.confinement import Limits
+from chatscene.sandbox.nursery import Confined, Nursery
+from chatscene.sandbox.wire import (
+    Message,
+    episode_from_json,
+    nonsense,
+    number,
+    numbers,
+    route_from_json,
+    scene_to_json,
+    words,
+)
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.watchdog import PATIENCE, time_limit
+from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+KEPT = 4  # confined processes at a time, one per program
+MOST_ROUTES = 10
+
+
+class SandboxedBackend:
+    """Runs scenes of strangers' programs in confined processes, one per program.
+
+    Besides what the contract of a backend names, every method may raise `ForeignCodeRefused` (the program uses what
+    strangers may not use; nothing was run) and `SandboxError` (it was stopped).
+
+    Args:
+        map_path: The map everything runs on.
+        settings: Step and limits of a drive.
+        limits: What a program may use up.
+    """
+
+    def __init__(self, map_path: Path, settings: SimulationSettings, limits: Limits | None = None) -> None:
+        self._settings = settings
+        self._nursery = Nursery(map_path, settings, limits)
+        self._confined: OrderedDict[str, Confined] = OrderedDict()
+        self._routes: dict[tuple[str, int], Route] = {}
+
+    def __enter__(self) -> SandboxedBackend:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End all processes; the backend can still be used and starts new ones then."""
+        while self._confined:
+            self._confined.popitem()[1].close()
+        self._nursery.close()
+
+    def route(self, program: ScenicProgram, index: int) -> Route:
+        """The route a program's geometry picks under this index."""
+        key = (program.digest, index)
+        if key not in self._routes:
+            self._routes[key] = route_from_json(self._at(program).ask("route", index=index))
+        return self._routes[key]
+
+    def routes(self, program: ScenicProgram) -> int:
+        """How many routes the map has for a program's geometry, at most ten."""
+        count = number(self._at(program).ask("routes"), "routes")
+        if count not in range(MOST_ROUTES + 1):
+            raise nonsense("the number of routes")
+        return int(count)
+
+    def layers(self, program: ScenicProgram) -> tuple[str, ...]:
+        """The layers of the second wall that are in force for a program."""
+        return self._at(program).layers
+
+    def run(
+        self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
+    ) -> Episode | Rejected:
+        """Run one scene."""
+        drive = self.open(
+            program,
+            scene,
+            observation=observation_of(ego),
+            pedals=pedals_of(ego),
+            through_collisions=through_collisions,
+        )
+        if isinstance(drive, Rejected):
+            return drive
+        try:
+            with time_limit(PATIENCE, f"scene {scene.id!r}"):
+                _to_the_end(drive, ego)
+                if drive.rejection:
+                    return Rejected(scene=scene, reason=drive.rejection)
+                return drive.episode(scene.id, name_of(ego))
+        finally:
+            drive.close()
+
+    def open(
+        self,
+        program: ScenicProgram,
+        scene: Scene,
+        *,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        through_collisions: bool = False,
+    ) -> SandboxedDrive | Rejected:
+        """Start a drive that is stepped from outside; one at a time per program."""
+        if pedals not in PEDALS:
+            raise EgoError(f"there are no pedals {pedals!r}; known: {', '.join(PEDALS)}")
+        size = OBSERVATIONS[check_preset(observation)]
+        self._renew(program)
+        confined = self._at(program)
+        state = confined.ask(
+            "open", scene=scene_to_json(scene), observation=observation, pedals=pedals, through=through_collisions
+        )
+        if "rejected" in state:
+            return Rejected(scene=scene, reason=words(state["rejected"]))
+        return SandboxedDrive(confined, state, size, self._settings)
+
+    def _at(self, program: ScenicProgram) -> Confined:
+        """The confined process of a program, a new one if it has none."""
+        held = self._confined.get(program.digest)
+        if held is None or not held.alive:
+            if refusals := check_foreign(program.source):
+                raise ForeignCodeRefused(refused(program.scenario_id, refusals))
+            held = self._nursery.confine(program)
+            self._confined[program.digest] = held
+            while len(self._confined) > KEPT:
+                self._confined.popitem(last=False)[1].close()
+        self._confined.move_to_end(program.digest)
+        return held
+
+    def _renew(self, program: ScenicProgram) -> None:
+        """Let a process go that has done half of what it may do in its life; the next scene gets a new one."""
+        held = self._confined.get(program.digest)
+        if held is not None and held.spent:
+            held.close()
+            del self._confined[program.digest]
+
+
+class SandboxedDrive:
+    """A drive in a confined process; see `chatscene.simulate.backend.OpenDrive` for the contract.
+
+    Attributes:
+        observation: What the ego sees now.
+        ending: Why the drive ended, or None while it goes on.
+        rejection: Why the program itself rejects the drive, or empty.
+        step_number: How many steps were driven.
+        along: Arc length of the ego on its route [m].
+        offset: Lateral offset of the ego from its route [m, positive = left].
+        speed: Of the ego [m/s].
+    """
+
+    def __init__(self, confined: Confined, state: Message, size: int, settings: SimulationSettings) -> None:
+        self._confined = confined
+        self._size = size
+        self._settings = settings
+        self.step_number = 0
+        self.observation: Observation
+        self.ending: Ending | None
+        self.rejection: str
+        self.along: float
+        self.offset: float
+        self.speed: float
+        self._take(state)
+
+    def step(self, action: Any) -> None:
+        """Drive one step with an action, acceleration and steering in [-1, 1].
+
+        Raises:
+            EgoError: The action is not two finite numbers.
+            ProgramError: The program's own code fails.
+            StuckBehavior: A behavior never yields.
+            SandboxError: The program was stopped.
+        """
+        controls(action)  # refuses what is no action where the ego is
+        acceleration, steering = action
+        self._take(self._confined.ask("step", action=[float(acceleration), float(steering)]))
+        if not self.rejection:
+            self.step_number += 1
+        if self.step_number >= self._settings.max_steps and self.ending is None and not self.rejection:
+            raise nonsense("a drive without an end")
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far."""
+        return episode_from_json(
+            self._confined.ask("episode"),
+            scene_id=scene_id,
+            ego=ego,
+            dt=self._settings.dt,
+            steps=self.step_number + 1,
+        )
+
+    def close(self) -> None:
+        """Give the process free for another drive."""
+        if self._confined.alive:
+            self._confined.ask("close")
+
+    def _take(self, state: Message) -> None:
+        ending, rejection = state.get("ending"), words(state.get("rejection"))
+        if ending is not None and ending not in Ending.__members__.values():
+            raise nonsense("the ending")
+        self.ending = None if ending is None else Ending(ending)
+        self.rejection = rejection
+        self.observation = numbers(state.get("observation"), self._size)
+        self.along, self.offset, self.speed = (number(state, name) for name in ("along", "offset", "speed"))
+
+
+def _to_the_end(drive: SandboxedDrive, ego: EgoPolicy) -> None:
+    """Let an ego drive until the drive ends.
+
+    Raises:
+        EgoError: The ego fails, or does not answer.
+    """
+    if (reset := getattr(ego, "reset", None)) is not None:
+        reset()
+    while drive.ending is None and not drive.rejection:
+        try:
+            action = ego.act(drive.observation)
+        except StuckBehavior as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} gave no action within {PATIENCE:g} s, at step {drive.step_number}"
+            ) from error
+        except Exception as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
+            ) from error
+        drive.step(action)

@@ -1,0 +1,75 @@
+"""A text is looked at before it is parsed: too long, too deep, or made to look like another, and it goes no further."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+MAX_CHARACTERS = 20_000  # the longest program that our library makes has 3 000
+MAX_LINES = 500
+MAX_LINE = 400
+MAX_BRACKETS = 20  # open at once
+MAX_SIGNS = 8  # minus signs or `not` in a row
+REPORTED = 20  # refusals; who wrote more needs no longer list
+
+_SIGNS = re.compile(rf"(?:(?:[-+~]|\bnot\b)\s*){{{MAX_SIGNS + 1}}}")
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Refusal:
+    """One thing that a program may not do.
+
+    Attributes:
+        line: Where, from 1; 0 for the program as a whole.
+        what: What was found.
+        why: Why it is not allowed.
+    """
+
+    line: int
+    what: str
+    why: str
+
+    def __str__(self) -> str:
+        return f"line {self.line}: {self.what}: {self.why}" if self.line else f"{self.what}: {self.why}"
+
+
+def check_text(source: str) -> tuple[Refusal, ...]:
+    """What is wrong with a text before it is parsed; empty if it may be."""
+    if len(source) > MAX_CHARACTERS:
+        return (Refusal(0, f"{len(source)} characters", f"a program has at most {MAX_CHARACTERS}"),)
+    lines = source.split("\n")
+    if len(lines) > MAX_LINES:
+        return (Refusal(0, f"{len(lines)} lines", f"a program has at most {MAX_LINES}"),)
+    found = [refusal for number, line in enumerate(lines, 1) for refusal in _check_line(number, line)]
+    return (*found[:REPORTED], *_check_brackets(lines))
+
+
+def _check_line(number: int, line: str) -> Iterator[Refusal]:
+    if len(line) > MAX_LINE:
+        yield Refusal(number, f"{len(line)} characters in a line", f"a line has at most {MAX_LINE}")
+    code = line.partition("#")[0]
+    for character in sorted(set(line)):
+        if character not in "\t " and unicodedata.category(character)[0] in "CZ":
+            yield Refusal(number, _named(character), "invisible and control characters can hide what a line does")
+        elif character in code and not character.isascii():
+            yield Refusal(number, _named(character), "code is written in ASCII; other letters only in comments")
+    if "\\" in code:
+        yield Refusal(number, "a backslash", "nothing in a program needs one; put brackets around a long line")
+    if _SIGNS.search(code):
+        yield Refusal(number, "a pile of signs", f"at most {MAX_SIGNS} stand in a row")
+
+
+def _named(character: str) -> str:
+    return f"the character U+{ord(character):04X} {unicodedata.name(character, '')}".rstrip()
+
+
+def _check_brackets(lines: list[str]) -> list[Refusal]:
+    open_now = 0
+    for number, line in enumerate(lines, 1):
+        for character in line.partition("#")[0]:
+            open_now += (character in "([{") - (character in ")]}")
+            if open_now > MAX_BRACKETS:
+                return [Refusal(number, "brackets within brackets", f"at most {MAX_BRACKETS} are open at once")]
+    return []

@@ -1,0 +1,1 @@
+"""Programs by an enemy, what each tries, and what stops it."""

@@ -1,0 +1,126 @@
+"""A user's own programs: what is read from them, and how they are put right."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from chatscene.ego.rule_based import RuleBased
+from chatscene.errors import ForeignCodeRefused
+from chatscene.maps.network import resolve_map
+from chatscene.program.check import probe_scenes
+from chatscene.program.foreign import ADVERSARY_BEHAVIOR, foreign_program, read_foreign
+from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.search.explore import explore
+from chatscene.settings import SearchSettings, SimulationSettings
+from chatscene.terms.episode import Episode
+from chatscene.terms.scenario import Slots
+
+MINE = """# My own: a van pulls out.
+model chatscene.world.model
+
+param OPT_DISTANCE = Range(10, 30)
+param OPT_SPEED = Range(3, 8)
+
+egoRoute = selectRoute(maneuver="straight", lanes=2)
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute
+
+behavior PullOut(way):
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_DISTANCE
+    do DrivePath(way, globalParameters.OPT_SPEED)
+
+van = new Truck at besideRoad(egoRoute, 45, "right", 0.5), facing directionOn(egoRoute, 45),
+    with behavior PullOut(egoRoute)
+"""
+
+
+@pytest.fixture(scope="module")
+def backend() -> Iterator[SandboxedBackend]:
+    with SandboxedBackend(resolve_map("town"), SimulationSettings()) as backend:
+        yield backend
+
+
+def written(folder: Path, text: str, name: str = "My scene.scenic") -> Path:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_file_becomes_a_program_with_the_ranges_it_declares(tmp_path: Path) -> None:
+    (read,) = read_foreign(written(tmp_path, MINE))
+    assert read.program.scenario_id == "my-scene"
+    assert [(p.name, p.low, p.high) for p in read.program.parameters] == [
+        ("OPT_DISTANCE", 10.0, 30.0),
+        ("OPT_SPEED", 3.0, 8.0),
+    ]
+    assert read.program.snippet_ids == ()
+
+
+def test_the_only_behavior_is_the_adversarys_whatever_it_is_called(tmp_path: Path) -> None:
+    (read,) = read_foreign(written(tmp_path, MINE))
+    assert read.renamed == "PullOut"
+    assert read.program.source == MINE.replace("PullOut", ADVERSARY_BEHAVIOR)
+    (named,) = read_foreign(written(tmp_path, read.program.source))
+    assert named.renamed == ""
+    assert named.program.digest == read.program.digest
+
+
+def test_a_folder_is_read_in_order_of_names(tmp_path: Path) -> None:
+    for name in ("b.scenic", "a.scenic", "note.txt"):
+        written(tmp_path, MINE, name)
+    assert [read.path.name for read in read_foreign(tmp_path)] == ["a.scenic", "b.scenic"]
+
+
+def test_line_ends_and_marks_of_windows_are_understood(tmp_path: Path) -> None:
+    path = tmp_path / "w.scenic"
+    path.write_bytes(b"\xef\xbb\xbf" + MINE.replace("\n", "\r\n").encode())
+    assert read_foreign(path)[0].program.digest == foreign_program("w", MINE).digest
+
+
+def test_a_foreign_program_is_driven_and_searched_like_our_own(backend: SandboxedBackend) -> None:
+    program = foreign_program("mine", MINE)
+    episode = backend.run(program, probe_scenes(program, 0)[0], RuleBased(), through_collisions=True)
+    assert isinstance(episode, Episode)
+    assert [track.kind for track in episode.adversaries] == ["Truck"]
+    assert episode.adversaries[0].speed.max() > 2.0
+    settings = SearchSettings(scenes=4, block=2, keep=1)
+    first, second = explore(program, Slots(), 0, backend=backend, ego=RuleBased(), settings=settings)
+    assert len(first.ran) == len(second.ran) == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "begins with one line `model chatscene.world.model`"),
+        ("ego = new Car\n", "begins with one line `model chatscene.world.model`"),
+        (MINE.replace("chatscene.world.model", "scenic.simulators.carla.model"), "and no other"),
+        (MINE.replace("ego = new", "other = new"), "has no ego; add: ego = new Car"),
+        (MINE.replace(", with route egoRoute", ""), "the ego at line 8 has no route"),
+        (MINE.replace(",\n    with behavior PullOut(egoRoute)", ""), "which road user is the adversary?"),
+        (MINE + "new Car at pointOn(egoRoute, 60), with behavior Park()\n", "found: Park, PullOut"),
+        (MINE.replace("Range(10, 30)", "Range(30, 10)"), "the lower first"),
+        (MINE.replace("Range(10, 30)", "12"), "Range"),
+        (MINE + "import os\n", "line 16: import"),
+        ("model chatscene.world.model\nx = (\n", "no Scenic"),
+        ("x" * 50_000, "at most 20000"),
+    ],
+)
+def test_what_is_wrong_is_said_with_the_way_to_put_it_right(text: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(ForeignCodeRefused) as refusal:
+        read_foreign(written(tmp_path, text))
+    assert message in str(refusal.value)
+
+
+def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    os.mkfifo(tmp_path / "pipe.scenic")
+    (tmp_path / "latin.scenic").write_bytes("# Fußgänger".encode("latin-1"))
+    for name, message in (
+        ("none.scenic", "there is no file"),
+        ("empty", "holds no .scenic file"),
+        ("pipe.scenic", "there is no file"),
+        ("latin.scenic", "no text in UTF-8"),
+    ):
+        with pytest.raises(ForeignCodeRefused, match=message):
+            read_foreign(tmp_path / name)

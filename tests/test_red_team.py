@@ -1,0 +1,120 @@
+"""An enemy's programs: none gets anything, and none keeps anybody waiting."""
+
+import subprocess
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from chatscene.agent.decompose import decompose
+from chatscene.errors import ForeignCodeRefused, NothingFits
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import understand
+from chatscene.program.foreign import foreign_program
+from chatscene.sandbox.allow_list import check_foreign
+from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.sandbox.nursery import Nursery
+from chatscene.settings import SimulationSettings
+from chatscene.terms.scene import ScenicProgram
+from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt
+from red_team.corpus import ATTACKS, SENTENCES, Attack
+from red_team.table import BEGIN, END, PAGE, recorded, table
+
+PATIENCE = 20.0  # [s] for what does not hang, on a busy machine
+OUTCOMES = recorded()
+
+NAMES = [attack.name for attack in ATTACKS]
+REFUSED = [attack for attack in ATTACKS if not attack.listed]
+RUN = [attack for attack in ATTACKS if attack.runs]
+
+
+@pytest.fixture(scope="module")
+def canaries(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Canaries]:
+    with Listener() as listener:
+        canaries = Canaries(tmp_path_factory.mktemp("canaries"), listener.port, listener.callers)
+        canaries.secret.write_text(SECRET)
+        yield canaries
+
+
+@pytest.fixture(scope="module")
+def nursery() -> Iterator[Nursery]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CANARY", SECRET)
+        with Nursery(resolve_map("town"), SimulationSettings(), LIMITS) as nursery:
+            yield nursery
+
+
+def name(attack: Attack) -> str:
+    return attack.name
+
+
+def test_the_corpus_has_enough_programs_each_with_a_name() -> None:
+    assert len(ATTACKS) >= 60
+    assert len(set(NAMES)) == len(NAMES)
+
+
+@pytest.mark.parametrize("attack", REFUSED, ids=name)
+def test_the_allow_list_refuses(attack: Attack) -> None:
+    began = time.monotonic()
+    with pytest.raises(ForeignCodeRefused, match=r"^program 'x' uses what a stranger's program may not: .+: .+") as why:
+        foreign_program("x", attack.source)
+    assert time.monotonic() - began < 15.0
+    assert str(why.value).isprintable()
+
+
+@pytest.mark.parametrize("attack", [a for a in ATTACKS if a.listed], ids=name)
+def test_a_list_of_words_cannot_tell_how_long_a_program_takes(attack: Attack) -> None:
+    assert check_foreign(attack.source) == ()
+
+
+@pytest.mark.parametrize("attack", RUN, ids=name)
+def test_the_second_wall_holds_by_itself(attack: Attack, nursery: Nursery, canaries: Canaries) -> None:
+    expected = OUTCOMES[attack.name]
+    patience = 0.5 if expected == "limits" else PATIENCE
+    outcome = attempt(nursery, canaries.fill(attack.source), patience=patience)
+    assert canaries.untouched()
+    assert SECRET not in outcome.said
+    assert outcome.stopped_by == expected
+    assert outcome.stopped_by != "nobody" or attack.harmless
+    assert outcome.seconds < 2 * PATIENCE
+
+
+def test_no_process_is_started_for_what_the_allow_list_refuses(monkeypatch: pytest.MonkeyPatch) -> None:
+    def start(*_: Any, **__: Any) -> None:
+        raise AssertionError("a process was started")
+
+    monkeypatch.setattr(subprocess, "Popen", start)
+    backend = SandboxedBackend(resolve_map("town"), SimulationSettings())
+    for attack in REFUSED[::12]:
+        program = ScenicProgram(
+            scenario_id="x", source=attack.source, parameters=(), snippet_ids=(), digest=attack.name
+        )
+        with pytest.raises(ForeignCodeRefused):
+            backend.routes(program)
+
+
+@pytest.mark.parametrize("sentence", SENTENCES)
+def test_a_sentence_is_data_whatever_it_says(sentence: str, canaries: Canaries) -> None:
+    text = canaries.fill(sentence)
+    scenario = decompose(text)
+    assert SECRET not in repr(scenario)
+    try:
+        program = understand(text).program
+    except NothingFits as refusal:
+        assert SECRET not in str(refusal)
+    else:
+        assert check_foreign(program.source) == ()
+        code = "\n".join(line.partition("#")[0] for line in program.source.splitlines())
+        assert "os" not in code.replace("position", "").replace("crossing", "").split()
+        assert str(canaries.target) not in code
+    assert canaries.untouched()
+
+
+def test_the_page_shows_what_was_recorded() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    assert page.partition(BEGIN)[2].partition(END)[0].strip() == table(OUTCOMES)
+    assert set(OUTCOMES) == {attack.name for attack in RUN}
+    assert set(OUTCOMES.values()) <= {
+        "watchman", "kernel", "limits", "checked answers", "an error of its own", "its own end", "nobody",
+    }  # fmt: skip
