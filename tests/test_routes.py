@@ -95,6 +95,45 @@ def test_the_town_has_ten_routes_round_a_curve() -> None:
         assert abs(_turned(route)) > 30
 
 
+@pytest.mark.parametrize(("place", "sign"), [(Place.LEFT_CURVE, 1), (Place.RIGHT_CURVE, -1)])
+def test_a_bend_to_a_side_turns_that_way_and_is_a_curve(place: Place, sign: int) -> None:
+    routes = find_routes(NETWORK, "town", RouteQuery(maneuver=Maneuver.STRAIGHT, place=place))
+    assert len(routes) == 10
+    for route in routes:
+        assert route.place is Place.CURVE
+        assert sign * _turned(route) > 30
+
+
+def test_a_bend_to_any_side_may_be_either() -> None:
+    routes = find_routes(NETWORK, "town", RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.CURVE))
+    assert {math.copysign(1, _turned(route)) for route in routes} == {-1, 1}
+
+
+def test_no_lane_beside_means_the_only_lane_of_its_direction() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD, lane_beside="none")
+    for route in find_routes(NETWORK, "town", query):
+        assert len(NETWORK.elements[route.lane_ids[0]].group.lanes) == 1
+        assert "one-lane" in route.id
+
+
+def test_a_map_without_a_narrow_one_way_street_says_so() -> None:
+    query = RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD, lane_beside="none", opposite_lane=False)
+    with pytest.raises(MapError, match="no second lane in the ego's direction"):
+        find_routes(NETWORK, "town", query)
+
+
+def test_a_bypass_away_from_oncoming_traffic_uses_a_lane_of_its_own_direction() -> None:
+    query = RouteQuery(maneuver=Maneuver.BYPASS, place=Place.ROAD, lanes_same_way=2, opposite_lane=False)
+    routes = find_routes(NETWORK, "town", query)
+    assert len(routes) == 10
+    for route in routes:
+        own, other = route.lane_ids[:2]
+        assert NETWORK.elements[own].group is NETWORK.elements[other].group
+        lanes = [LANES.lane_ids[i] for i in LANES.lane_index(route.line.points).tolist()]
+        assert lanes[0] == lanes[-1] == own
+        assert lanes[round(route.event_at)] == other
+
+
 @pytest.mark.parametrize("control", [Control.SIGNAL, Control.STOP_SIGN])
 def test_straight_on_under_a_control_is_at_a_junction_that_has_it(control: Control) -> None:
     for route in find_routes(NETWORK, "town", RouteQuery(maneuver=Maneuver.STRAIGHT, control=control)):

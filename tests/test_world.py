@@ -14,7 +14,16 @@ from chatscene.simulate.embedded.signals import MODES, signal_states
 from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import CURVE_ACCELERATION, Tracker, curve_speeds, pedals
-from chatscene.world.places import choose_route, laneLine, neighbourPath, ownLane, trafficFrom, wayOf
+from chatscene.world.places import (
+    choose_route,
+    laneLine,
+    neighbourPath,
+    ownLane,
+    ownWay,
+    shortOfJunction,
+    trafficFrom,
+    wayOf,
+)
 
 DT = 0.1
 EAST = Polyline([(float(x), 0.0) for x in range(200)])
@@ -90,6 +99,19 @@ def test_the_lane_beside_the_ego_begins_level_with_it() -> None:
     along, left, _ = ownLane(ego).project(x, y)
     assert along == pytest.approx(0.0, abs=0.2)
     assert left == pytest.approx(3.5, abs=0.1)
+
+
+def test_whoever_leads_the_ego_stays_in_its_lane_where_it_changes_lanes_and_else_goes_its_way() -> None:
+    changing, turning = route(maneuver="lane-change-left", lanes=2), route(maneuver="left-turn")
+    assert ownWay(changing).heading_at(0.0) == pytest.approx(ownWay(changing).heading_at(40.0), abs=0.05)
+    assert ownWay(turning) is turning.line
+
+
+def test_a_place_beside_the_road_ends_before_a_junction() -> None:
+    turning, straight = route(maneuver="left-turn"), route(maneuver="straight", place="road")
+    assert shortOfJunction(turning, 500.0) == turning.eventAt - 3.0
+    assert shortOfJunction(turning, 5.0) == 5.0
+    assert shortOfJunction(straight, 500.0) == 500.0
 
 
 def test_an_opposing_lane_runs_against_the_ego() -> None:

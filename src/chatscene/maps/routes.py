@@ -22,7 +22,7 @@ from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
-from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
 
 __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes"]
 
@@ -133,7 +133,9 @@ def _in_words(query: RouteQuery) -> str:
         words.append(f"{query.lanes_same_way} lanes in the ego's direction")
     if query.opposite_lane:
         words.append("an oncoming lane beside the ego's")
-    if query.lane_beside:
+    if query.lane_beside == "none":
+        words.append("no second lane in the ego's direction")
+    elif query.lane_beside:
         words.append(f"a lane of the ego's direction to its {query.lane_beside}")
     if query.conflicting_from:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
@@ -226,7 +228,7 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
                 id="",
                 map_name=map_name,
                 maneuver=query.maneuver,
-                place=wanted,
+                place=Place.CURVE if includes(Place.CURVE, wanted) else wanted,
                 control=Control.NONE,
                 line=line.resampled(1.0),
                 lane_ids=lanes,
@@ -242,19 +244,22 @@ def _windows(run: LaneRun, wanted: Place) -> Iterator[tuple[float, float]]:
         if found:
             return
         for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
-            if _shape(run.line, onset, onset + length) is wanted:
+            shape = _shape(run.line, onset, onset + length)
+            if shape is not None and includes(wanted, shape):
                 found = True
                 yield onset, onset + length
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
-    """ROAD for a straight part of a line, CURVE for a bend, None for what is neither."""
-    turns = [abs(_turned(line, start, s)) for s in np.linspace(start, end, 9).tolist()]
-    if max(turns) < _STRAIGHT_ROAD:
+    """ROAD for a straight part of a line, a bend's side for a bend, None for what is neither."""
+    turns = [_turned(line, start, s) for s in np.linspace(start, end, 9).tolist()]
+    if max(map(abs, turns)) < _STRAIGHT_ROAD:
         # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
         shift = _aside(line, start, end) - 0.5 * _turned(line, start, end) * (end - start)
         return Place.ROAD if abs(shift) < _LATERAL else None
-    return Place.CURVE if turns[-1] > _CURVED_ROAD else None
+    if abs(turns[-1]) <= _CURVED_ROAD:
+        return None
+    return Place.LEFT_CURVE if turns[-1] > 0 else Place.RIGHT_CURVE
 
 
 def _aside(line: Polyline, start: float, end: float) -> float:
@@ -272,13 +277,14 @@ def _on_road(
     if query.maneuver is Maneuver.STRAIGHT:
         return own, run.ids_between(onset, end), own.length / 2
     bypass = query.maneuver is Maneuver.BYPASS
+    against = bypass and query.opposite_lane is not False
     leaves, returns = (BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING) if bypass else (CHANGE_AT, None)
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
     used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
     beside = [_neighbour(run, s, side) for s in used]
-    if any(lane is None or _opposes(run.lane_at(s), lane) != bypass for s, lane in zip(used, beside, strict=True)):
+    if any(lane is None or _opposes(run.lane_at(s), lane) != against for s, lane in zip(used, beside, strict=True)):
         return None
-    if bypass and len(run.lane_at(onset).group.lanes) > 1:
+    if against and len(run.lane_at(onset).group.lanes) > 1:
         return None  # with a second lane of its own a driver need not use the opposite one
     shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
     lanes = (*run.ids_between(onset, used[0]), *dict.fromkeys(lane.uid for lane in beside))
@@ -321,7 +327,9 @@ def _offers(lane: Any, query: RouteQuery) -> bool:
     if len(lane.group.lanes) < query.lanes_same_way:
         return False
     left, right = lane.sections[0]._laneToLeft, lane.sections[0]._laneToRight
-    if query.lane_beside is not None:
+    if query.lane_beside == "none" and len(lane.group.lanes) > 1:
+        return False
+    if query.lane_beside in ("left", "right"):
         beside = left if query.lane_beside == "left" else right
         if beside is None or _opposes(lane, beside.lane):
             return False

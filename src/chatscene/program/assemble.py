@@ -20,6 +20,7 @@ CLASSES: dict[AdversaryKind, str] = {
     AdversaryKind.MOTORCYCLE: "Motorcycle",
     AdversaryKind.BICYCLE: "Bicycle",
     AdversaryKind.PEDESTRIAN: "Pedestrian",
+    AdversaryKind.EMERGENCY_VEHICLE: "EmergencyVehicle",
 }
 
 HEADER_PROVIDES = ("AdvClass", "ego")

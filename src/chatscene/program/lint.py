@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import builtins
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import product
 
 import numpy as np
 
@@ -19,21 +18,24 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
-from chatscene.program.check import probe_scenes
 from chatscene.program.meaning import check_meaning
+from chatscene.program.sample import draw
+from chatscene.program.twins import scenario_of, twins
 from chatscene.simulate.backend import Backend
-from chatscene.snippets.compatibility import incompatibility
+from chatscene.snippets.compatibility import compatibility
 from chatscene.snippets.library import Library, names_of
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.limits import LIMITS
-from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots, SubDescriptions
-from chatscene.terms.scene import Rejected, ScenicProgram
+from chatscene.terms.route import Route
+from chatscene.terms.scenario import AdversaryKind
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
 
 Triple = tuple[Snippet, Snippet, Snippet]
 
-PROBES = 4  # scenes per program
+SCENES = 10  # per program, drawn at random over as many routes as there are
+SHARE = 0.9  # of them must show what a snippet says of itself
 RANDOM = re.compile(
     r"\b(\w*Range|Uniform|Discrete|Options|Normal|TruncatedNormal|VerifaiOptions|VerifaiParameter|resample|random|numpy)\b"
 )  # Scenic's distributions, and where Python's come from
@@ -49,8 +51,8 @@ class Finding:
 
     Attributes:
         snippet_id: Whose.
-        rung: ``names``, ``parameters``, ``randomness``, ``partners``, ``runs``, ``samples``, ``plausible`` or
-            ``means``.
+        rung: ``names``, ``parameters``, ``randomness``, ``partners``, ``runs``, ``samples``, ``plausible``, ``means``
+            or ``distinct``.
         message: What is wrong.
     """
 
@@ -62,26 +64,59 @@ class Finding:
         return f"{self.snippet_id}: {self.rung}: {self.message}"
 
 
-def lint(library: Library, backend: Backend, ego: EgoPolicy) -> tuple[Finding, ...]:
-    """Check every snippet of a library, alone and in programs.
+def lint(
+    library: Library,
+    backend: Backend,
+    ego: EgoPolicy,
+    *,
+    scenes: int = SCENES,
+    only: Collection[str] | None = None,
+) -> tuple[Finding, ...]:
+    """Check snippets, alone, in programs, and against each other.
 
     Args:
-        library: The snippets.
+        library: The snippets, and the partners they may be tried with.
         backend: Where to run them.
         ego: Who drives.
+        scenes: How many scenes of each program to run.
+        only: Ids to check; None for all.
 
     Returns:
         The findings, sorted; empty if every snippet keeps its contract.
     """
+    sound, found = sound_part(library)
+    tried: set[str] = set()
+    for triple, kind in trials(sound, only):
+        tried |= {snippet.id for snippet in triple}
+        found |= set(try_triple(triple, kind, backend, ego, scenes))
+    return sifted(found | unpartnered(sound, tried) | alike(sound, backend, ego, only), only)
+
+
+def sifted(found: Collection[Finding], only: Collection[str] | None) -> tuple[Finding, ...]:
+    """The findings about the snippets that were to be checked, sorted."""
+    return tuple(sorted((f for f in found if only is None or f.snippet_id in only), key=str))
+
+
+def unpartnered(library: Library, tried: Collection[str]) -> set[Finding]:
+    """Snippets that were in no program, because none could be joined with them."""
+    return {Finding(s.id, "partners", "no two other snippets fit it") for s in library if s.id not in tried}
+
+
+def alike(library: Library, backend: Backend, ego: EgoPolicy, only: Collection[str] | None) -> set[Finding]:
+    """Snippets that do the same as another."""
+    return {
+        Finding(one, "distinct", f"does the same as {other}: {why}")
+        for pair in twins(library, backend, ego, only)
+        for one, other, why in (pair, (pair[1], pair[0], pair[2]))
+        if only is None or one in only
+    }
+
+
+def sound_part(library: Library) -> tuple[Library, set[Finding]]:
+    """The snippets whose headers say what their code says, and what is wrong with the others."""
     found = {finding for snippet in library for finding in check_code(snippet)}
     known = {finding.snippet_id for finding in found}
-    sound = Library(tuple(snippet for snippet in library if snippet.id not in known))
-    tried: set[str] = set()
-    for triple, kind in trials(sound):
-        tried |= {snippet.id for snippet in triple}
-        found |= set(_try(triple, kind, backend, ego))
-    found |= {Finding(s.id, "partners", "no two other snippets fit it") for s in sound if s.id not in tried}
-    return tuple(sorted(found, key=str))
+    return Library(tuple(snippet for snippet in library if snippet.id not in known)), found
 
 
 # The code alone
@@ -129,82 +164,100 @@ def world_names() -> frozenset[str]:
 # Partners
 
 
-def _kinds(triple: Triple) -> list[AdversaryKind]:
-    behavior, _, spawn = triple
-    return [kind for kind in behavior.adversaries if kind in spawn.adversaries]
+def trials(library: Library, only: Collection[str] | None = None) -> Iterator[tuple[Triple, AdversaryKind]]:
+    """Programs to try: every behavior as every kind, with geometries and spawns that were not tried yet first.
 
+    Args:
+        library: Who can be tried, and be a partner.
+        only: Ids to try; None for all.
+    """
+    joint = compatibility(library)
+    tried = (np.zeros(len(joint.geometries), int), np.zeros(len(joint.spawns), int))
+    wanted = [
+        [only is None or part.id in only for part in parts]
+        for parts in (joint.behaviors, joint.geometries, joint.spawns)
+    ]
 
-def trials(library: Library) -> Iterator[tuple[Triple, AdversaryKind]]:
-    """Programs to try: every behavior as every kind, with geometries and spawns that were not tried yet first."""
-    tried: dict[str, int] = {}
-    geometries, spawns = library.of(Component.GEOMETRY), library.of(Component.SPAWN)
+    def taken(b: int, g: int, s: int) -> Triple:
+        tried[0][g] += 1
+        tried[1][s] += 1
+        return joint.behaviors[b], joint.geometries[g], joint.spawns[s]
 
-    def fewest(triples: Iterable[Triple]) -> Triple | None:
-        return min(triples, key=lambda t: sum(tried.get(part.id, 0) for part in t[1:]), default=None)
-
-    def note(triple: Triple) -> Triple:
-        tried.update({part.id: tried.get(part.id, 0) + 1 for part in triple})
-        return triple
-
-    for behavior in library.of(Component.BEHAVIOR):
-        possible = [
-            t for t in ((behavior, *pair) for pair in product(geometries, spawns)) if incompatibility(*t) is None
-        ]
-        for kind in behavior.adversaries:
-            triple = fewest(t for t in possible if kind in t[2].adversaries)
-            if triple is not None:
-                yield note(triple), kind
-    for triple in product(library.of(Component.BEHAVIOR), geometries, spawns):
-        if (triple[1].id not in tried or triple[2].id not in tried) and not incompatibility(*triple):
-            yield note(triple), _kinds(triple)[0]
+    for b, behavior in enumerate(joint.behaviors):
+        for kind in behavior.adversaries if wanted[0][b] else ():
+            fits = joint.mask[b] & np.array([kind in spawn.adversaries for spawn in joint.spawns])[None, :]
+            if fits.any():
+                used = np.where(fits, tried[0][:, None] + tried[1][None, :], np.iinfo(int).max)
+                g, s = np.unravel_index(int(used.argmin()), used.shape)
+                yield taken(b, int(g), int(s)), kind
+    for axis in (1, 2):
+        for i, missing in enumerate(tried[axis - 1] == 0):
+            at = np.argwhere(np.take(joint.mask, i, axis=axis)) if missing and wanted[axis][i] else []
+            if len(at):
+                b, other = (int(n) for n in at[0])
+                triple = taken(b, i, other) if axis == 1 else taken(b, other, i)
+                yield triple, next(kind for kind in triple[0].adversaries if kind in triple[2].adversaries)
 
 
 # Programs
 
 
-def _try(triple: Triple, kind: AdversaryKind, backend: Backend, ego: EgoPolicy) -> Iterator[Finding]:
+def try_triple(
+    triple: Triple, kind: AdversaryKind, backend: Backend, ego: EgoPolicy, scenes: int = SCENES
+) -> Iterator[Finding]:
+    """Run the program of a triple and see whether its parts keep their words."""
     behavior = triple[0]
     where = f"as {kind} with {triple[1].id} and {triple[2].id}"
     try:
-        program = assemble(_scenario(triple), triple, kind)
-        episodes, rejected = _probe(program, backend, ego)
-        route = backend.route(program, 0)
+        program = assemble(scenario_of(triple), triple, kind)
+        driven, rejected = _drive(program, backend, ego, scenes)
     except (ChatSceneError, *_FAULTS) as error:
         yield Finding(behavior.id, "runs", f"{where}: {type(error).__name__}: {error}")
         return
-    if len(rejected) > PROBES // 2:
+    if len(rejected) > scenes // 2:
         yield Finding(
-            triple[2].id, "samples", f"{len(rejected)} of {PROBES} not placed: {rejected[0]} ({behavior.id} {where})"
+            triple[2].id, "samples", f"{len(rejected)} of {scenes} not placed: {rejected[0]} ({behavior.id} {where})"
         )
-    for episode in episodes:
+    for episode, _ in driven:
         for problem in implausible(episode):
             yield Finding(behavior.id, "plausible", f"{problem} ({where})")
     for part in triple:
         slots = replace(part.slots, adversary=kind)
-        failures = [failure for episode in episodes for failure in check_meaning(slots, episode, route)[:1]]
-        if len(failures) > len(episodes) // 2:
-            yield Finding(part.id, "means", f"{failures[0]} ({behavior.id} {where})")
+        failures = [failure for episode, route in driven for failure in check_meaning(slots, episode, route)[:1]]
+        if len(failures) > (1 - SHARE) * len(driven) + 1e-9:
+            yield Finding(
+                part.id, "means", f"{failures[0]}, in {len(failures)} of {len(driven)} scenes ({behavior.id} {where})"
+            )
 
 
-def _scenario(triple: Triple) -> Scenario:
-    behavior, geometry, spawn = (part.description for part in triple)
-    return Scenario(
-        id="+".join(part.id for part in triple),
-        text=f"{geometry} {spawn} {behavior}",
-        base=None,
-        parts=SubDescriptions(behavior=behavior, geometry=geometry, spawn=spawn),
-        slots=Slots(),
-    )
-
-
-def _probe(program: ScenicProgram, backend: Backend, ego: EgoPolicy) -> tuple[list[Episode], list[str]]:
-    outcomes = [backend.run(program, s, ego, through_collisions=True) for s in probe_scenes(program, 0)[:PROBES]]
-    episodes = [outcome for outcome in outcomes if not isinstance(outcome, Rejected)]
-    return episodes, [outcome.reason for outcome in outcomes if isinstance(outcome, Rejected)]
+def _drive(
+    program: ScenicProgram, backend: Backend, ego: EgoPolicy, count: int
+) -> tuple[list[tuple[Episode, Route]], list[str]]:
+    """Scenes drawn from the declared ranges, each on the next route; and why the others could not be placed."""
+    driven: list[tuple[Episode, Route]] = []
+    rejected: list[str] = []
+    routes = backend.routes(program)
+    for i in range(count):
+        route = i % routes
+        scene = Scene(
+            id=f"{program.scenario_id}/route-{route:02d}/lint-{i}",
+            scenario_id=program.scenario_id,
+            route=route,
+            block=-1,
+            seed=i,
+            values=draw(program.parameters, seed=i),
+        )
+        outcome = backend.run(program, scene, ego, through_collisions=True)
+        if isinstance(outcome, Rejected):
+            rejected.append(outcome.reason)
+        else:
+            driven.append((outcome, backend.route(program, route)))
+    return driven, rejected
 
 
 def implausible(episode: Episode) -> Iterator[str]:
-    """What no road user could do: too fast, too hard, or through a thing that is not the ego."""
+    """What no road user could do: too fast, too hard, or, until it meets the ego, through something else."""
+    until = episode.collision.step if episode.collision else None
     for track in episode.adversaries:
         limits = LIMITS[track.kind]
         fastest = float(np.abs(track.speed).max())
@@ -214,15 +267,15 @@ def implausible(episode: Episode) -> Iterator[str]:
         if hardest > max(limits.throttle, limits.brake + limits.drag) + SLACK:
             yield f"the {track.kind} accelerates by {hardest:.1f} m/s²"
         for other in episode.tracks:
-            if other.role in (Role.BACKGROUND, Role.OCCLUDER) and _pass_through(track, other):
+            if other.role in (Role.BACKGROUND, Role.OCCLUDER) and _pass_through(track, other, until):
                 yield f"the {track.kind} goes through the {other.actor}"
 
 
-def _pass_through(a: Track, b: Track) -> bool:
-    """Whether the box of one actor is ever deep inside another's, seen along the other's axes."""
+def _pass_through(a: Track, b: Track, until: int | None) -> bool:
+    """Whether the box of one actor is ever, before a step, deep inside another's, seen along the other's axes."""
     cos, sin = np.cos(b.heading), np.sin(b.heading)
     dx, dy = a.x - b.x, a.y - b.y
     c, s = np.abs(np.cos(a.heading - b.heading)), np.abs(np.sin(a.heading - b.heading))
     along = np.abs(dx * cos + dy * sin) - (b.length + a.length * c + a.width * s) / 2
     across = np.abs(dy * cos - dx * sin) - (b.width + a.length * s + a.width * c) / 2
-    return bool(((along < -DEEP) & (across < -DEEP)).any())
+    return bool(((along < -DEEP) & (across < -DEEP))[:until].any())

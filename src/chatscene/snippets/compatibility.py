@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.snippets.library import Library
-from chatscene.terms.scenario import AdversaryKind, Component, Place, Slots
+from chatscene.terms.scenario import AdversaryKind, Component, Maneuver, Place, Slots, includes
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
-WAYS = {"advTrajectory", "advLane"}  # along the road, as spawns give them to adversaries that drive
+WAYS = {"advTrajectory", "advLane", "advKerb"}  # along the road, as spawns give them to adversaries that drive
 FACTS = (
     "side",
     "position",
@@ -25,24 +24,25 @@ FACTS = (
     "control",
     "leader",
     "blocker",
+    "group",
 )  # slots that two parts may both speak of
-JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
-
 Mask = NDArray[np.bool_]
 
 
-def agree(slot: str, one: object, other: object) -> bool:
+def agree(one: object, other: object) -> bool:
     """Whether two values of a slot can both hold; an unfilled one agrees with anything."""
     if one is None or other is None or one == other:
         return True
-    return slot == "place" and Place.JUNCTION in (one, other) and one in JUNCTIONS and other in JUNCTIONS
+    if isinstance(one, Place) and isinstance(other, Place):
+        return includes(one, other) or includes(other, one)
+    return False
 
 
 def contradiction(one: Slots, other: Slots) -> str | None:
     """The first slot on which two sets of facts disagree, in words."""
     for slot in FACTS:
         a, b = getattr(one, slot), getattr(other, slot)
-        if not agree(slot, a, b):
+        if not agree(a, b):
             return f"{slot}: {a} against {b}"
     return None
 
@@ -50,6 +50,11 @@ def contradiction(one: Slots, other: Slots) -> str | None:
 def _follows(behavior: Snippet, spawn: Snippet) -> bool:
     """Whether a behavior uses a way along the road that a spawn gives its adversary, if it gives one."""
     return not WAYS & set(spawn.provides) or bool(WAYS & set(behavior.requires))
+
+
+def _has_cause(geometry: Snippet, spawn: Snippet) -> bool:
+    """Whether an ego that goes round something finds something to go round."""
+    return geometry.slots.maneuver is not Maneuver.BYPASS or spawn.slots.blocker is True
 
 
 def incompatibility(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | None:
@@ -66,6 +71,13 @@ def incompatibility(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str
             return f"{one.id} and {other.id} both tune {', '.join(sorted(shared))}"
         if (words := contradiction(one.slots, other.slots)) is not None:
             return f"{one.id} and {other.id} contradict each other in {words}"
+    return _mismatch(behavior, geometry, spawn)
+
+
+def _mismatch(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | None:
+    """Why three snippets make no sense together though their names and facts agree."""
+    if not _has_cause(geometry, spawn):
+        return f"{geometry.id} goes round something in the ego's lane, and {spawn.id} puts nothing there"
     if not _follows(behavior, spawn):
         return f"{behavior.id} is for somebody beside the road, {spawn.id} puts the adversary on it"
     if not set(behavior.adversaries) & set(spawn.adversaries):
@@ -89,8 +101,10 @@ class Compatibility:
     spawns: tuple[Snippet, ...]
     mask: Mask
 
-    def of_kind(self, kind: AdversaryKind) -> Mask:
-        """(B, G, S): triples whose adversary can be of a kind."""
+    def of_kind(self, kind: AdversaryKind | None) -> Mask:
+        """(B, G, S): triples whose adversary can be of a kind; all of them for None."""
+        if kind is None:
+            return self.mask
         acts = np.array([kind in s.adversaries for s in self.behaviors])
         fits = np.array([kind in s.adversaries for s in self.spawns])
         return self.mask & acts[:, None, None] & fits[None, None, :]
@@ -100,33 +114,34 @@ class Compatibility:
 def compatibility(library: Library) -> Compatibility:
     """Work out every triple of a library; a few milliseconds for hundreds of snippets."""
     b, g, s = (library.of(component) for component in (Component.BEHAVIOR, Component.GEOMETRY, Component.SPAWN))
-    needs = _bits(library, lambda x: set(x.requires) - set(HEADER_PROVIDES))
-    gives = _bits(library, lambda x: set(x.provides))
-    closed = (
-        _none_missing(needs(b)[:, None, None], gives(g)[None, :, None], gives(s)[None, None, :])
-        & _none_missing(needs(g)[None, :, None], gives(b)[:, None, None], gives(s)[None, None, :])
-        & _none_missing(needs(s)[None, None, :], gives(b)[:, None, None], gives(g)[None, :, None])
-    )
+    if not (b and g and s):
+        return Compatibility(b, g, s, np.zeros((len(b), len(g), len(s)), bool))
+    (b1, bi), (g1, gi), (s1, si) = (_names(snippets) for snippets in (b, g, s))
+    closed = np.array([[[_closed((x, y, z)) for z in s1] for y in g1] for x in b1], bool)[np.ix_(bi, gi, si)]
     kinds = np.array(
         [[bool(set(x.adversaries) & set(y.adversaries)) and _follows(x, y) for y in s] for x in b]
     ).reshape(len(b), len(s))
-    pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & _pairwise(g, s)[None, :, :]
+    caused = np.array([[_has_cause(x, y) for y in s] for x in g]).reshape(len(g), len(s))
+    pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & (_pairwise(g, s) & caused)[None, :, :]
     return Compatibility(b, g, s, closed & pairs)
 
 
-def _bits(library: Library, names: Callable[[Snippet], set[str]]) -> Callable[[Sequence[Snippet]], NDArray[Any]]:
-    """Sets of names as bit masks (Python integers: a library may know more than 64 names)."""
-    everything = sorted({n for x in library for n in (*x.requires, *x.provides)})
-    place = {name: 1 << i for i, name in enumerate(everything)}
-
-    def encode(snippets: Sequence[Snippet]) -> NDArray[Any]:
-        return np.array([sum(place[n] for n in names(x)) for x in snippets], dtype=object)
-
-    return encode
+_Names = tuple[frozenset[str], frozenset[str]]  # what a part requires, what it provides
 
 
-def _none_missing(needs: NDArray[Any], first: NDArray[Any], second: NDArray[Any]) -> Mask:
-    return ((needs & ~(first | second)) == 0).astype(bool)
+def _names(snippets: Sequence[Snippet]) -> tuple[list[_Names], list[int]]:
+    """The different contracts of names among some snippets, and which of them each has: they are few."""
+    each = [(frozenset(x.requires) - set(HEADER_PROVIDES), frozenset(x.provides)) for x in snippets]
+    different = list(dict.fromkeys(each))
+    return different, [different.index(names) for names in each]
+
+
+def _closed(triple: tuple[_Names, _Names, _Names]) -> bool:
+    """Whether each part finds what it requires with the others."""
+    return all(
+        requires <= frozenset().union(*(given for j, (_, given) in enumerate(triple) if j != i))
+        for i, (requires, _) in enumerate(triple)
+    )
 
 
 def _pairwise(ones: Sequence[Snippet], others: Sequence[Snippet]) -> Mask:

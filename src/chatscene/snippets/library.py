@@ -47,9 +47,14 @@ class Library:
 
     snippets: tuple[Snippet, ...]
     _by_id: dict[str, Snippet] = field(init=False, repr=False, compare=False)
+    _hash: int = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "_by_id", {snippet.id: snippet for snippet in self.snippets})
+        object.__setattr__(self, "_hash", hash(self.snippets))  # indexes are looked up by it, sentence by sentence
+
+    def __hash__(self) -> int:
+        return self._hash
 
     def __len__(self) -> int:
         return len(self.snippets)
@@ -81,6 +86,25 @@ def load_library(folder: Path | None = None) -> Library:
         SnippetError: A file is malformed, or the folder has no snippet.
     """
     return _packaged() if folder is None else _load(folder)
+
+
+@lru_cache(maxsize=4)
+def library_with(folder: str = "") -> Library:
+    """The packaged library and a user's own beside it.
+
+    Args:
+        folder: Of the user's snippets; empty for none.
+
+    Raises:
+        SnippetError: A file is malformed, or takes the id of a packaged snippet.
+    """
+    if not folder:
+        return _packaged()
+    packaged, own = _packaged(), _load(Path(folder))
+    taken = [snippet.id for snippet in own if snippet.id in {s.id for s in packaged}]
+    if taken:
+        raise SnippetError(f"{folder}: {', '.join(taken)}: a packaged snippet has this id; rename the file")
+    return Library(tuple(sorted((*packaged, *own), key=lambda s: s.id)))
 
 
 @lru_cache(maxsize=1)

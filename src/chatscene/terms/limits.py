@@ -45,6 +45,8 @@ LIMITS: dict[str, Limits] = {
                     wheel_angle=0.8, wheel_rate=1.0, lateral=4.0),
     "Bus": Limits(length=11.5, width=2.5, throttle=1.8, brake=5.5, top_speed=28.0, wheelbase=6.0,
                   wheel_angle=0.8, wheel_rate=1.0, lateral=3.5),
+    "EmergencyVehicle": Limits(length=5.9, width=2.1, throttle=3.5, brake=7.5, top_speed=40.0, wheelbase=3.7,
+                               wheel_angle=1.0, wheel_rate=2.0, lateral=6.0),
     "Motorcycle": Limits(length=2.2, width=0.8, throttle=6.0, brake=8.0, top_speed=50.0, wheelbase=1.45,
                          wheel_angle=0.8, wheel_rate=2.5, lateral=7.0),
     "Bicycle": Limits(length=1.8, width=0.6, throttle=1.8, brake=4.5, top_speed=12.0, wheelbase=1.05,

@@ -17,11 +17,14 @@ class RouteQuery:
 
     Attributes:
         maneuver: What the ego does.
-        place: Where; None stands for anywhere the manoeuvre is possible.
+        place: Where; None stands for anywhere the manoeuvre is possible. A left or right curve is a bend that way;
+            the route's own place is then CURVE.
         control: How the junction is controlled; None for any.
         lanes_same_way: At least this many lanes in the ego's direction.
-        opposite_lane: Whether a lane of the opposite direction must lie directly beside the ego's.
-        lane_beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly on that side.
+        opposite_lane: Whether a lane of the opposite direction must lie directly beside the ego's. A bypass leads
+            through that lane, or, where there must be none, through a second lane of the ego's direction.
+        lane_beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly on that side, ``none``
+            if the ego's must be the only one of its direction.
         conflicting_from: Sides ("left", "right", "oncoming") from which another vehicle must be able to
             cross the ego's way at the junction.
     """
@@ -40,7 +43,7 @@ class RouteQuery:
         parts = [self.maneuver, self.place, self.control]
         parts += [f"{self.lanes_same_way}-lanes"] * (self.lanes_same_way > 1)
         parts += [None if self.opposite_lane is None else "opposite" if self.opposite_lane else "one-way"]
-        parts += [f"lane-{self.lane_beside}"] if self.lane_beside else []
+        parts += ["one-lane" if self.lane_beside == "none" else f"lane-{self.lane_beside}"] if self.lane_beside else []
         parts += [f"from-{side}" for side in self.conflicting_from]
         return "-".join(part for part in parts if part is not None)
 

@@ -39,6 +39,7 @@ class AdversaryKind(StrEnum):
     MOTORCYCLE = "motorcycle"
     BICYCLE = "bicycle"
     PEDESTRIAN = "pedestrian"
+    EMERGENCY_VEHICLE = "emergency-vehicle"
 
 
 class Action(StrEnum):
@@ -63,6 +64,13 @@ class Action(StrEnum):
     DIAGONAL = "diagonal"  # crosses at a slant
     TURN_BACK = "turn-back"  # crosses, then goes back where it came from
     FOLLOW = "follow"  # drives on along its lane
+    OVERTAKE = "overtake"  # passes the ego from behind
+    TAILGATE = "tailgate"  # drives close behind the ego
+    PULL_OUT = "pull-out"  # leaves a standing place beside the road for the ego's lane
+    WRONG_WAY = "wrong-way"  # drives against traffic in the ego's own lane
+    U_TURN = "u-turn"  # turns round to where it came from
+    BLOCK = "block"  # stands still in the ego's way
+    FAST = "fast"  # drives or runs much faster than usual
 
 
 class Side(StrEnum):
@@ -84,6 +92,14 @@ class Position(StrEnum):
     ONCOMING = "oncoming"  # facing the ego, in an opposing lane or the opposite arm
     CROSSING = "crossing"  # on an arm to the side of a junction
     FAR_CORNER = "far-corner"  # at the side of the road the ego turns into
+    KERB = "kerb"  # a vehicle standing at the edge of the road, ahead
+
+
+class Distance(StrEnum):
+    """How far from the ego the adversary starts."""
+
+    NEAR = "near"  # 20 m at most
+    FAR = "far"  # 35 m at least
 
 
 class Occluder(StrEnum):
@@ -95,6 +111,9 @@ class Occluder(StrEnum):
     PARKED_TRUCK = "parked-truck"
     KIOSK = "kiosk"
     CONTAINER = "container"
+    PARKED_BUS = "parked-bus"
+    HEDGE = "hedge"  # or a fence, a wall
+    BILLBOARD = "billboard"  # or an advertising column
 
 
 class Maneuver(StrEnum):
@@ -112,10 +131,23 @@ class Place(StrEnum):
     """Where it happens."""
 
     ROAD = "road"
-    CURVE = "curve"
+    CURVE = "curve"  # to either side
+    LEFT_CURVE = "left-curve"
+    RIGHT_CURVE = "right-curve"
     THREE_WAY = "three-way"
     FOUR_WAY = "four-way"
     JUNCTION = "junction"  # any number of arms
+
+
+_KINDS_OF = {
+    Place.CURVE: (Place.LEFT_CURVE, Place.RIGHT_CURVE),
+    Place.JUNCTION: (Place.THREE_WAY, Place.FOUR_WAY),
+}
+
+
+def includes(general: Place, place: Place) -> bool:
+    """Whether every place of the second kind is one of the first: a junction may have three arms, a curve bend left."""
+    return general is place or place in _KINDS_OF.get(general, ())
 
 
 class Control(StrEnum):
@@ -143,11 +175,39 @@ class Slots:
     control: Control | None = None
     leader: bool | None = None  # a slow vehicle leads the ego
     blocker: bool | None = None  # a parked vehicle stands in the ego's lane
+    distance: Distance | None = None
+    group: bool | None = None  # others of its kind stand or go with it
+    lanes: int | None = None  # of the ego's direction; on a road
+    two_way: bool | None = None  # a lane of the opposite direction lies beside the ego's
 
     def said(self) -> dict[str, object]:
         """The slots that are filled, by name."""
         filled = {f.name: getattr(self, f.name) for f in fields(self)}
         return {name: value for name, value in filled.items() if value not in (None, ())}
+
+
+class Measure(StrEnum):
+    """What a number in a sentence measures."""
+
+    DISTANCE = "distance"  # from the ego to where the adversary starts [m]
+    SPEED = "speed"  # of the adversary [m/s]
+    TIME = "time"  # for which it stands [s]
+    TRIGGER = "trigger"  # how far the ego still is when it acts [m]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Quantity:
+    """A number that was said.
+
+    Attributes:
+        measure: Of what.
+        value: In SI units.
+        said: The words.
+    """
+
+    measure: Measure
+    value: float
+    said: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -173,6 +233,8 @@ class Scenario:
         parts: A sub-description per component.
         slots: The typed facts found in it.
         notes: What the reader of the sentence was unsure about, in words for the user.
+        quantities: The numbers found in it.
+        guessed: Slots that no word says outright; a classifier filled them from the whole.
     """
 
     id: str
@@ -181,3 +243,5 @@ class Scenario:
     parts: SubDescriptions
     slots: Slots
     notes: tuple[str, ...] = ()
+    quantities: tuple[Quantity, ...] = ()
+    guessed: tuple[str, ...] = ()

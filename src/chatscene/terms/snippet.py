@@ -107,6 +107,7 @@ class Retrieval:
         confidence: In [0, 1]; below the settings' threshold the answer is a refusal.
         candidates: The best few per component, best first.
         ruled_out: Better-scoring snippets that no compatible triple could use.
+        notes: Quantities that were heard but cannot be set in these snippets.
     """
 
     behavior: Match
@@ -116,6 +117,7 @@ class Retrieval:
     confidence: float
     candidates: dict[Component, tuple[Match, ...]]
     ruled_out: tuple[RuledOut, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def snippets(self) -> tuple[Snippet, Snippet, Snippet]:

@@ -87,6 +87,19 @@ behavior ReverseStraight(speed):
     while True:
         take DriveAction(*pedals(-self.pose[3], speed), 0, True)
 
+behavior ReverseTurning(speed, steer):
+    """Drive backwards with the wheel turned: `steer` in [-1, 1], positive to the right. Never ends."""
+    while True:
+        take DriveAction(*pedals(-self.pose[3], speed), steer, True)
+
+behavior TurnOff(angle, speed, radius=6):
+    """Turn by an angle (positive: to the left) on a circle, as into a drive or round to go back, and end."""
+    steer = -math.copysign(min(1, math.atan(self.wheelbase / radius) / self.wheelAngle), angle)
+    before, turned = self.pose[2], 0
+    while abs(turned) < abs(angle):
+        take DriveAction(*pedals(self.pose[3], speed), steer)
+        turned, before = turned + math.remainder(self.pose[2] - before, 2 * math.pi), self.pose[2]
+
 behavior Park():
     """Stand still with the brake on."""
     while True:

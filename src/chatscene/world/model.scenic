@@ -17,9 +17,9 @@ from scenic.domains.driving.model import *
 from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Placed, Walking
 from chatscene.world.behaviors import *
-from chatscene.world.places import (adjacentPath, besideRoad, brakingDistance, choose_route as _choose_route,
+from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, levelOn, maximum, neighbourPath,
-    offsetFrom, ownLane, pointOn, progressOn, restsWithin, trafficFrom, waitingTraffic, wayOf)
+    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom, waitingTraffic, wayOf)
 from chatscene.terms.limits import LIMITS as _LIMITS
 
 if 'route' not in globalParameters:
@@ -66,6 +66,12 @@ class Bus(Car):
     wheelbase: _LIMITS['Bus'].wheelbase
     wheelAngle: _LIMITS['Bus'].wheel_angle
 
+class EmergencyVehicle(Car):
+    length: _LIMITS['EmergencyVehicle'].length
+    width: _LIMITS['EmergencyVehicle'].width
+    wheelbase: _LIMITS['EmergencyVehicle'].wheelbase
+    wheelAngle: _LIMITS['EmergencyVehicle'].wheel_angle
+
 class Motorcycle(Car):
     length: _LIMITS['Motorcycle'].length
     width: _LIMITS['Motorcycle'].width
@@ -110,3 +116,11 @@ class Kiosk(Prop):
 class Container(Prop):
     length: 3.0
     width: 1.8
+
+class Hedge(Prop):
+    length: 5.0
+    width: 0.8
+
+class Billboard(Prop):
+    length: 2.0
+    width: 0.6

@@ -32,6 +32,7 @@ FOLLOWING_CORRIDOR = 1.3  # [m] beside a path that a driver keeps free
 FOLLOWING_BRAKE = 2.5  # [m/s²], comfortable
 STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
 _WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
+KERB_SHORT = 3.0  # [m] before a junction, where a kerb ends
 ROUTES = 10  # per geometry, as in the paper (section 4.2)
 
 _deferred = cast("Callable[[Callable[..., Any]], Callable[..., Any]]", distributionFunction)
@@ -261,6 +262,11 @@ def extended(path: Any, back: float) -> Polyline:
     return Polyline([line.point_at(-back), *line.points])
 
 
+def against(path: Any) -> Polyline:
+    """A path in the opposite direction: the way of somebody who drives on it the wrong way."""
+    return Polyline(line_of(path).points[::-1])
+
+
 def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
     """The centre line of the lane beside the ego's, in its own driving order.
 
@@ -290,6 +296,17 @@ def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
     line = lane_runs(route.network)[route.route.lane_ids[0]].line
     level, _, _ = line.project(*route.line.point_at(0.0))
     return line.between(level, line.length)
+
+
+def ownWay(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The way of traffic ahead of the ego: its route, or its first lane where it is about to leave that."""
+    return ownLane(route) if route.maneuver in (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT) else route.line
+
+
+@_deferred
+def shortOfJunction(route: EgoRoute, along: float) -> float:  # noqa: N802
+    """Arc length [m] on the ego's route, cut to `KERB_SHORT` before its junction, where the kerb turns away."""
+    return along if route.route.junction is None else min(along, route.eventAt - KERB_SHORT)
 
 
 def headingLine(x: float, y: float, heading: float, length: float = 60.0) -> Polyline:  # noqa: N802

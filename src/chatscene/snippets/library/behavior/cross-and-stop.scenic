@@ -6,6 +6,24 @@
 #:   "The cyclist rides across and stands still in the way of the ego.",
 #:   "The adversary moves over the street from the side and stays there, blocking the lane.",
 #:   "The motorcyclist crosses abruptly and comes to a halt in the centre of the intersection.",
+#:   "Some bloke on foot marches out and then just parks himself in our lane.",
+#:   "The non-motorist entered the roadway and came to rest in the lane of Vehicle 1.",
+#:   "A woman dashed out and then just planted herself bang in front of me.",
+#:   "Pedestrian entered the roadway without warning and came to a standstill in the path of Unit 1.",
+#:   "Ped runs out, halts dead ahead, doesn't move.",
+#:   "The cyclist target enters the lane from the side without notice and comes to rest in the path of the test vehicle.",
+#:   "Man comes fast on the street and then he stands before my car.",
+#:   "VRU pops out crosswise then freezes like a deer on our centreline; does not clear.",
+#:   "The boy sprang off the pavement and then his feet stuck to the asphalt; he stood there staring at her headlights.",
+#:   "Careful, that kid on the moped's come straight out and parked himself across your front.",
+#:   "some girl ran out and then just stood there like an npc",
+#:   "A man bolted into the street and came to rest squarely before an approaching car.",
+#:   "The deceased, I put it to you, entered the carriageway all at once and there remained upright in the defendant's path.",
+#:   "The aunty suddenly come out and then never move already, stand there block me.",
+#:   "Comes charging off the pavement and then turns into a statue, what am I meant to do, go over him?",
+#:   "Sudden pedestrian incursion with subsequent stationary occupation of the lane",
+#:   "CYCLIST RIDES OUT AND JUST STOPS IN MY WAY",
+#:   "The walker bursts out and roots himself before us.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]
@@ -15,13 +33,13 @@
 #: actions = ["cross", "stop"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.2
+#: low = 1.4
 #: high = 5.0
 #: unit = "m/s"
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 6.0
+#: low = 10.0
 #: high = 40.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when the adversary starts to move"
@@ -32,11 +50,13 @@
 #: unit = "m"
 #: meaning = "how far from the ego's line it comes to rest"
 
-param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(6, 40)
+param OPT_ADV_SPEED = Range(1.4, 5)
+param OPT_ADV_DISTANCE = Range(10, 40)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()

@@ -5,6 +5,25 @@
 #:   "Halfway over, the walker falters, waits briefly, and carries on.",
 #:   "The cyclist sets off across, pauses, and resumes.",
 #:   "The adversary enters the lane, stands undecided, then moves again.",
+#:   "She sets off across, gets cold feet for a second and then keeps going.",
+#:   "The pedestrian paused in the travel lane before completing the crossing.",
+#:   "ped crosses, stops briefly, carries on",
+#:   "This old boy set off over the road, dithered halfway across my lane, then carried on.",
+#:   "Pedestrian began to cross, paused momentarily in the lane of travel, and proceeded to the other side.",
+#:   "Cyclist crossing, has second thoughts mid-lane, then continues.",
+#:   "The pedestrian dummy starts crossing, stops briefly once within the lane, then resumes in the same direction.",
+#:   "She starts to go over, in the middle she is not sure, then she goes further.",
+#:   "Crosser does a single short wait in our lane, then finishes the crossing.",
+#:   "He had got as far as her lane when his courage failed; he wavered for a heartbeat, then pressed on to the far side.",
+#:   "She's stepping out, she's in two minds about it, wait for her, okay now she's off again.",
+#:   "she was crossing then was like uhh do i go or not and then went",
+#:   "A cyclist appeared to falter in the middle of the lane before completing the crossing.",
+#:   "She set out, she wavered once, I stress once, and then she completed her passage.",
+#:   "Crossing halfway he got confused for two seconds, then he continued only.",
+#:   "Make your mind up, love! Starts over, has a little think in front of my cab, then off she trots.",
+#:   "Momentary indecision of crossing person in lane, followed by completion of crossing",
+#:   "PEDESTRIAN LAGS MID-CROSSING then reconnects",
+#:   "The man stepping over falters and then proceeds.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]
@@ -14,14 +33,14 @@
 #: actions = ["cross", "hesitate"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.0
+#: low = 1.2
 #: high = 4.0
 #: unit = "m/s"
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 55.0
+#: low = 26.0
+#: high = 58.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -37,13 +56,15 @@
 #: unit = "s"
 #: meaning = "how long it pauses"
 
-param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(18, 55)
+param OPT_ADV_SPEED = Range(1.2, 4)
+param OPT_ADV_DISTANCE = Range(26, 58)
 param OPT_STOP_DISTANCE = Range(0.2, 2)
 param OPT_STOP_TIME = Range(0.5, 2)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * (headway(egoRoute, ego, self) / 8 - globalParameters.OPT_STOP_TIME - 1))
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt() until self.pose[3] < 0.1
     do Halt() for globalParameters.OPT_STOP_TIME seconds

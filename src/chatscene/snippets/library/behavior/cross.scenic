@@ -6,6 +6,24 @@
 #:   "The cyclist rides across the lane of the ego and leaves it on the far side.",
 #:   "The adversary traverses the roadway at right angles, never pausing.",
 #:   "The motorcyclist shoots over the road ahead of the ego.",
+#:   "A guy on a pushbike rolls over the road and off the other side.",
+#:   "The pedestrian crossed the roadway in front of Vehicle 1 at a constant walking speed.",
+#:   "Someone just strolled straight over the road in front of me without breaking stride.",
+#:   "A pedestrian traversed the roadway at a steady walk and did not halt for oncoming traffic.",
+#:   "Ped walks kerb-to-kerb, const spd, no stop.",
+#:   "The cyclist target moves perpendicular to the VUT's path at constant velocity from one side to the other.",
+#:   "A man on bicycle goes over the street, he does not wait.",
+#:   "Plain crossing VRU: constant speed, no reaction to ego, no pause midway.",
+#:   "She stepped off the kerb and went over to the far side at her own even pace, never once stopping.",
+#:   "Lady coming over from the pavement, she's walking right across and she won't be stopping for you.",
+#:   "lady just walked over like no cars exist",
+#:   "Shopper stepped over the busy street without a pause, onlookers said.",
+#:   "The man proceeded from one pavement to the other and at no point did he halt; do I have that right?",
+#:   "Uncle just walk across steady steady, never stop also.",
+#:   "Off he trots to the other side, doesn't hang about, doesn't wait for me neither.",
+#:   "Uninterrupted pedestrian crossing movement in ego path.",
+#:   "PEDESTRIAN WALKS OVER ROAD LIKE IT'S HIS LIVING ROOM",
+#:   "A cyclist traversed the street ahead of us.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]
@@ -15,20 +33,22 @@
 #: actions = ["cross"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.2
+#: low = 1.5
 #: high = 5.0
 #: unit = "m/s"
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
+#: low = 18.0
 #: high = 54.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when the adversary starts to move"
 
-param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(10, 54)
+param OPT_ADV_SPEED = Range(1.5, 5)
+param OPT_ADV_DISTANCE = Range(18, 54)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED)

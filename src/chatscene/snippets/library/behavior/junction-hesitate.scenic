@@ -5,6 +5,25 @@
 #:   "The crossing driver starts, waits, and starts again.",
 #:   "Undecided, the car halts at the edge of the ego's way and then crosses it.",
 #:   "The other car creeps in, stands a moment, and moves off before the ego.",
+#:   "he pokes out, stops, can't make his mind up, and goes",
+#:   "Vehicle 2 entered the intersection, paused momentarily, and continued.",
+#:   "pulls in, short stop, on again",
+#:   "He poked out into the crossroads, couldn't make up his mind, then carried on over.",
+#:   "Vehicle 2 entered the intersection, paused momentarily as if uncertain, and resumed travel.",
+#:   "Car into jct, dithers once, goes.",
+#:   "Target enters the intersection, interrupts its motion briefly, then resumes and clears.",
+#:   "The bus comes in the crossing, thinks a little, then goes further.",
+#:   "One indecisive pause mid-junction, then proceeds; single hesitation, not repeated.",
+#:   "He nosed in, faltered as though he'd forgotten where he was going, and then went on after all.",
+#:   "He's in two minds, that driver; he's in the box, he's waiting, no, now he's going, let him clear.",
+#:   "he pulled out into the junction, had a lil panic, then kept going",
+#:   "A bus faltered for a moment in the junction before going over, causing alarm.",
+#:   "You entered, you had second thoughts, and then you continued nevertheless; is that a fair summary?",
+#:   "He came inside junction, thinking thinking, then only he went.",
+#:   "Out he comes, has a think about it bang in the crossroads, then off across.",
+#:   "Single momentary indecision of vehicle inside intersection prior to clearing.",
+#:   "DRIVER ENTERS INTERSECTION, HAS SECOND THOUGHTS, GOES ANYWAY",
+#:   "The motorcycle entered the crossroads, blinked, and went on.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
@@ -14,13 +33,13 @@
 #: actions = ["hesitate"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 12.0
-#: high = 48.0
+#: low = -4.0
+#: high = 26.0
 #: unit = "m"
 #: meaning = "how far the ego still is from where their ways meet when it sets off"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 3.0
+#: low = 4.0
 #: high = 8.0
 #: unit = "m/s"
 #: meaning = "how fast it drives"
@@ -37,15 +56,15 @@
 #: unit = "s"
 #: meaning = "how long it pauses"
 
-param OPT_ADV_DISTANCE = Range(12, 48)
-param OPT_ADV_SPEED = Range(3, 8)
+param OPT_ADV_DISTANCE = Range(-4, 26)
+param OPT_ADV_SPEED = Range(4, 8)
 param OPT_STOP_DISTANCE = Range(-3, 2)
 param OPT_STOP_TIME = Range(0.4, 1.5)
 
 advTurn = "straight"
 
 behavior AdvBehavior():
-    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
     do BrakeOnPath(advTrajectory) until self.pose[3] < 0.05
     do Halt() for globalParameters.OPT_STOP_TIME seconds

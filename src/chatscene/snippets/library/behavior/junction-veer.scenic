@@ -5,6 +5,25 @@
 #:   "The other driver swerves unpredictably over the crossroads.",
 #:   "On its way through, the car sways left and right.",
 #:   "The approaching motorbike wobbles erratically across the intersection.",
+#:   "he's all over the place as he comes through the crossing",
+#:   "Vehicle 2 followed an erratic path through the intersection.",
+#:   "The car goes left, right, left, right over the crossing, very dangerous.",
+#:   "The thing was all over the shop going through the crossroads, like the driver was plastered.",
+#:   "Unit 2 failed to maintain a straight course through the intersection, making several erratic steering movements.",
+#:   "Car thru junction, steering all over, no clear line.",
+#:   "The target vehicle crosses the junction with unpredictable lateral deviations from its nominal path.",
+#:   "The truck drives not straight in the crossing, goes left and right, I don't know where he wants.",
+#:   "Actor's path in the box wobbles left/right at random; speed unchanged.",
+#:   "It lurched one way, then the other, as if two people were fighting over the wheel in the middle of the crossroads.",
+#:   "That biker's wandering all over the intersection, you can't tell which way he'll jerk next.",
+#:   "this car was going everywhere in the intersection fr is he ok",
+#:   "A lorry staggered through the crossroads on a course no one could foretell.",
+#:   "The vehicle held to no line at all; it pitched now this way and now that over the whole of the junction.",
+#:   "Uncle go through the junction like drunk, suddenly left suddenly right, dunno want to go where.",
+#:   "Steering like he's stirring soup, this one, right through the middle of the crossroads.",
+#:   "Unpredictable lateral deviations of vehicle during intersection passage",
+#:   "DRUNK? Car lurches all over the junction",
+#:   "The van reels across the intersection.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]
@@ -33,14 +52,14 @@
 #: [[parameters]]
 #: name = "OPT_ADV_PERIOD"
 #: low = 2.0
-#: high = 3.5
+#: high = 3.0
 #: unit = "s"
 #: meaning = "how long a full swing takes"
 
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(5, 9)
 param OPT_ADV_AMPLITUDE = Range(1.6, 2.6)
-param OPT_ADV_PERIOD = Range(2, 3.5)
+param OPT_ADV_PERIOD = Range(2, 3)
 
 advTurn = "straight"
 

@@ -5,17 +5,36 @@
 #:   "The neighbouring car decelerates to the leader's crawl, so nobody gets past.",
 #:   "Driving as slowly as the vehicle in front, the car closes off the other lane.",
 #:   "The driver in the target lane falls into step with the slow leader.",
+#:   "The one beside us drops to the slowcoach's speed, and now both lanes are shut.",
+#:   "Vehicle 3 slowed in the adjacent lane to the speed of the lead vehicle, leaving no passing lane.",
+#:   "Adjacent veh adopts leader's low speed, rolling roadblock.",
+#:   "I wanted to move over, but he sat alongside the slowcoach and wouldn't let anyone by, like a rolling roadblock.",
+#:   "Unit 2 reduced its speed to that of the slow vehicle ahead of Unit 1, preventing a lane change.",
+#:   "Truck in next lane drops to speed of slow one ahead, both lanes plugged.",
+#:   "The vehicle in the adjacent target lane adapts its velocity to that of the slow lead vehicle so that the passing lane is obstructed.",
+#:   "Car in the other lane goes now same slow as the truck before me, I cannot change.",
+#:   "Target-lane actor eases down to v_lead, so no overtake is possible on either side.",
+#:   "He came down to the tractor's speed and stayed there, the two of them side by side, a moving wall in front of her.",
+#:   "You won't get past now, the bus in the other lane has eased down level with that slow wagon.",
+#:   "the car in the other lane slowed to the same speed as the slow one in front so now im boxed in ugh",
+#:   "Two vehicles ended up side by side at the same low speed, leaving the follower with no lane to use.",
+#:   "By dropping to the pace of the laggard ahead, the defendant denied my client the lane he meant to enter.",
+#:   "I want to change lane but that side car also became slow like the front lorry, both are going together.",
+#:   "Snail in front of me, and now his mate in the other lane's dawdling level with him, so I'm stuffed.",
+#:   "Blocked target lane due to speed adaptation of its occupant to slow preceding vehicle",
+#:   "TWO SLOWPOKES SIDE BY SIDE, nobody gets by",
+#:   "The truck in the other lane slackens to keep step with the dawdler and seals the lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
-#: requires = ["LeadingAgent", "advTrajectory", "egoRoute"]
+#: requires = ["LeadingAgent", "advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: actions = ["slow"]
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = -15.0
-#: high = 20.0
+#: low = 5.0
+#: high = 30.0
 #: unit = "m"
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
@@ -25,9 +44,9 @@
 #: unit = "m"
 #: meaning = "how far ahead of the leading vehicle it stays"
 
-param OPT_ADV_DISTANCE = Range(-15, 20)
+param OPT_ADV_DISTANCE = Range(5, 30)
 param OPT_ADV_AHEAD = Range(-4, 14)
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
-    do PaceOnPath(advTrajectory, LeadingAgent, globalParameters.OPT_ADV_AHEAD)
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do PaceOnPath(advLane, LeadingAgent, globalParameters.OPT_ADV_AHEAD, LeadingAgent.pose[3] + 0.4)

@@ -5,9 +5,28 @@
 #:   "The neighbouring car swaps lanes and slots in ahead of the ego behind the slow one.",
 #:   "While the ego moves out, the other driver moves in to the place it left.",
 #:   "The car next to the ego switches abruptly to the ego's initial lane.",
+#:   "As we swing out, the other guy dives into the slot we've just left.",
+#:   "Vehicle 2 moved into the lane that vehicle 1 was vacating.",
+#:   "He goes in our old lane behind the slow one, so we cannot come back.",
+#:   "just as I was leaving my lane, the bike from the one I was going into swapped straight over to where I'd come from",
+#:   "While V1 was changing lanes, V2 left the destination lane and moved into the lane V1 had been occupying.",
+#:   "Car swaps lanes w/ us: from new lane -> our old lane.",
+#:   "The vehicle in the target lane makes an abrupt lane change into the lane that the VUT is departing from.",
+#:   "I go to the other lane, and the car from there comes suddenly to my first lane.",
+#:   "Lane swap conflict: NPC in the goal lane merges towards the SUT's starting lane while the SUT is moving out.",
+#:   "They were about to change places, as it were: she slid out of her lane and the motorcycle, without warning, slid into it.",
+#:   "You're going over there, and he, in that lane, has decided he wants the one you've been in all along. Careful, don't trade paint.",
+#:   "i moved over to the next lane and the car there swapped right into the lane i just left",
+#:   "A hatchback crossed, with no notice, from the lane a driver was aiming for to the very lane she came from",
+#:   "The motorcycle quit the lane you were bound for and thrust itself into that in which you had begun?",
+#:   "I want to go his lane, he suddenly come to my old lane, exchange ah",
+#:   "I'm after his lane and blow me if he doesn't hop over to mine at the same moment",
+#:   "Abrupt merge of destination-lane traffic into the own vehicle's initial lane",
+#:   "Biker from the other lane suddenly swaps INTO MINE",
+#:   "The hatchback hopped across from the target lane to our old one.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
-#: requires = ["LeadingAgent", "advLane", "egoRoute"]
+#: requires = ["LeadingAgent", "advLane", "egoRoute", "leaderWay"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
@@ -37,5 +56,5 @@ param OPT_ADV_BEHIND = Range(8, 12)
 
 behavior AdvBehavior():
     # At the latest where there is just room left behind the leading vehicle.
-    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE or headway(advLane, self, LeadingAgent) < globalParameters.OPT_ADV_BEHIND + 1
-    do PaceOnPath(ownLane(egoRoute), LeadingAgent, -globalParameters.OPT_ADV_BEHIND, globalParameters.OPT_ADV_SPEED)
+    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE or headway(leaderWay, self, LeadingAgent) < globalParameters.OPT_ADV_BEHIND + 1
+    do PaceOnPath(leaderWay, LeadingAgent, -globalParameters.OPT_ADV_BEHIND, globalParameters.OPT_ADV_SPEED)

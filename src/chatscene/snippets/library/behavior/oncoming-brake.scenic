@@ -5,6 +5,25 @@
 #:   "The adversary coming toward the ego decelerates sharply.",
 #:   "Opposing traffic halts without warning beside the obstacle.",
 #:   "The motorbike from the other direction brakes to a stop in front of the ego.",
+#:   "the one coming the other way stands on the brakes and just stops",
+#:   "Vehicle 2, oncoming, decelerated rapidly and came to rest in its lane.",
+#:   "opposing veh, full brake, standstill",
+#:   "The car coming the other way stood on his brakes and stopped, still on his own side.",
+#:   "Opposing Vehicle 2 braked heavily and came to a stop within its own lane.",
+#:   "Opp. bus full brake to 0, own lane.",
+#:   "The oncoming target decelerates strongly to standstill without leaving its own lane.",
+#:   "The car which comes against me brakes strong and stands in his lane.",
+#:   "Opposite-direction actor does a hard stop in its own lane; ego should not overreact.",
+#:   "He was coming down to meet her when his nose dived and he pulled up short on his own side of the line.",
+#:   "Chap coming the other way's done an emergency stop over there in his lane; stay on ours.",
+#:   "car on the other side coming at us just braked to a full stop in its own lane",
+#:   "The approaching bus pulled up sharply on its own side of the road, puzzling drivers.",
+#:   "The vehicle travelling toward my client braked to a halt, and did so without quitting its own lane?",
+#:   "The opposite lorry put full brake and stopped in his side only.",
+#:   "Chap coming towards me nails it to a stop over on his side, no idea what he'd seen.",
+#:   "Emergency stop of opposing vehicle within its own lane.",
+#:   "ONCOMING CAR SLAMS TO A STOP FOR NO REASON",
+#:   "The oncoming truck bit into its brakes and froze in its lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -37,5 +56,5 @@ param OPT_ADV_DISTANCE = Range(15, 45)
 param OPT_BRAKE = Range(0.4, 1)
 
 behavior AdvBehavior():
-    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until self.pose[3] > 4 and gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
     do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE)

@@ -5,6 +5,25 @@
 #:   "The adversary comes on in a wavering course.",
 #:   "The approaching motorbike snakes to and fro.",
 #:   "Opposing traffic sways erratically and keeps coming.",
+#:   "the one coming toward us is swaying all over the road",
+#:   "Vehicle 2 approached from the opposite direction on a weaving course.",
+#:   "opposing veh, zigzag about its lane",
+#:   "There was someone coming the other way snaking all over the place.",
+#:   "The approaching vehicle was weaving left and right as it neared Unit 1.",
+#:   "Opp. veh zigzag, L-R-L, closing.",
+#:   "The oncoming target approaches with repeated alternating lateral deviations.",
+#:   "The motorbike comes against me and makes zig-zag all the time.",
+#:   "Opposite-direction actor with oscillating path; continuous, doesn't settle; lateral prediction jitters.",
+#:   "He came tacking down the road to meet her, first one side, then the other, like a dinghy in a squall.",
+#:   "See the headlights coming swinging about? He can't hold a line, keep well over to the edge.",
+#:   "the car coming at us was going all squiggly",
+#:   "An approaching van wound along the road from edge to edge, alarming drivers.",
+#:   "The vehicle bearing toward you swung to one side, then the other, and so on until it reached you?",
+#:   "Opposite bus was coming left-right, left-right, I don't know where to go.",
+#:   "One's coming at me like he's dodging bullets, this side, that side, take your pick.",
+#:   "Oscillating lateral path of approaching opposing vehicle.",
+#:   "ONCOMING CAR ALL OVER THE ROAD",
+#:   "The oncoming motorcycle slithered from side to side.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -13,6 +32,7 @@
 #: [slots]
 #: actions = ["oncoming", "weave"]
 #: position = "oncoming"
+#: place = "road"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

@@ -5,6 +5,25 @@
 #:   "Midway over the carriageway the pedestrian speeds up without warning.",
 #:   "Someone ambles off the kerb, then bolts.",
 #:   "The cyclist rolls into the lane and suddenly pedals hard.",
+#:   "He's strolling over and then all of a sudden legs it.",
+#:   "The pedestrian entered the roadway at a walk and then began to run.",
+#:   "ped walks out, then sprints",
+#:   "she started over nice and slow, then halfway she suddenly legged it",
+#:   "The pedestrian began crossing at a slow walk and abruptly broke into a run partway across.",
+#:   "Ped X-ing slow; midway -> runs.",
+#:   "The pedestrian target starts crossing at low walking speed and changes to running speed partway.",
+#:   "The boy goes slow in the street, and in the middle he runs.",
+#:   "Crosser with speed step: slow on the first half, run on the second half; breaks constant-velocity prediction.",
+#:   "The cyclist had been dawdling over when something spurred him on, and he finished the crossing at full tilt.",
+#:   "Old fella's ambling over, plenty of time... oh, he's noticed you, he's picked up his skirts and he's running for it.",
+#:   "she was walking across all chill then suddenly started sprinting lol",
+#:   "A pedestrian who set out unhurriedly took to his heels halfway over",
+#:   "You began to cross at leisure and, part of the way over, you began to run?",
+#:   "Aunty crossing slowly slowly, halfway then she start to run, give me shock",
+#:   "He's ambling over, hands in pockets, then in the middle he's off like he's heard last orders",
+#:   "Pace change of crossing pedestrian from walk to run in mid-crossing",
+#:   "Pedestrian strolls out... then SPRINTS",
+#:   "The cyclist drifted out, then galvanised across.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
 #: requires = ["egoRoute"]
@@ -26,8 +45,8 @@
 #: meaning = "how fast it runs in the end"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 18.0
-#: high = 55.0
+#: low = 24.0
+#: high = 56.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -39,10 +58,12 @@
 
 param OPT_ADV_SPEED = Range(0.8, 2)
 param OPT_ADV_SPRINT = Range(4.5, 7)
-param OPT_ADV_DISTANCE = Range(18, 55)
+param OPT_ADV_DISTANCE = Range(24, 56)
 param OPT_ADV_REACH = Range(1, 3)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
     do MoveAhead(globalParameters.OPT_ADV_SPRINT)

@@ -5,6 +5,25 @@
 #:   "A child runs out in front of the vehicle and halts there.",
 #:   "The person rushes onto the street at full speed and comes to a dead stop.",
 #:   "The runner darts out abruptly and blocks the lane by standing in it.",
+#:   "A lad comes haring out and then stands stock-still in front of us.",
+#:   "The pedestrian ran into the roadway and stopped in the path of Vehicle 1.",
+#:   "ped runs out, freezes in lane",
+#:   "Some kid legged it out in front of me and then froze like a deer in the headlights.",
+#:   "The juvenile ran into the roadway ahead of Unit 1 and came to a sudden standstill.",
+#:   "Ped bolts out, freezes in front of ego.",
+#:   "The pedestrian target accelerates to running speed into the VUT's path and comes to rest there.",
+#:   "A child runs suddenly on the street before me and stays standing.",
+#:   "Dart-out then freeze: ped reaches our path running, halts in it, doesn't finish crossing.",
+#:   "He burst out at a run, saw her coming, and stood rooted to the spot.",
+#:   "Kid's run out, and he's stopped right there staring at you, brake!",
+#:   "this girl sprinted out in front of us and then just FROZE",
+#:   "A youth tore into the road and pulled up short before a car, as though turned to stone.",
+#:   "He ran into the carriageway, and directly before the vehicle he ceased to move?",
+#:   "Small boy suddenly ran in front of my car and then stood there like statue.",
+#:   "Shoots out in front of me, sees the grille, and that's him stuck, won't go on, won't go back.",
+#:   "Sudden running entry of pedestrian with standstill in ego path.",
+#:   "GIRL SPRINTS OUT THEN FREEZES IN FRONT OF CAR",
+#:   "A boy streaked out and petrified before us.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -20,8 +39,8 @@
 #: meaning = "how fast it runs"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 2.0
-#: high = 16.0
+#: low = 6.0
+#: high = 18.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to run"
 #: [[parameters]]
@@ -32,10 +51,11 @@
 #: meaning = "how far from the ego's line it comes to rest"
 
 param OPT_ADV_SPEED = Range(4, 7)
-param OPT_ADV_DISTANCE = Range(2, 16)
+param OPT_ADV_DISTANCE = Range(6, 18)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, or on a wide road it would pass behind the ego.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()

@@ -5,6 +5,24 @@
 #:   "The pedestrian jerks across: a few steps, a stop, a few steps more.",
 #:   "Someone crosses the carriageway stop-and-go, impossible to predict.",
 #:   "The cyclist pedals over in spurts, standing still between them.",
+#:   "She goes, stops, goes, stops: we can't make out what she wants.",
+#:   "The pedestrian crossed intermittently, halting several times in the roadway.",
+#:   "ped crosses in bursts, stop-start",
+#:   "This girl on her phone kept stopping and starting all the way over the road.",
+#:   "Ped x-ing: go, stop, go, stop, go.",
+#:   "The pedestrian target crosses with repeated alternation of walking and standstill phases.",
+#:   "The man goes, stands, goes, stands, many times until other side.",
+#:   "Crosser with several dwells, start/stop cycles all across the lane.",
+#:   "He took a few steps, froze, took a few more and froze again, and so he jerked his way over like a clockwork toy.",
+#:   "He's walking, he's stopped, he's walking, he's stopped again, he just can't make up his mind.",
+#:   "he was crossing like red light green light, stop go stop go stop",
+#:   "The pedestrian advanced a few steps at a time, pausing over and over before reaching the far pavement.",
+#:   "She walked, she stood, she walked, she stood; how many times, madam, four, five?",
+#:   "The fellow is crossing in instalments, walking stopping walking stopping.",
+#:   "Two steps and a rest, two steps and a rest, are we playing grandmother's footsteps?",
+#:   "Intermittent crossing motion of pedestrian with multiple standstills in the carriageway",
+#:   "PEDESTRIAN KEEPS PAUSING - stop motion crossing",
+#:   "The woman jerks across the street, halting time after time.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -20,8 +38,8 @@
 #: meaning = "how fast it goes in a burst"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 10.0
-#: high = 45.0
+#: low = 20.0
+#: high = 48.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -38,12 +56,14 @@
 #: meaning = "how long it stands between bursts"
 
 param OPT_ADV_SPEED = Range(1.5, 4)
-param OPT_ADV_DISTANCE = Range(10, 45)
+param OPT_ADV_DISTANCE = Range(20, 48)
 param OPT_ADV_BURST = Range(0.6, 1.2)
 param OPT_STOP_TIME = Range(0.3, 0.8)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 18)
     while True:
         do MoveAhead(globalParameters.OPT_ADV_SPEED) for globalParameters.OPT_ADV_BURST seconds
         do Halt() until self.pose[3] < 0.1

@@ -5,6 +5,25 @@
 #:   "Someone pauses on the road, then sets off at an angle along it.",
 #:   "The walker comes to a standstill and continues in a diagonal line.",
 #:   "After a sudden stop the adversary drifts slantwise over the lane.",
+#:   "He steps off, stops dead, and then wanders over at an angle.",
+#:   "The pedestrian halted after entering the roadway and then proceeded obliquely across the lane.",
+#:   "ped out, halt, then slanted path",
+#:   "She stepped off the pavement, froze, and then wandered off across at a slant.",
+#:   "Pedestrian entered the roadway, halted abruptly, then continued at an angle.",
+#:   "Ped steps out, sudden halt, then oblique course.",
+#:   "The pedestrian target enters the lane, stops abruptly and resumes on a trajectory oblique to the lane.",
+#:   "Man comes on street, stops suddenly and then goes on not straight, in the oblique.",
+#:   "Crosser: step-out, hard stop, restart with heading skewed along the road.",
+#:   "He came out, pulled himself up short, and when he set off again it was on a long slanting line down the road.",
+#:   "Lady's stepped out, she's stopped, now she's off again but cutting the corner, going at an angle.",
+#:   "she stepped out, stopped all of a sudden, then kept going but like at an angle",
+#:   "A woman stepped into the road, pulled up short and then resumed on a slanting course.",
+#:   "He entered, he halted abruptly, and when he resumed it was not straight over but aslant.",
+#:   "Came on the road, stood suddenly, then went cross-wise in slanting direction.",
+#:   "Steps off, stops as if she's left the gas on, then drifts over on the skew.",
+#:   "Pedestrian entry with sudden halt and continuation on oblique trajectory",
+#:   "STEPS OUT, HALTS, THEN CUTS THE ANGLE",
+#:   "The man emerges, halts and then slants away over the road.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -14,14 +33,14 @@
 #: actions = ["hesitate", "stop", "diagonal"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
-#: low = 1.0
+#: low = 1.2
 #: high = 4.0
 #: unit = "m/s"
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 14.0
-#: high = 55.0
+#: low = 24.0
+#: high = 56.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -43,14 +62,16 @@
 #: unit = "s"
 #: meaning = "how long it stands"
 
-param OPT_ADV_SPEED = Range(1, 4)
-param OPT_ADV_DISTANCE = Range(14, 55)
+param OPT_ADV_SPEED = Range(1.2, 4)
+param OPT_ADV_DISTANCE = Range(24, 56)
 param OPT_ADV_ANGLE = Range(0.45, 1)
 param OPT_STOP_DISTANCE = Range(1, 3)
 param OPT_STOP_TIME = Range(0.5, 1.5)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt() until self.pose[3] < 0.1
     do Halt() for globalParameters.OPT_STOP_TIME seconds

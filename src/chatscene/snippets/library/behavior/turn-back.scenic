@@ -5,6 +5,25 @@
 #:   "Someone steps out, spots the ego, and retreats.",
 #:   "The walker goes into the carriageway and hurries back again.",
 #:   "Having reached the middle, the adversary about-faces and withdraws.",
+#:   "She runs out, has second thoughts and nips back to the pavement.",
+#:   "The pedestrian entered the roadway and then returned to the side of origin.",
+#:   "ped into lane, reverses course, back to kerb",
+#:   "A kid ran out, saw me and legged it back to the pavement he'd come from.",
+#:   "The juvenile ran into the roadway, reversed direction, and returned to the curb.",
+#:   "Ped runs in, about-face, back to same side.",
+#:   "The child pedestrian target runs into the lane and then returns to its starting side.",
+#:   "The boy runs on the road and then runs back again.",
+#:   "Runner enters lane, flips heading 180, exits where it entered; once only, picks nothing up.",
+#:   "She was half over before she saw the headlights, and she spun about and fled back to where she had started.",
+#:   "Child's run out, he's seen you, he's turned tail, he's gone back to his mum.",
+#:   "kid ran into the street then noped right back out",
+#:   "A child dashed into the road but thought the better of it and hurried back to safety.",
+#:   "She ran in, and then, never having reached the far side, she retraced her steps to the near one.",
+#:   "The boy run out then scared already, run back same side.",
+#:   "Runs out, clocks my cab, and it's back to Mummy double quick.",
+#:   "Pedestrian dash into lane with reversal to side of origin",
+#:   "NOPE! Runs out, spins round, runs back",
+#:   "The runner rushes in and retreats to where he started.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -20,8 +39,8 @@
 #: meaning = "how fast it goes"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
-#: low = 5.0
-#: high = 35.0
+#: low = 10.0
+#: high = 36.0
 #: unit = "m"
 #: meaning = "how far the ego still has to go when it starts to move"
 #: [[parameters]]
@@ -32,10 +51,12 @@
 #: meaning = "how far from the ego's line it turns back"
 
 param OPT_ADV_SPEED = Range(1.5, 5)
-param OPT_ADV_DISTANCE = Range(5, 35)
+param OPT_ADV_DISTANCE = Range(10, 36)
 param OPT_ADV_REACH = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH)
     do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159)

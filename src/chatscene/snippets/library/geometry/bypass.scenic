@@ -5,6 +5,7 @@
 #:   "The car under test goes round something that stands in its way, against the traffic for a moment.",
 #:   "On a two-way road the ego overtakes a standing car on the wrong side.",
 #:   "A detour over the centre line and back.",
+#:   "we've got to pull out round a parked car, into the oncoming lane",
 #: ]
 #: adversaries = []
 #: requires = []
@@ -13,6 +14,8 @@
 #: [slots]
 #: maneuver = "bypass"
 #: place = "road"
+#: lanes = 1
+#: two_way = true
 
 egoRoute = selectRoute(maneuver="bypass", place="road", opposite=True)
 egoSpawnPt = startOf(egoRoute)

@@ -5,10 +5,11 @@
 #:   "The car under test takes a sweeping curve.",
 #:   "The carriageway winds to one side.",
 #:   "A bending road with no junction.",
+#:   "Vehicle 1 was negotiating a curve.",
 #: ]
 #: adversaries = []
 #: requires = []
-#: provides = ["egoRoute", "egoSpawnPt"]
+#: provides = ["egoRoute", "egoSpawnPt", "kerbLane"]
 #: origin = "own code"
 #: [slots]
 #: maneuver = "straight"
@@ -16,3 +17,4 @@
 
 egoRoute = selectRoute(maneuver="straight", place="curve")
 egoSpawnPt = startOf(egoRoute)
+kerbLane = ownLane(egoRoute)

@@ -5,6 +5,7 @@
 #:   "The car under test pulls out to the left to evade a slow vehicle.",
 #:   "The ego leaves its lane for the neighbouring one on the left-hand side.",
 #:   "Attempting to switch lanes, the ego steers left.",
+#:   "ego lane change L, parallel lanes",
 #: ]
 #: adversaries = []
 #: requires = []
@@ -13,6 +14,7 @@
 #: [slots]
 #: maneuver = "lane-change-left"
 #: place = "road"
+#: lanes = 2
 
 egoRoute = selectRoute(maneuver="lane-change-left", lanes=2)
 egoSpawnPt = startOf(egoRoute)

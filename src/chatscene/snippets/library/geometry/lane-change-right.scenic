@@ -5,6 +5,7 @@
 #:   "The car under test pulls out to the right to evade a slow vehicle.",
 #:   "The ego leaves its lane for the neighbouring one on the right-hand side.",
 #:   "Attempting to switch lanes, the ego steers right.",
+#:   "ego lane change R, parallel lanes",
 #: ]
 #: adversaries = []
 #: requires = []
@@ -13,6 +14,7 @@
 #: [slots]
 #: maneuver = "lane-change-right"
 #: place = "road"
+#: lanes = 2
 
 egoRoute = selectRoute(maneuver="lane-change-right", lanes=2)
 egoSpawnPt = startOf(egoRoute)

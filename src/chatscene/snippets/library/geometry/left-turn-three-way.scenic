@@ -5,6 +5,7 @@
 #:   "The car under test turns left at a junction with three arms.",
 #:   "Turning left from or into the stem of a T.",
 #:   "The route goes left at a fork of three streets.",
+#:   "Vehicle 1 was turning left at a three-leg intersection.",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test turns left where nobody regulates the four arms.",
 #:   "Turning left at an unsignalised intersection, cross traffic may come.",
 #:   "An unregulated four-arm junction, the ego goes left.",
+#:   "we're hanging a left where there are no lights",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test swings left where streets meet.",
 #:   "Turning to the left at the crossroads.",
 #:   "The ego's route bends left through a junction.",
+#:   "ego LT at junction",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test turns right where a traffic signal stands.",
 #:   "Turning right at signalised crossroads while cross traffic has red.",
 #:   "With its light green, the ego goes right.",
+#:   "Vehicle 1 was turning right on a green signal.",
 #: ]
 #: adversaries = []
 #: requires = []

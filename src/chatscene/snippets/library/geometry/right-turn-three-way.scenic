@@ -5,6 +5,7 @@
 #:   "The car under test turns right at a junction with three arms.",
 #:   "Turning right from or into the stem of a T.",
 #:   "The route goes right at a fork of three streets.",
+#:   "we turn off to the right at a T",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test turns right where nobody regulates the four arms.",
 #:   "Turning right at an unsignalised intersection, cars may come from the left.",
 #:   "An unregulated four-arm junction, the ego goes right.",
+#:   "ego RT, 4-way, no control",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test swings right where streets meet.",
 #:   "Turning to the right at the crossroads.",
 #:   "The ego's route bends right through a junction.",
+#:   "The VUT performs a turn to the nearside at a junction.",
 #: ]
 #: adversaries = []
 #: requires = []

@@ -5,6 +5,7 @@
 #:   "The car under test continues ahead where streets meet.",
 #:   "Moving straight through the intersection.",
 #:   "The ego's route leads over a junction without turning.",
+#:   "Vehicle 1 was traveling straight through an intersection.",
 #: ]
 #: adversaries = []
 #: requires = []

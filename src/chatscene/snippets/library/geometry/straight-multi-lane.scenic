@@ -5,6 +5,7 @@
 #:   "A wide street with two lanes each way.",
 #:   "Driving along a dual-lane carriageway without changing lanes.",
 #:   "The ego cruises on a big road that has parallel lanes.",
+#:   "we're just cruising along a big road with a couple of lanes our way",
 #: ]
 #: adversaries = []
 #: requires = []
@@ -13,6 +14,7 @@
 #: [slots]
 #: maneuver = "straight"
 #: place = "road"
+#: lanes = 2
 
 egoRoute = selectRoute(maneuver="straight", place="road", lanes=2)
 egoSpawnPt = startOf(egoRoute)

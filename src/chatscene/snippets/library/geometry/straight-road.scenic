@@ -5,10 +5,11 @@
 #:   "The car under test follows an ordinary straight carriageway.",
 #:   "Driving on a plain stretch of road that does not bend.",
 #:   "A level, direct road lies before the ego.",
+#:   "The VUT drives in a straight line on a straight lane.",
 #: ]
 #: adversaries = []
 #: requires = []
-#: provides = ["egoRoute", "egoSpawnPt"]
+#: provides = ["egoRoute", "egoSpawnPt", "kerbLane"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
 #: maneuver = "straight"
@@ -16,3 +17,4 @@
 
 egoRoute = selectRoute(maneuver="straight", place="road")
 egoSpawnPt = startOf(egoRoute)
+kerbLane = ownLane(egoRoute)

@@ -5,6 +5,7 @@
 #:   "The car under test goes straight over a junction where the other axis has a red light.",
 #:   "Moving straight ahead through crossroads regulated by lights.",
 #:   "Green for the ego, red for those who come from the sides.",
+#:   "we've got green and go straight over",
 #: ]
 #: adversaries = []
 #: requires = []

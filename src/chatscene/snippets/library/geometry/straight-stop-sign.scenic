@@ -5,6 +5,7 @@
 #:   "The car under test crosses a junction regulated by stop signs.",
 #:   "A four-way stop; the ego continues ahead.",
 #:   "Stop signs stand at the crossing the ego passes.",
+#:   "Vehicle 1 proceeded straight from an all-way stop.",
 #: ]
 #: adversaries = []
 #: requires = []

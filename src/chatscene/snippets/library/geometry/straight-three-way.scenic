@@ -5,6 +5,7 @@
 #:   "The car under test goes along the top of a T.",
 #:   "A junction with three arms, the ego keeps straight on.",
 #:   "A street joins from the side while the ego continues ahead.",
+#:   "ego straight, minor road joins",
 #: ]
 #: adversaries = []
 #: requires = []

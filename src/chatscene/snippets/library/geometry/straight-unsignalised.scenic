@@ -5,6 +5,7 @@
 #:   "The car under test enters a junction where nothing regulates the order.",
 #:   "Crossing negotiation: four arms, no signals, straight ahead.",
 #:   "No lights and no signs at the crossing ahead, the ego drives on straight.",
+#:   "no lights, no signs, we go straight over the crossroads",
 #: ]
 #: adversaries = []
 #: requires = []

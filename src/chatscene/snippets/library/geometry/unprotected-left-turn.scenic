@@ -5,6 +5,7 @@
 #:   "The car under test makes an unprotected left; those who come toward it have right of way.",
 #:   "Turning left at the lights with no protected phase.",
 #:   "At a crossing with signals the ego turns left in front of oncoming traffic.",
+#:   "Vehicle 1 was turning left on a circular green signal across opposing traffic.",
 #: ]
 #: adversaries = []
 #: requires = []

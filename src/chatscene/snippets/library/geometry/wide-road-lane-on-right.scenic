@@ -5,6 +5,7 @@
 #:   "The ego cruises in the fast lane; slower traffic may use the lane to the right.",
 #:   "A wide road where a parallel lane runs along the right side of the ego.",
 #:   "No lane change: the ego stays left and another lane goes the same way on its right.",
+#:   "we're in the left-hand of two lanes, somebody else can be on our right",
 #: ]
 #: adversaries = []
 #: requires = []
@@ -13,6 +14,7 @@
 #: [slots]
 #: maneuver = "straight"
 #: place = "road"
+#: lanes = 2
 
 egoRoute = selectRoute(maneuver="straight", place="road", lanes=2, beside="right")
 egoSpawnPt = startOf(egoRoute)

@@ -5,8 +5,9 @@
 #:   "It drives before the ego, one lane over beside.",
 #:   "The other vehicle is on the front, in a parallel lane.",
 #:   "A few car lengths on, in the lane next to it beside.",
+#:   "Vehicle 2 was ahead of Vehicle 1 in the adjacent lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

@@ -5,8 +5,9 @@
 #:   "It follows the ego, one lane over beside.",
 #:   "The other vehicle comes from the rear, in a parallel lane.",
 #:   "In the blind spot beside, a few car lengths back.",
+#:   "Vehicle 2 was to the rear of Vehicle 1, traveling in the adjacent lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

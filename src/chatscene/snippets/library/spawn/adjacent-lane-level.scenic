@@ -5,8 +5,9 @@
 #:   "Door to door with the ego, one lane over beside.",
 #:   "The other vehicle is parallel to the ego beside.",
 #:   "Right next to it beside, in the adjoining lane.",
+#:   "Vehicle 2 was alongside Vehicle 1 in the adjacent lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

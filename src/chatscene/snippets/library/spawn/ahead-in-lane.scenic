@@ -5,8 +5,9 @@
 #:   "It is the vehicle before the ego.",
 #:   "Some metres further on in the ego's own lane.",
 #:   "The ego follows it.",
+#:   "Vehicle 2 preceded Vehicle 1 in the same travel lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "own code"

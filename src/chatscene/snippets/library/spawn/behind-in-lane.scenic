@@ -5,8 +5,9 @@
 #:   "It tailgates the slower vehicle before it.",
 #:   "Some metres to the rear, on the very path that was just driven.",
 #:   "A pursuer comes up from the back with no lane between them.",
+#:   "Vehicle 2 was following Vehicle 1 in the same travel lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "own code"

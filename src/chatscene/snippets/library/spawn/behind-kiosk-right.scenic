@@ -5,10 +5,11 @@
 #:   "Out of sight in back of a food stand on the right.",
 #:   "The ego's view of it is blocked by a booth ahead, right.",
 #:   "It waits around the corner of a kiosk at the right kerb.",
+#:   "The non-motorist was obscured by a newsstand along the right curb.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
-#: provides = ["AdvAgent"]
+#: provides = ["AdvAgent", "advLevel"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
 #: side = "right"
@@ -22,8 +23,8 @@
 #: meaning = "how far along the ego's route it starts"
 #: [[parameters]]
 #: name = "OPT_GEO_X"
-#: low = 1.3
-#: high = 2.8
+#: low = 1.6
+#: high = 2.7
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 #: [[parameters]]
@@ -34,12 +35,14 @@
 #: meaning = "how far before it, along the road, the middle of what hides it stands"
 
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(1.3, 2.8)
+param OPT_GEO_X = Range(1.6, 2.7)
 param OPT_BLOCKER_GAP = Range(2.1, 3.8)
 
-new Kiosk at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "right", 1.8),
-    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+# Not in the middle of an intersection, where the side of the road would be far away.
+advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
+new Kiosk at besideRoad(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP, "right", 1.8),
+    facing directionOn(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP),
     with label "kiosk"
-AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
-    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, advLevel, "right"),
     with behavior AdvBehavior()

@@ -5,8 +5,9 @@
 #:   "The crossing car enters from the left.",
 #:   "In the cross street, to the left of the ego.",
 #:   "Initially at the left, heading for the crossing.",
+#:   "Vehicle 2 approached the intersection on the leg to the left.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "advTurn", "trafficFromLeft"]
 #: provides = ["AdvAgent", "advMeeting", "advTrajectory", "egoMeeting"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn, right-turn; own code"

@@ -5,6 +5,7 @@
 #:   "It waits at the zebra crossing of the ego's arm, left side.",
 #:   "The pedestrian stands at the left kerb where the junction begins.",
 #:   "The cyclist is on the left front of the ego at the crossing.",
+#:   "near left corner of junction",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]

@@ -5,6 +5,7 @@
 #:   "It waits at the zebra crossing of the ego's arm, right side.",
 #:   "The pedestrian stands at the right kerb where the junction begins.",
 #:   "The cyclist is on the right front of the ego at the crossing.",
+#:   "The non-motorist stood at the near right corner of the intersection.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]

@@ -5,6 +5,7 @@
 #:   "It waits across the junction, to the left of the exit.",
 #:   "The pedestrian stands at the opposite kerb, left of the ego's way out.",
 #:   "Past the crossing, at the left-hand corner.",
+#:   "on the left just after we've gone through the junction",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute", "junctionExit"]

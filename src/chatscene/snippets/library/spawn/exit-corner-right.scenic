@@ -5,6 +5,7 @@
 #:   "It waits across the junction, to the right of the exit.",
 #:   "The pedestrian stands at the opposite kerb, right of the ego's way out.",
 #:   "Past the crossing, at the right-hand corner.",
+#:   "far right corner of junction, exit leg",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute", "junctionExit"]

@@ -5,8 +5,9 @@
 #:   "The car stands ahead, a little to the right of the ego.",
 #:   "In front and to the right, about to turn as well.",
 #:   "Right before the junction it hugs the right-hand kerb, ahead of the ego.",
+#:   "The target is ahead of the VUT between its lane and the nearside kerb.",
 #: ]
-#: adversaries = ["car", "motorcycle"]
+#: adversaries = ["car", "motorcycle", "bicycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"

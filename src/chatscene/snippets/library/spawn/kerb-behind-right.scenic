@@ -5,8 +5,9 @@
 #:   "The car comes up from behind on the ego's inner side.",
 #:   "Behind and to the right, squeezing along the kerb.",
 #:   "In the right-hand blind spot, about to undertake the ego.",
+#:   "somebody's sneaking up on the inside, between us and the kerb",
 #: ]
-#: adversaries = ["car", "motorcycle"]
+#: adversaries = ["car", "motorcycle", "bicycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"

@@ -5,8 +5,9 @@
 #:   "It drives before the ego, one lane over on the left.",
 #:   "The other vehicle is on the left front, in a parallel lane.",
 #:   "A few car lengths on, in the lane next to it on the left.",
+#:   "Vehicle 2 was ahead of Vehicle 1 in the lane on the left.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

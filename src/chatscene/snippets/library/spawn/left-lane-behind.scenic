@@ -5,8 +5,9 @@
 #:   "It follows the ego, one lane over on the left.",
 #:   "The other vehicle comes from the rear left, in a parallel lane.",
 #:   "In the blind spot on the left, a few car lengths back.",
+#:   "Vehicle 2 was to the rear of Vehicle 1, traveling in the lane on the left.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

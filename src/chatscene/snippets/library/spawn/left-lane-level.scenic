@@ -5,8 +5,9 @@
 #:   "Door to door with the ego, one lane over on the left.",
 #:   "The other vehicle is parallel to the ego on the left.",
 #:   "Right next to it on the left, in the adjoining lane.",
+#:   "Vehicle 2 was alongside Vehicle 1 in the lane on the left.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

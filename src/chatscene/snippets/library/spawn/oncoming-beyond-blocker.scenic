@@ -5,8 +5,9 @@
 #:   "A car stands in the way; from ahead, the other one approaches on the opposing lane.",
 #:   "The motorcyclist comes the opposite way behind the obstruction.",
 #:   "In the counter lane, farther on than the car that obstructs the ego.",
+#:   "opposing veh past the obstacle in ego lane",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "blockedLane", "egoRoute", "oppositeLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario vehicle-passing; own code"

@@ -5,8 +5,9 @@
 #:   "The car is on the opposing lane, some distance away.",
 #:   "Coming the other way, left of the ego's lane.",
 #:   "The motorcyclist rides toward the ego in the counter lane.",
+#:   "Vehicle 2 was traveling in the opposite direction in the adjacent lane.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute", "oppositeLane"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario vehicle-passing; own code"

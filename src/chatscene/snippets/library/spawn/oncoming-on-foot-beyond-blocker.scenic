@@ -5,6 +5,7 @@
 #:   "Someone on foot approaches from ahead beside the opposing lane; a car obstructs the ego.",
 #:   "Facing the ego, at the left border of the street, farther on than the blocking car.",
 #:   "The walker comes the other way, behind the obstruction.",
+#:   "ped walking toward ego past the obstacle",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "advFacing", "blockedLane", "egoRoute"]

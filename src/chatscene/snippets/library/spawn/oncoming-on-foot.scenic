@@ -5,10 +5,11 @@
 #:   "Facing the ego, on the verge to its left.",
 #:   "The jogger comes the other way next to the street.",
 #:   "An oncoming pedestrian at the edge of the roadway.",
+#:   "The pedestrian was walking along the left edge of the roadway, facing traffic.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "advFacing", "egoRoute"]
-#: provides = ["AdvAgent"]
+#: provides = ["AdvAgent", "advLevel"]
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
 #: position = "oncoming"
@@ -29,6 +30,8 @@
 param OPT_GEO_Y = Range(28, 55)
 param OPT_GEO_X = Range(0, 1.2)
 
-AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
-    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y, advFacing),
+# Not in the middle of an intersection, where the side of the road would be far away.
+advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
+AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "left", globalParameters.OPT_GEO_X),
+    facing directionOn(egoRoute, advLevel, advFacing),
     with behavior AdvBehavior()

@@ -5,8 +5,9 @@
 #:   "It follows the ego, one lane over on the right.",
 #:   "The other vehicle comes from the rear right, in a parallel lane.",
 #:   "In the blind spot on the right, a few car lengths back.",
+#:   "Vehicle 2 was to the rear of Vehicle 1, traveling in the lane on the right.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

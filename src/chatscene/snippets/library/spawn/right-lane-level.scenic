@@ -5,8 +5,9 @@
 #:   "Door to door with the ego, one lane over on the right.",
 #:   "The other vehicle is parallel to the ego on the right.",
 #:   "Right next to it on the right, in the adjoining lane.",
+#:   "Vehicle 2 was alongside Vehicle 1 in the lane on the right.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

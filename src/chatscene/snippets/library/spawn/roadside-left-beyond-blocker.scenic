@@ -5,6 +5,7 @@
 #:   "On the left roadside behind the car that obstructs the lane.",
 #:   "To the left of the street, beyond the blocked place.",
 #:   "Someone waits at the left edge past the obstruction.",
+#:   "there's someone on the left once you get round the parked car",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "blockedLane", "egoRoute"]

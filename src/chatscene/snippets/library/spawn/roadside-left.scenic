@@ -9,15 +9,15 @@
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
-#: provides = ["AdvAgent"]
+#: provides = ["AdvAgent", "advLevel"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
 #: side = "left"
 #: position = "roadside"
 #: [[parameters]]
 #: name = "OPT_GEO_Y"
-#: low = 22.0
-#: high = 50.0
+#: low = 30.0
+#: high = 52.0
 #: unit = "m"
 #: meaning = "how far along the ego's route it starts"
 #: [[parameters]]
@@ -27,9 +27,11 @@
 #: unit = "m"
 #: meaning = "how far outside the lanes it starts"
 
-param OPT_GEO_Y = Range(22, 50)
+param OPT_GEO_Y = Range(30, 52)
 param OPT_GEO_X = Range(0.6, 3)
 
-AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", globalParameters.OPT_GEO_X),
-    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "left"),
+# Not in the middle of an intersection, where the side of the road would be far away.
+advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
+AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "left", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, advLevel, "left"),
     with behavior AdvBehavior()

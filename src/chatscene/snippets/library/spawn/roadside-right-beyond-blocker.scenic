@@ -5,6 +5,7 @@
 #:   "On the right roadside behind the car that obstructs the lane.",
 #:   "To the right of the street, beyond the blocked place.",
 #:   "Someone waits at the right edge past the obstruction.",
+#:   "The non-motorist stood on the right shoulder past the disabled vehicle.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "blockedLane", "egoRoute"]

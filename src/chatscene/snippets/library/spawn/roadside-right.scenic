@@ -9,7 +9,7 @@
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
-#: provides = ["AdvAgent"]
+#: provides = ["AdvAgent", "advLevel"]
 #: origin = "base scenario straight-obstacle; own code"
 #: [slots]
 #: side = "right"
@@ -30,6 +30,8 @@
 param OPT_GEO_Y = Range(22, 50)
 param OPT_GEO_X = Range(1.2, 5)
 
-AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
-    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+# Not in the middle of an intersection, where the side of the road would be far away.
+advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
+AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, advLevel, "right"),
     with behavior AdvBehavior()

@@ -1,0 +1,66 @@
+#: description = "The car behind swings out, overtakes the ego, moves back in front of it and brakes."
+#: rephrasings = [
+#:   "He swings round us from behind, gets back in and stamps on the brake.",
+#:   "Vehicle 2 pulled out from behind, passed, re-entered ahead of vehicle 1 and decelerated.",
+#:   "From rear: out, by, in, brake.",
+#:   "The target leaves the lane behind the VUT, overtakes, returns ahead of it and brakes.",
+#:   "From back he goes out, overtakes, comes again before us and brakes.",
+#:   "The motorbike hops out of our wake, loops in front and grabs the lever.",
+#:   "A van launches itself round us and retaliates with its brakes.",
+#:   "Fed up with trailing us, the pickup leapfrogs and slams to a near stop.",
+#:   "The bloke on my tail pulled out, shot round me, tucked back in and then jumped on the anchors right in my face.",
+#:   "The suspect sedan, which had been traveling to the rear of the victim, passed her, returned to her lane and intentionally applied its brakes.",
+#:   "Follower passes ego -> back into lane ahead -> brakes hard. Spite brake.",
+#:   "The following target performs a pass of the VUT, re-enters the VUT's lane in front of it and decelerates.",
+#:   "Motorbike was behind me, he goes around me, comes again in my lane before me and makes brake.",
+#:   "Aggressive follower: pass, merge back ahead of us, then punish-brake; check the AEB after the lane return.",
+#:   "He had been stuck behind her for a mile; then he swung round her, planted himself in front and stamped on the pedal just to teach her a lesson.",
+#:   "That one behind you is going to leapfrog you, drop back in ahead and give you a brake test, so leave some room for it.",
+#:   "dude was behind me, whipped around, got back in front n just slammed it, like WHY",
+#:   "A vengeful motorist went round the woman's car, slotted in ahead of her and stood hard on the brake, the court heard.",
+#:   "The defendant, having been to my client's rear, went by her, placed himself before her and braked deliberately, did he not?",
+#:   "He was following me, then he go around, come in my front and jam brake just like that, what nonsense.",
+#:   "Had one on my back, he goes round me, plonks himself on my nose and stamps on it. Twenty years I've been driving.",
+#:   "Retaliatory braking by former follower subsequent to passing and return to ego lane.",
+#:   "ROAD RAGER PASSES ME JUST TO BRAKE CHECK ME",
+#:   "The biker behind leapfrogged us and then clamped his brakes.",
+#: ]
+#: adversaries = ["car", "motorcycle"]
+#: requires = ["adjacentLane", "advTrajectory", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["overtake", "change-lane", "brake"]
+#: leader = false
+#: maneuver = "straight"
+#: place = "road"
+#: position = "behind"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 11.5
+#: high = 15.0
+#: unit = "m/s"
+#: meaning = "how fast it overtakes at most"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 1.0
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it is when it moves over"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+
+param OPT_ADV_SPEED = Range(11.5, 15)
+param OPT_ADV_AHEAD = Range(1, 5)
+param OPT_BRAKE = Range(0.6, 1)
+
+behavior AdvBehavior():
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) for 0.8 seconds
+    do DrivePath(extended(adjacentLane, 20), globalParameters.OPT_ADV_SPEED) until headway(egoRoute, ego, self) > globalParameters.OPT_ADV_AHEAD
+    do DrivePath(egoRoute, 8) until abs(offsetFrom(egoRoute, self)) < 1
+    do BrakeOnPath(egoRoute, globalParameters.OPT_BRAKE) until self.pose[3] < 1
+    do DrivePath(egoRoute, 4)

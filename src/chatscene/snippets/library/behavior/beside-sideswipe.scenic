@@ -1,0 +1,70 @@
+#: description = "The car keeps level with the ego and suddenly swerves at it."
+#: rephrasings = [
+#:   "The psycho next to us pulls level and rams sideways at us.",
+#:   "Vehicle 2 was alongside and abruptly steered toward vehicle 1 before resuming its lane.",
+#:   "Level, lateral jab at us, back in lane.",
+#:   "The target travels abreast of the VUT and makes a sudden lateral incursion.",
+#:   "He drives near us and then he throws the wheel to us and again away.",
+#:   "The coach beside us jerks over at our doors and recovers.",
+#:   "A motorcyclist rides shoulder to shoulder and veers into our side.",
+#:   "A lorry running abreast gets a gust and lunges across the dashes at us.",
+#:   "The van was running side by side with me and out of the blue he chucked it over at me.",
+#:   "Unit 2, traveling parallel in the adjoining lane, abruptly veered into the side of Unit 1.",
+#:   "Car alongside, neck and neck, then jerks wheel into us.",
+#:   "The adjacent vehicle travels at equal speed next to the test vehicle and then performs a sudden lateral move towards its flank.",
+#:   "The bus is beside me, same speed, and suddenly steers into my side.",
+#:   "Parallel actor locks to our speed, then steers hard at our doors, not a cut-in, a side hit.",
+#:   "They had been rolling along shoulder to shoulder when he lurched across the line and went for her doors.",
+#:   "Mind the motorbike next to you, he's dead level, whoa, he's just lunged at us.",
+#:   "car next to me was chillin at the same speed then just yanked it into my door???",
+#:   "A bus that had been running level with the car lurched sideways at it without warning.",
+#:   "He drew even with us, he stayed even with us, and then, counsel, he threw his vehicle against our flank.",
+#:   "That lorry was going parallel parallel, then all of a sudden he has turned his steering onto my side.",
+#:   "He's rubbing along next to me for half a mile and then bosh, tries to put me in the hedge.",
+#:   "Abrupt lateral incursion into own vehicle's flank by abreast-running neighbour",
+#:   "TRUCK TRIES TO SHOVE ME OFF THE ROAD (side slam)",
+#:   "The van alongside barges us in the ribs.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["pace", "swerve"]
+#: maneuver = "straight"
+#: leader = false
+#: position = "beside"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = -25.0
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = -4.0
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it stays"
+#: [[parameters]]
+#: name = "OPT_SWERVE"
+#: low = 1.5
+#: high = 2.5
+#: unit = "m"
+#: meaning = "how far it swerves"
+#: [[parameters]]
+#: name = "OPT_SWERVE_TIME"
+#: low = 1.0
+#: high = 1.6
+#: unit = "s"
+#: meaning = "for how long it swerves"
+
+param OPT_ADV_DISTANCE = Range(-25, 5)
+param OPT_ADV_AHEAD = Range(-4, 5)
+param OPT_SWERVE = Range(1.5, 2.5)
+param OPT_SWERVE_TIME = Range(1, 1.6)
+
+behavior AdvBehavior():
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, 16, 2.5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do SwerveOnPath(advLane, 7.5, -globalParameters.OPT_SWERVE if offsetFrom(egoRoute, self) > 0 else globalParameters.OPT_SWERVE) for globalParameters.OPT_SWERVE_TIME seconds
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, 16, 2.5)

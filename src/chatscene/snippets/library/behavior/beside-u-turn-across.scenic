@@ -1,0 +1,71 @@
+#: description = "The car makes a U-turn from the lane beside, right across the ego's lane."
+#: rephrasings = [
+#:   "The cab to our right whips a full U-turn across us.",
+#:   "Vehicle 2 began a U-turn from the right lane and passed through the path of vehicle 1.",
+#:   "U-turn out of the right lane, across our front.",
+#:   "The target turns through 180 degrees from the adjacent lane, crossing the VUT's trajectory.",
+#:   "It wants to go back, so it turns around over our lane without asking.",
+#:   "A courier does a one-eighty in front of our bumper.",
+#:   "A patrol car beside us spins about over the whole road to give chase.",
+#:   "The motorbike loops round from the outer lane and heads the other way.",
+#:   "The taxi next to me decided to spin right round across my bonnet to go back the other way.",
+#:   "Driver of Unit 2 attempted to reverse direction from the adjacent lane, crossing directly into the path of Unit 1.",
+#:   "Car in next lane flips a U, straight over our nose.",
+#:   "From the neighbouring lane the target vehicle initiates a 180-degree turn intersecting the lane of the test vehicle.",
+#:   "The car on my side turns around to go back and passes in front of me.",
+#:   "Adjacent actor does a 180 from its lane and sweeps through ours, blocking the way while turning.",
+#:   "She was running along beside the bike when its rider hauled it about and doubled back right across her.",
+#:   "That patrol car alongside wants to turn around, and he's doing it from the wrong lane, right through yours.",
+#:   "the car in the next lane just pulled a uey in front of me like i wasnt there",
+#:   "A taxi turned back on itself from the neighbouring lane and cut across the path of a passing motorist.",
+#:   "So from the lane next to the plaintiff's you wheeled about to face the other way, with his car between you and where you wished to go?",
+#:   "Auto from side lane took full U-turn across me, no indicator, nothing.",
+#:   "Bloke beside me forgot his fags, I reckon, because he whipped it round the other way straight over my front.",
+#:   "About-face manoeuvre by adjacent-lane vehicle intersecting own lane",
+#:   "IDIOT MAKES UEY FROM THE WRONG LANE - nearly T-boned",
+#:   "The motorcycle in the neighbouring lane loops back across our nose.",
+#: ]
+#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: requires = ["advLane", "egoRoute", "rightLane"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "u-turn"]
+#: side = "right"
+#: leader = false
+#: place = "road"
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 12.0
+#: high = 35.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 7.0
+#: high = 14.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it stays"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 3.8
+#: high = 4.6
+#: unit = "m/s"
+#: meaning = "how fast it turns round"
+#: [[parameters]]
+#: name = "OPT_TURN_RADIUS"
+#: low = 6.0
+#: high = 7.0
+#: unit = "m"
+#: meaning = "the radius of its turn"
+
+param OPT_ADV_DISTANCE = Range(12, 35)
+param OPT_ADV_AHEAD = Range(7, 14)
+param OPT_ADV_SPEED = Range(3.8, 4.6)
+param OPT_TURN_RADIUS = Range(6, 7)
+
+behavior AdvBehavior():
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE and headway(rightLane, ego, self) > 5
+    do TurnOff(3.1, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_TURN_RADIUS)
+    do MoveAhead(6)

@@ -1,0 +1,69 @@
+#: description = "The car cuts in front of the ego and weaves from side to side there."
+#: rephrasings = [
+#:   "Some joker pulls in ahead and snakes about so we can't get by.",
+#:   "Vehicle 2 changed into the lane of vehicle 1 and then swerved repeatedly within it.",
+#:   "Cut-in followed by snaking in our lane.",
+#:   "The target merges in front of the VUT and continues with lateral oscillation.",
+#:   "It goes in our lane and makes zigzag before us.",
+#:   "A show-off on a motorbike drops in before us and slaloms.",
+#:   "The lorry moves over on us, its trailer swinging left and right.",
+#:   "A drunk comes across from the next lane and staggers on under our nose.",
+#:   "idiot on a scooter dived in ahead of me and then wouldn't hold a line, wiggling about all over the lane",
+#:   "Suspect moved in directly ahead of the victim's car and then drifted left and right within the lane several times, possible DUI.",
+#:   "Van: in front of us, then snaking in lane.",
+#:   "After cutting in, the target oscillates laterally about the lane centre ahead of the VUT.",
+#:   "The car goes in before me and then he makes like drunk, left and right in my lane.",
+#:   "Post-merge NPC should apply sinusoidal steering within our lane instead of tracking the centreline.",
+#:   "The bus had bullied its way in, and there it swayed before them like a cow going home.",
+#:   "He's pinched your space and now he's wobbling to and fro right in front of you, don't try to pass him.",
+#:   "she jumps in front of us and starts swerving side to side like shes texting",
+#:   "The patrol car took up a place before the shopper and wandered from edge to edge, holding her back",
+#:   "Having inserted himself before my client, did you or did you not then wander all over that lane?",
+#:   "Rickshaw style he comes inside ahead of us and then left-right left-right he is dancing in our lane",
+#:   "Nicks my space, then he's waltzing about in it so I can't get by either side",
+#:   "Lane intrusion ahead followed by unstable lateral motion within the lane",
+#:   "Van cuts me off then starts WOBBLING everywhere",
+#:   "The scooter hopped in before us and shimmied.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cut-in", "weave"]
+#: leader = false
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 10.0
+#: high = 38.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 1.0
+#: high = 7.0
+#: unit = "m"
+#: meaning = "how far its rear is ahead of the ego's front before it moves over"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.5
+#: high = 5.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_ADV_AMPLITUDE"
+#: low = 0.8
+#: high = 1.3
+#: unit = "m"
+#: meaning = "how far it swings to either side"
+
+param OPT_ADV_DISTANCE = Range(10, 38)
+param OPT_ADV_AHEAD = Range(1, 7)
+param OPT_ADV_SPEED = Range(2.5, 5)
+param OPT_ADV_AMPLITUDE = Range(0.8, 1.3)
+
+behavior AdvBehavior():
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD + (ego.length + self.length) / 2, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(egoRoute, 6) until abs(offsetFrom(egoRoute, self)) < 1
+    do WeaveOnPath(egoRoute, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_AMPLITUDE, 3.2)

@@ -1,0 +1,70 @@
+#: description = "The car cuts in front of the ego, jabs the brakes and then speeds away."
+#: rephrasings = [
+#:   "Some hothead swerves in, brake-checks us and roars off.",
+#:   "Vehicle 2 changed lanes directly ahead, applied its brakes and then accelerated out of the area.",
+#:   "Cut-in, brake stab, departs at speed.",
+#:   "The target cuts in before the VUT, performs one brake pulse and accelerates away.",
+#:   "He jumps before us, makes brake for punishing, then goes quick away.",
+#:   "A biker flicks across, grabs a handful of front brake and blasts off.",
+#:   "The van barges over, lights up its tail and bolts.",
+#:   "An angry lorry driver takes our lane, checks us sharply and presses on.",
+#:   "Prat swerved in ahead of me, dabbed his brakes for a laugh and then tore off.",
+#:   "The suspect vehicle merged in front of the complainant, briefly activated its brakes and fled at high speed.",
+#:   "Cuts in, stab of brake, then full throttle & away.",
+#:   "The target enters the VUT's lane, applies a short brake pulse and thereafter accelerates out of range.",
+#:   "He goes in my lane before me, brakes short time, and after that runs away with much gas.",
+#:   "Merge + 1 s brake tap + bolt: side vehicle takes our lane, pecks at the brake, then sprints off.",
+#:   "He slipped in front of her, flashed his brake lights in her eyes for an instant, and was away before she could catch her breath.",
+#:   "Van's come in on you, he'll give it a quick prod of the brake and then he'll scarper, so don't rear-end him.",
+#:   "guy cut me off, tapped his brakes to be annoying n zoomed away",
+#:   "Having barged in front, the driver gave a short stamp on the brake before roaring off, the victim told reporters.",
+#:   "First you came in before her, then you touched your brake, and only then did you make off; is that the sequence?",
+#:   "He cut into my lane, jammed brake for one second, then ran away full speed.",
+#:   "Gets in front, gives me a flash of his brake lights for a lark, and scarpers.",
+#:   "Close merge, transient braking and rapid departure of adversary.",
+#:   "CUTS IN, BRAKE CHECKS, FLEES",
+#:   "The motorcycle knifed in, pecked at its brake and bolted.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cut-in", "brake", "accelerate"]
+#: leader = false
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = -10.0
+#: high = 25.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 0.0
+#: high = 6.0
+#: unit = "m"
+#: meaning = "how far its rear is ahead of the ego's front before it moves over"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+#: [[parameters]]
+#: name = "OPT_BRAKE_TIME"
+#: low = 0.7
+#: high = 1.2
+#: unit = "s"
+#: meaning = "for how long it brakes"
+
+param OPT_ADV_DISTANCE = Range(-10, 25)
+param OPT_ADV_AHEAD = Range(0, 6)
+param OPT_BRAKE = Range(0.6, 1)
+param OPT_BRAKE_TIME = Range(0.7, 1.2)
+
+behavior AdvBehavior():
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD + (ego.length + self.length) / 2, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do DrivePath(egoRoute, 7) until abs(offsetFrom(egoRoute, self)) < 1
+    do BrakeOnPath(egoRoute, globalParameters.OPT_BRAKE) for globalParameters.OPT_BRAKE_TIME seconds
+    do ThrottleOnPath(egoRoute, 1, 0, 11)

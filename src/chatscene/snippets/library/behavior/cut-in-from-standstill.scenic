@@ -1,0 +1,72 @@
+#: description = "The car stops in its own lane, waits and then pulls out of the queue in front of the ego."
+#: rephrasings = [
+#:   "The neighbour is stuck in his queue, then suddenly swings out right in front of us.",
+#:   "Vehicle 2 was stopped in the adjacent lane and then entered the path of vehicle 1.",
+#:   "Adjacent veh stationary, then pulls into our lane.",
+#:   "The target stands in the neighbouring lane and merges from standstill as the VUT approaches.",
+#:   "It waits on the other lane and when we come it goes out to us.",
+#:   "A bus halted alongside decides to get round the jam and swings over.",
+#:   "The biker sits in the standing traffic next door and then hops across.",
+#:   "A lorry at rest beside our lane lurches into it without a glance.",
+#:   "The car was stuck in the stationary line next to me and after a bit he lost patience and lurched out in front.",
+#:   "Unit 2 was stopped in traffic in the adjacent lane, then left the line of vehicles into the path of Unit 1.",
+#:   "Van halted in adj. queue, waits, then out in front of us.",
+#:   "The target vehicle comes to a halt in the neighbouring lane, remains there for a short period, then changes lane from rest ahead of the test vehicle.",
+#:   "A truck stands in the other lane, waits some time, then goes suddenly out before me.",
+#:   "Actor stationary one lane over; after a dwell it starts and cuts into our lane from zero speed.",
+#:   "He had been sitting in the jam beside her, and just as she drew near he got fed up and swung out of the line.",
+#:   "See that motorbike standing in the next line? He's biding his time, and yes, he's jumped out of the queue on you.",
+#:   "the car was stuck in the line next to me n then just hopped into my lane from a dead stop",
+#:   "A van that had been standing in a tailback broke ranks into the path of passing traffic.",
+#:   "You were at rest in the column of cars; you tarried; and then you emerged before my client, is that the size of it?",
+#:   "He was stopped in that side jam only, then lost his patience and put the car in my lane from zero.",
+#:   "Stuck in the next queue, twiddling his thumbs, and guess whose lane he jumps into the moment I'm there.",
+#:   "Entry into own lane from rest by queued vehicle of the neighbouring lane after waiting",
+#:   "QUEUE ESCAPEE pops out from standstill right in front of me",
+#:   "The halted truck bides its time and then peels off the jam into our lane.",
+#: ]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["stop", "hesitate", "cut-in"]
+#: leader = false
+#: maneuver = "straight"
+#: position = "ahead-beside"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 15.0
+#: high = 35.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 0.9
+#: unit = "1"
+#: meaning = "how hard it brakes"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 12.0
+#: high = 30.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it still is when it pulls out"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 4.0
+#: high = 7.5
+#: unit = "m/s"
+#: meaning = "how fast it pulls out"
+
+param OPT_ADV_DISTANCE = Range(15, 35)
+param OPT_BRAKE = Range(0.6, 0.9)
+param OPT_ADV_AHEAD = Range(12, 30)
+param OPT_ADV_SPEED = Range(4, 7.5)
+
+behavior AdvBehavior():
+    do PaceOnPath(advLane, ego, 24, 16, 4) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE and headway(egoRoute, ego, self) > 16
+    do BrakeOnPath(advLane, globalParameters.OPT_BRAKE) until self.pose[3] < 0.05
+    do Halt() for 0.5 seconds
+    do Halt() until headway(advLane, ego, self) < globalParameters.OPT_ADV_AHEAD
+    do DrivePath(egoRoute, globalParameters.OPT_ADV_SPEED)

@@ -1,0 +1,56 @@
+#: description = "The emergency vehicle overtakes the ego, cuts in and stops in front of it."
+#: rephrasings = [
+#:   "The cops pull past, swing in and stop us dead.",
+#:   "The patrol car passed vehicle 1, entered its lane and stopped ahead of it.",
+#:   "Police overtakes, cuts in, stops, blocks.",
+#:   "The emergency vehicle overtakes the VUT, cuts in and brakes to standstill in its path.",
+#:   "The police goes before us and makes us to stop.",
+#:   "A fire engine surges by and pulls up at the blaze right under our nose.",
+#:   "The ambulance gets round us only to halt at the casualty in our lane.",
+#:   "Traffic patrol bars our way after sweeping past.",
+#:   "the old bill went past me, pulled across my nose and made me stop, proper traffic stop",
+#:   "Officer passed the suspect vehicle on the left, moved in ahead of it and halted his cruiser to force it to a standstill.",
+#:   "Police: passes us, swings in ahead, halts, way barred.",
+#:   "An emergency vehicle passes the VUT, changes lane ahead of it and brakes to standstill, obstructing the lane.",
+#:   "The police goes by me, comes in front of my car and stands there, so I can not go on.",
+#:   "Pull-over manoeuvre: squad car passes the AV from the rear, tucks in front and parks up as a barrier.",
+#:   "The patrol car had drawn past him, slotted itself in before him and come to a halt, and there was nothing for it but to stop too.",
+#:   "Get past him, get in front and box him in, 14; bring it to a stop right ahead of him.",
+#:   "we're getting PULLED OVER the cops went round us and blocked us in front",
+#:   "Officers drew past the suspect, took the lane before him and brought him to a stop by standing in his way",
+#:   "The constable went by my client, placed his vehicle before hers and there stopped, compelling her to do likewise",
+#:   "Mata car overtake us, come in front and stop, block until cannot move",
+#:   "Old Bill whizzes by, plonks himself across my front and that's it, I'm nicked, can't go nowhere",
+#:   "Enforced stop: emergency vehicle passes, moves in ahead and obstructs the lane at standstill",
+#:   "COPS overtake and BOX ME IN at the front",
+#:   "The patrol car rounded us and barricaded the lane.",
+#: ]
+#: adversaries = ["emergency-vehicle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["overtake", "cut-in", "brake", "stop", "block"]
+#: position = "behind-beside"
+#: leader = false
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 1.5
+#: high = 6.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it is when it moves over"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+
+param OPT_ADV_AHEAD = Range(1.5, 6)
+param OPT_BRAKE = Range(0.6, 1)
+
+behavior AdvBehavior():
+    do DrivePath(advLane, 14) until headway(egoRoute, ego, self) > globalParameters.OPT_ADV_AHEAD
+    do DrivePath(egoRoute, 9) until abs(offsetFrom(egoRoute, self)) < 1
+    do BrakeOnPath(egoRoute, globalParameters.OPT_BRAKE)

@@ -1,0 +1,79 @@
+#: description = "The car passes the intersection, brakes to a stop, and backs into the ego's way."
+#: rephrasings = [
+#:   "he's already past us, stamps on the brake and then backs right into our way",
+#:   "Vehicle 2 cleared the conflict point, braked to a stop, and reversed into the path of Vehicle 1.",
+#:   "passes, brakes hard, backs up into the crossing",
+#:   "The target crosses the path of the VUT, brakes to a standstill and moves rearwards onto that path.",
+#:   "The truck passes over, then brakes strong and comes back in reverse in front of the ego.",
+#:   "A driver who missed the turning pulls up beyond the junction and rolls back into it.",
+#:   "The delivery van overshoots its street, slams to a halt and reverses without looking.",
+#:   "Once across, a bus halts abruptly and returns tail first.",
+#:   "He'd gone right through the crossroads, slammed to a halt and then came backwards into my path.",
+#:   "Unit 2 cleared the intersection, stopped abruptly and then backed into the path of Unit 1.",
+#:   "Thru junction, hard stop, reverse gear, back into ego's line.",
+#:   "The target clears the junction, comes to rest and subsequently travels rearward into the VUT's trajectory.",
+#:   "Truck passes the crossing, brakes, stops and drives back in my way.",
+#:   "Actor overshoots the junction, halts, shifts to reverse and backs onto our route.",
+#:   "He was already out the other side when he realised he'd missed his street, so he stopped dead and came whining back at her in reverse.",
+#:   "He's over the junction but look, white lights, he's missed his turn and he's backing up into you.",
+#:   "he went all the way thru the intersection then stopped and BACKED UP into my way??",
+#:   "A driver who had already cleared the crossroads halted and shunted rearward into the path of another car.",
+#:   "You had passed through the junction, you stopped, and you engaged reverse so as to come back before my client?",
+#:   "He crossed the junction finish already, then brake and gostan right into my path.",
+#:   "Past the crossroads he is, then he drops anchor and comes at me arse first.",
+#:   "Backward re-entry into ego path by vehicle that had cleared the intersection.",
+#:   "TRUCK MISSES TURN, REVERSES BACK INTO INTERSECTION IN FRONT OF ME",
+#:   "The van cleared the junction, halted and moonwalked into our way.",
+#: ]
+#: adversaries = ["car", "truck", "bus"]
+#: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["brake", "stop", "reverse"]
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 25.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "how far the ego still is from where their ways meet when the adversary gets there"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 6.0
+#: high = 9.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 4.0
+#: high = 7.0
+#: unit = "m"
+#: meaning = "how far beyond where their ways meet it stops first"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK"
+#: low = 1.5
+#: high = 3.5
+#: unit = "m/s"
+#: meaning = "how fast it backs up"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = -1.0
+#: high = 2.0
+#: unit = "m"
+#: meaning = "how far beyond where their ways meet it stays in the end"
+
+param OPT_ADV_DISTANCE = Range(25, 50)
+param OPT_ADV_SPEED = Range(6, 9)
+param OPT_STOP_DISTANCE = Range(4, 7)
+param OPT_ADV_BACK = Range(1.5, 3.5)
+param OPT_ADV_REACH = Range(-1, 2)
+
+advTurn = "straight"
+
+behavior AdvBehavior():
+    do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
+    do BrakeOnPath(advTrajectory) until self.pose[3] < 0.05
+    do Halt() for 0.5 seconds
+    do ReverseStraight(globalParameters.OPT_ADV_BACK) until distanceLeft(advTrajectory, self, advMeeting) > -globalParameters.OPT_ADV_REACH - brakingDistance(self)
+    do Halt()

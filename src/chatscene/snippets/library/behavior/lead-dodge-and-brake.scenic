@@ -1,0 +1,72 @@
+#: description = "The car ahead swings out around something, comes back into its lane and brakes."
+#: rephrasings = [
+#:   "The car in front jinks round a pothole, ducks back in and hits the brakes.",
+#:   "Vehicle 1 steered left to avoid debris, returned to its lane and decelerated sharply.",
+#:   "Lead dodges object, returns, brakes.",
+#:   "The target performs an avoidance manoeuvre, realigns with the path of the VUT and brakes.",
+#:   "It goes around an obstacle in front of us and comes again and makes a brake.",
+#:   "The motorbike ahead flicks round a manhole, straightens and grabs the brake.",
+#:   "A bus before us sidesteps something on the tarmac, then checks hard once back in line.",
+#:   "The driver we follow wrenches the wheel to miss a dog, rights himself and anchors.",
+#:   "The one in front jinked round a pothole or something, tucked back in and hit the brakes.",
+#:   "The lead vehicle steered around an object in the roadway, returned to its lane, and slowed abruptly.",
+#:   "Van ahead swings out round sth, back in line, brakes.",
+#:   "The lead vehicle performs an evasive lateral manoeuvre, returns to the lane and decelerates.",
+#:   "Truck before me goes around a thing on the road, comes back and brakes.",
+#:   "Lead: out-and-in lateral bump as if avoiding debris, followed by decel in lane.",
+#:   "It skirted something she could not see, slipped into line again, and its tail lights blazed.",
+#:   "Ambulance ahead's dodged something, he's back in front of you and he's braking, ease off.",
+#:   "the car ahead swerved round smth on the road came back n then hit the brakes",
+#:   "The car in front skirted an object, resumed its place and slowed sharply, catching the follower off guard.",
+#:   "He circumvented the thing, he regained his lane, and having regained it he checked his speed hard.",
+#:   "Front vehicle took a cut to avoid something, came back in line and put sudden brake.",
+#:   "Skips round some bit of rubbish, hops back in line and then anchors up, make your mind up mate.",
+#:   "Avoidance excursion of preceding vehicle, return to lane and consequent deceleration",
+#:   "CAR DODGES DEBRIS, TUCKS IN, BRAKES - was not ready",
+#:   "The bus in front sidesteps something, slots back in and brakes.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: requires = ["advTrajectory", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["swerve", "brake"]
+#: position = "ahead"
+#: leader = false
+#: blocker = false
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = -5.0
+#: high = 30.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_SWERVE"
+#: low = 1.5
+#: high = 2.6
+#: unit = "m"
+#: meaning = "how far it swerves"
+#: [[parameters]]
+#: name = "OPT_SWERVE_TIME"
+#: low = 0.8
+#: high = 1.5
+#: unit = "s"
+#: meaning = "for how long it swerves"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.5
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+
+param OPT_ADV_DISTANCE = Range(-5, 30)
+param OPT_SWERVE = Range(1.5, 2.6)
+param OPT_SWERVE_TIME = Range(0.8, 1.5)
+param OPT_BRAKE = Range(0.5, 1)
+
+behavior AdvBehavior():
+    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do SwerveOnPath(advTrajectory, 7, globalParameters.OPT_SWERVE) for globalParameters.OPT_SWERVE_TIME seconds
+    do DrivePath(advTrajectory, 6) until abs(offsetFrom(advTrajectory, self)) < 0.6
+    do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE) until self.pose[3] < 0.3
+    do DrivePath(advTrajectory, 3)

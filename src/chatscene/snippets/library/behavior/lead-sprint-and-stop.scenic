@@ -1,0 +1,70 @@
+#: description = "The car ahead accelerates away and shortly after brakes to a dead stop."
+#: rephrasings = [
+#:   "The bloke in front floors it, we follow, and then he stops dead.",
+#:   "Vehicle 2 sped up, then decelerated violently and came to rest in the lane.",
+#:   "Lead surges off, full brake, stationary.",
+#:   "The target accelerates ahead of the VUT, then brakes at the limit down to zero and stays.",
+#:   "First he gives gas, after that full brake and he stands before us.",
+#:   "The lorry before us puts on a spurt only to pull up sharply.",
+#:   "A motorcyclist ahead rockets forward and then stands the bike on its nose.",
+#:   "The driver we follow opens a gap at full throttle and closes it with a panic stop.",
+#:   "The lad in front booted it away from me and then, a few seconds on, stood it on its nose and stopped.",
+#:   "The lead vehicle sped up, opened a gap, then shortly thereafter came to a complete stop in the lane.",
+#:   "Lead bolts, gap opens, then full brake to 0 & stays.",
+#:   "The lead target accelerates away from the VUT and after a short interval brakes to standstill.",
+#:   "The motorbike before me goes fast away and soon after he brakes until stop.",
+#:   "Lead fakes us out: sprint first, then a full stop just down the road, lane blocked.",
+#:   "He raced off from her as if glad to be rid of her, and not a hundred yards on he pulled up dead.",
+#:   "He's charged off up the road, but don't chase him, he's stopped, bang, right there in the lane.",
+#:   "he zoomed off ahead of me n then boom full stop a few secs later",
+#:   "The driver surged away from the car following him only to pull up sharp a short way on.",
+#:   "You raced ahead of her, thus inviting her to follow, and moments later you halted outright?",
+#:   "First he raised speed and went far, then suddenly he is standing in the road with full brake.",
+#:   "Off like Stirling Moss in front of me, and fifty yards on he's stood still in the road.",
+#:   "Lead vehicle surge followed by unexpected full stop and blockage.",
+#:   "RACES AHEAD... THEN SLAMS TO A STOP",
+#:   "The lead car spurted off, then crashed its speed to nothing.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: requires = ["advTrajectory", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["accelerate", "brake", "stop", "block"]
+#: position = "ahead"
+#: leader = false
+#: blocker = false
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 25.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
+#: [[parameters]]
+#: name = "OPT_THROTTLE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how far the pedal is pressed"
+#: [[parameters]]
+#: name = "OPT_THROTTLE_TIME"
+#: low = 0.8
+#: high = 2.0
+#: unit = "s"
+#: meaning = "for how long it presses the pedal"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+
+param OPT_ADV_DISTANCE = Range(0, 25)
+param OPT_THROTTLE = Range(0.6, 1)
+param OPT_THROTTLE_TIME = Range(0.8, 2)
+param OPT_BRAKE = Range(0.6, 1)
+
+behavior AdvBehavior():
+    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_THROTTLE_TIME seconds
+    do BrakeOnPath(advTrajectory, globalParameters.OPT_BRAKE)

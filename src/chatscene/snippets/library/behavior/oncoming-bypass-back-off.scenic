@@ -1,0 +1,71 @@
+#: description = "The oncoming car stops and backs off while the ego goes around the obstacle."
+#: rephrasings = [
+#:   "he sees there's no room, stops and reverses out of our way",
+#:   "Vehicle 2 stopped in the opposing lane and backed up while Vehicle 1 was passing an obstruction.",
+#:   "opposing veh halts, reverses to make room",
+#:   "The oncoming target comes to a standstill before the narrow place and moves rearwards.",
+#:   "The truck stops in front of us and goes back in reverse so that we can pass.",
+#:   "A bus coming the other way retreats to let us by.",
+#:   "The lorry opposite pulls up and backs away from the bottleneck.",
+#:   "Face to face in the narrow bit, the van gives in and rolls backwards.",
+#:   "I was out round the parked lorry and the car coming at me stopped and, bless him, backed up to let me through.",
+#:   "Opposing vehicle stopped and backed away as Unit 1 was passing the obstruction.",
+#:   "Bus oncoming, halts, reverses, we're round the obstacle.",
+#:   "While the test vehicle passes the obstruction, the opposing vehicle comes to rest and retreats rearward.",
+#:   "When I go around the stopped truck, the car from the front stops and goes back.",
+#:   "Opp. traffic yields during our bypass: v to 0, then negative, retreats.",
+#:   "They met nose to nose beside the broken-down van, and it was the other one who stopped and shrank back.",
+#:   "Go round the skip, he's seen you, he's pulled up, he's even backing off to give you room.",
+#:   "i was going round the parked van and the guy coming stopped n reversed for me, king",
+#:   "An oncoming driver halted and withdrew so that the other could get round the blockage.",
+#:   "Seeing my client out beyond the obstruction, the opposing driver stood and then yielded ground rearwards.",
+#:   "Opposite side car so nice, stop and gostan so I can go round the lorry.",
+#:   "Credit where it's due, I'm out round the skip and the fella opposite pulls up and backs out of my way.",
+#:   "Halt and rearward withdrawal of opposing vehicle during own passage around obstruction",
+#:   "FAITH IN HUMANITY: oncoming driver BACKS UP to let me round",
+#:   "The oncoming van halts and recedes while we skirt the obstruction.",
+#: ]
+#: adversaries = ["car", "truck", "bus"]
+#: requires = ["advTrajectory"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["oncoming", "stop", "reverse"]
+#: position = "oncoming"
+#: maneuver = "bypass"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 4.0
+#: high = 8.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 22.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it stops"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK"
+#: low = 1.5
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it backs up"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK_TIME"
+#: low = 2.0
+#: high = 5.0
+#: unit = "s"
+#: meaning = "for how long it backs up"
+
+param OPT_ADV_SPEED = Range(4, 8)
+param OPT_ADV_DISTANCE = Range(22, 50)
+param OPT_ADV_BACK = Range(1.5, 4)
+param OPT_ADV_BACK_TIME = Range(2, 5)
+
+behavior AdvBehavior():
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until self.pose[3] > 1.5 and gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do BrakeOnPath(advTrajectory, 0.7) until self.pose[3] < 0.05
+    do Halt() for 0.4 seconds
+    do ReverseStraight(globalParameters.OPT_ADV_BACK) for globalParameters.OPT_ADV_BACK_TIME seconds
+    do Halt()

@@ -1,0 +1,54 @@
+#: description = "The oncoming car flashes past at high speed while the ego goes around the obstacle."
+#: rephrasings = [
+#:   "just as we pull out round the thing, somebody comes flying the other way",
+#:   "Vehicle 2 approached in the opposing lane at high speed while Vehicle 1 was passing an obstruction.",
+#:   "opposing traffic, very fast, while we go round",
+#:   "The oncoming target travels at 43 km/h or more in the lane that the VUT has to use.",
+#:   "A motorcycle comes the other way with much speed when we avoid the parked car.",
+#:   "A biker rockets toward us through the gap.",
+#:   "An ambulance from the opposite side bombs along and won't wait for us.",
+#:   "Speeding traffic comes on from ahead and does not lift off.",
+#:   "I'd pulled out round a skip and some idiot coming the other way went whizzing by at about ninety.",
+#:   "Opposing vehicle passed at an excessive rate of speed while Unit 1 was going around the obstruction.",
+#:   "MC oncoming, v. fast, zips by during our bypass.",
+#:   "During the avoidance of the obstruction the opposing vehicle passes at high speed, without yielding.",
+#:   "I go around the standing car and one comes from the front very very quick.",
+#:   "Opp. actor at high v while we're out for the bypass; stays in its lane, doesn't slow.",
+#:   "She was half round the dustcart when the ambulance streaked by the other way and rocked her on her springs.",
+#:   "Don't go out round that van yet, there's one coming the other way like a bat out of hell.",
+#:   "im halfway round the parked truck and this dude coming the other way goes by at mach 10",
+#:   "A speeding car tore past in the opposite direction just as the motorist was rounding a stationary vehicle.",
+#:   "While my client was out beyond the obstruction, the opposing car came through at a furious pace and gave no quarter.",
+#:   "I am going around the standing lorry and opposite one bike came in rocket speed and passed.",
+#:   "I'm hanging out round a parked bin lorry and Stirling Moss comes the other way and nearly has my mirror.",
+#:   "High-velocity passage of opposing vehicle during own avoidance of obstruction",
+#:   "NEARLY HEAD-ON while passing parked truck - he did NOT slow down",
+#:   "The oncoming motorbike screams by as we skirt the blockage.",
+#: ]
+#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: requires = ["advTrajectory", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["oncoming", "fast"]
+#: position = "oncoming"
+#: maneuver = "bypass"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 12.0
+#: high = 16.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 45.0
+#: unit = "m"
+#: meaning = "how far before the middle of its way around the ego is when the adversary sets off"
+
+param OPT_ADV_SPEED = Range(12, 16)
+param OPT_ADV_DISTANCE = Range(0, 45)
+
+behavior AdvBehavior():
+    do Halt() until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do ThrottleOnPath(advTrajectory, 1, 0, globalParameters.OPT_ADV_SPEED)

@@ -1,0 +1,70 @@
+#: description = "The oncoming car swerves over the centre line and jerks back at once."
+#: rephrasings = [
+#:   "he yanks it into our lane and straight back out again",
+#:   "Vehicle 2 swerved into the opposing lane and immediately steered back.",
+#:   "opposing veh, sudden swerve over line, snaps back",
+#:   "The oncoming target performs an abrupt double lane change into the lane of the VUT and back.",
+#:   "The car jumps suddenly on our side and in one second it's back.",
+#:   "A biker dodges a pothole by darting over the line and in again.",
+#:   "To miss a dog it flicks across the middle and recovers.",
+#:   "A van coming the other way lurches at us, then whips away.",
+#:   "the car coming at me flicked over the white line and whipped straight back again, texting I bet",
+#:   "The oncoming vehicle veered across the center line and immediately snapped back into its own lane.",
+#:   "MC opp.: jerks over line, instantly back.",
+#:   "The oncoming target makes a short abrupt excursion over the centre line with immediate return.",
+#:   "The car from the front jumps a moment over the middle line and at once he is back.",
+#:   "Opposite NPC needs a quick steering twitch into our side and straight out again (< 1 s), not a slow drift.",
+#:   "In a heartbeat it had darted over to their half and been snatched away to its own again.",
+#:   "He's nodded off there, look, he's twitched over the middle, caught himself and yanked it back sharpish.",
+#:   "car coming at us jerked onto our side for like half a sec then back, nearly died",
+#:   "An approaching motorcyclist darted over the centre marking and snatched himself back the same instant",
+#:   "You were over the line and back again in a heartbeat, would that be fair?",
+#:   "Opposite car suddenly twist into our side then twist back, maybe fall asleep",
+#:   "He's over the line, he's back, blink and you'd miss it, checking his phone I bet",
+#:   "Momentary centre-line departure of opposing vehicle with immediate correction",
+#:   "Oncoming driver twitches INTO MY LANE and back out",
+#:   "The biker coming our way flinched over the line and back.",
+#: ]
+#: adversaries = ["car", "motorcycle"]
+#: requires = ["advTrajectory"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["oncoming", "swerve", "turn-back"]
+#: position = "oncoming"
+#: maneuver = "straight"
+#: leader = false
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 6.0
+#: high = 11.0
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 18.0
+#: high = 42.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it swerves"
+#: [[parameters]]
+#: name = "OPT_SWERVE"
+#: low = 2.0
+#: high = 3.6
+#: unit = "m"
+#: meaning = "how far it swerves"
+#: [[parameters]]
+#: name = "OPT_STOP_TIME"
+#: low = 0.9
+#: high = 1.5
+#: unit = "s"
+#: meaning = "after how long it swerves back"
+
+param OPT_ADV_SPEED = Range(6, 11)
+param OPT_ADV_DISTANCE = Range(18, 42)
+param OPT_SWERVE = Range(2, 3.6)
+param OPT_STOP_TIME = Range(0.9, 1.5)
+
+behavior AdvBehavior():
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do SwerveOnPath(advTrajectory, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_SWERVE) for globalParameters.OPT_STOP_TIME seconds
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED)

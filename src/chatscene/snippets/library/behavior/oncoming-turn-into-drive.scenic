@@ -1,0 +1,56 @@
+#: description = "The oncoming car turns left across the ego's lane into a driveway."
+#: rephrasings = [
+#:   "he cuts left across us into his drive",
+#:   "Vehicle 2, oncoming, turned left across the lane of Vehicle 1 into a private driveway.",
+#:   "opposing veh, left across us into a car park",
+#:   "The oncoming target turns left across the path of the VUT to leave the carriageway.",
+#:   "The van from the other direction turns left for entering in the petrol station.",
+#:   "A cyclist coming the other way swings over our lane to reach a gateway.",
+#:   "The bus opposite heads left through our way into the depot.",
+#:   "A fire engine facing us makes for its station on our side, straight over our lane.",
+#:   "The car coming towards me hung a left over my lane into somebody's driveway.",
+#:   "The opposing vehicle turned left across Unit 1's lane to enter a private driveway.",
+#:   "Opp. car L-turn thru ego lane -> driveway.",
+#:   "The oncoming target turns left across the VUT's lane to access a property entrance.",
+#:   "The car against me turns left over my lane to go in a house entrance.",
+#:   "Mid-block left across our lane into a drive, no junction; gap acceptance by the oncoming actor is poor.",
+#:   "He was home at last, it seemed, for he swung over in front of her and in at his own gate.",
+#:   "He's turning into that driveway on your side, he'll come across us, be ready to slow.",
+#:   "car coming the other way turned left right over us into some house",
+#:   "A resident arriving home turned left over the approaching lane to reach her drive, officers said.",
+#:   "You were coming toward my client and you cut over her lane to the left to get to your premises?",
+#:   "Opposite side van turned left across my lane and went inside one house gate.",
+#:   "Can't wait to get his dinner, turns left over my lane onto his own front drive.",
+#:   "Left-turn access movement of opposing vehicle to property across ego lane.",
+#:   "NEIGHBOR CUTS ACROSS TRAFFIC TO GET INTO HIS DRIVEWAY",
+#:   "The oncoming car ducked left over our lane into a driveway.",
+#: ]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
+#: requires = ["advTrajectory"]
+#: provides = ["AdvBehavior"]
+#: origin = "Euro NCAP car-to-car front turn across path; own code"
+#: [slots]
+#: actions = ["oncoming", "turn-left"]
+#: position = "oncoming"
+#: maneuver = "straight"
+#: leader = false
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 4.0
+#: high = 6.5
+#: unit = "m/s"
+#: meaning = "how fast it drives"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 12.0
+#: high = 50.0
+#: unit = "m"
+#: meaning = "distance to the ego at which it turns"
+
+param OPT_ADV_SPEED = Range(4, 6.5)
+param OPT_ADV_DISTANCE = Range(12, 50)
+
+behavior AdvBehavior():
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
+    do TurnOff(1.4, globalParameters.OPT_ADV_SPEED, 6)
+    do MoveAhead(globalParameters.OPT_ADV_SPEED)

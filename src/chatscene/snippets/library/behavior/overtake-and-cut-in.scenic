@@ -1,0 +1,55 @@
+#: description = "The car overtakes the ego and cuts in close in front of it."
+#: rephrasings = [
+#:   "He blows past us and tucks in right under our nose.",
+#:   "Vehicle 2 passed vehicle 1 and returned to the lane with insufficient clearance.",
+#:   "Overtakes, then tight merge before us.",
+#:   "The target passes the VUT in the adjacent lane and cuts in at small longitudinal distance.",
+#:   "He overtakes and comes in too early, almost touching our front.",
+#:   "A lorry grinds by us and pulls back in before its tail is clear.",
+#:   "The coach passes and crowds us off as it returns.",
+#:   "A motorbike comes from behind, gets by and drops in at arm's length.",
+#:   "some BMW flew past me and chopped right back in under my nose",
+#:   "The vehicle passed V1 and moved back in directly ahead with minimal clearance.",
+#:   "MC passes, tucks in v. close.",
+#:   "The target passes the VUT and returns to the lane at a very small longitudinal distance, keeping its speed.",
+#:   "The motorbike goes by me and comes back very near before my car, then drives on.",
+#:   "Pass-and-tuck: overtaker re-enters the ego lane with almost no clearance; no braking required.",
+#:   "It had drawn by on the outside and then shouldered in so close that they could read its tax disc.",
+#:   "He's gone by you and pulled back in far too early, he's nearly clipped your wing, but he's away.",
+#:   "he overtook us and pulled in SO close i could read his stickers",
+#:   "A motorcyclist swept by a learner and tucked in barely a foot ahead of her",
+#:   "You passed my client and regained the lane with scarcely any room before her bonnet, but you did not brake?",
+#:   "He overtake us then squeeze in front so near, almost kiss my bumper",
+#:   "Comes round me, tucks in with a fag paper between us and swans off",
+#:   "Overtaking with insufficient clearance on return to lane",
+#:   "Motorbike overtakes and nearly clips my FRONT BUMPER",
+#:   "The coupe leapfrogged us and shaved our nose.",
+#: ]
+#: adversaries = ["car", "motorcycle"]
+#: requires = ["advLane", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "NHTSA pre-crash typology: passing; own code"
+#: [slots]
+#: actions = ["overtake", "cut-in"]
+#: leader = false
+#: maneuver = "straight"
+#: position = "behind-beside"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 11.0
+#: high = 14.0
+#: unit = "m/s"
+#: meaning = "how fast it overtakes at most"
+#: [[parameters]]
+#: name = "OPT_ADV_AHEAD"
+#: low = 0.5
+#: high = 6.0
+#: unit = "m"
+#: meaning = "how far ahead of the ego it is when it moves over"
+
+param OPT_ADV_SPEED = Range(11, 14)
+param OPT_ADV_AHEAD = Range(0.5, 6)
+
+behavior AdvBehavior():
+    do DrivePath(advLane, globalParameters.OPT_ADV_SPEED) until headway(egoRoute, ego, self) > globalParameters.OPT_ADV_AHEAD
+    do DrivePath(egoRoute, 8)

@@ -1,0 +1,69 @@
+#: description = "The rider pulls out from the roadside into the ego's lane, rides a few metres along it and brakes to a stop."
+#: rephrasings = [
+#:   "A cyclist swings out in front of us and then jams on the brakes.",
+#:   "The bicyclist entered the travel lane from the shoulder, then braked to a stop ahead of Vehicle 1.",
+#:   "bike joins lane, short ride, hard brake",
+#:   "The two-wheeler joins the VUT's lane and decelerates to standstill shortly thereafter.",
+#:   "The scooter comes in our lane and after some meters it stops hard.",
+#:   "A delivery rider cuts in off the pavement and pulls up dead.",
+#:   "The moped joins us only to halt a moment later.",
+#:   "Barely in our lane, the biker grabs both levers and stands still.",
+#:   "some kid on a bike came off the verge into my lane, did a few yards along it and then pulled the brakes and stopped",
+#:   "The bicyclist entered V1's lane from the roadside, traveled several feet ahead of it and braked to a halt.",
+#:   "MC from verge -> our lane, few m along, brk, stands.",
+#:   "The PTW enters the VUT's lane from the roadside, follows it for a few metres and then brakes to standstill.",
+#:   "The bike comes from the side in my lane, rides little bit before me and then brakes and stays.",
+#:   "Two-wheeler joins from the shoulder, aligns with our lane, 5 m of travel, then an active stop.",
+#:   "She had come off the grass on her moped and ridden but a few lengths ahead of them when she squeezed the brakes and stood.",
+#:   "He's joined from the side there on his bike, he's going your way, and now he's stopped on you. Not even three bike lengths!",
+#:   "bike comes off the side into our lane, goes like 3 metres then slams on",
+#:   "A courier joined the road ahead of traffic, covered a few yards and pulled up smartly",
+#:   "You rode out into the lane, travelled along it a very short way and then braked to a halt?",
+#:   "Delivery bike came from side into our lane, went little bit, then sudden brake and stopped",
+#:   "Pops out off the verge, pedals two yards up my lane and pulls up like he's home",
+#:   "Two-wheeler joining the lane from the roadside with early braking to standstill",
+#:   "Scooter pulls out, rides 5 meters and STOPS DEAD",
+#:   "The moped hopped in, hummed along briefly and braked to nothing.",
+#: ]
+#: adversaries = ["bicycle", "motorcycle"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["pull-out", "brake", "stop"]
+#: place = "road"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 3.0
+#: high = 5.5
+#: unit = "m/s"
+#: meaning = "how fast it rides"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 6.0
+#: high = 26.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when it starts to move"
+#: [[parameters]]
+#: name = "OPT_ADV_TIME"
+#: low = 1.5
+#: high = 3.5
+#: unit = "s"
+#: meaning = "how long it rides along the lane before it brakes"
+#: [[parameters]]
+#: name = "OPT_BRAKE"
+#: low = 0.6
+#: high = 1.0
+#: unit = "1"
+#: meaning = "how hard it brakes"
+
+param OPT_ADV_SPEED = Range(3, 5.5)
+param OPT_ADV_DISTANCE = Range(6, 26)
+param OPT_ADV_TIME = Range(1.5, 3.5)
+param OPT_BRAKE = Range(0.6, 1)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 3 * abs(offsetFrom(egoRoute, self))
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 3
+    do DrivePath(egoRoute, globalParameters.OPT_ADV_SPEED) for globalParameters.OPT_ADV_TIME seconds
+    do BrakeOnPath(egoRoute, globalParameters.OPT_BRAKE)

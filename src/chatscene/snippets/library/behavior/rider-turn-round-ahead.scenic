@@ -1,0 +1,73 @@
+#: description = "The rider ahead brakes, whips round in a U-turn and comes back past the ego."
+#: rephrasings = [
+#:   "The cyclist in front pulls a U-ey and comes back the other way past us.",
+#:   "The bicyclist executed a U-turn ahead of Vehicle 1 and returned in the opposing direction.",
+#:   "bike ahead U-turns, comes back",
+#:   "The target ahead turns through 180 degrees and approaches the VUT alongside.",
+#:   "The cyclist before us turns round completely and rides to us.",
+#:   "A food courier who missed the address spins about in the road.",
+#:   "The scooter ahead loops round tightly and buzzes back toward us.",
+#:   "Without warning the biker reverses course in one sweep and faces us.",
+#:   "the cyclist in front braked, spun round on a sixpence and came back past me the other way",
+#:   "The motorcyclist ahead braked, made a rapid U-turn and rode back past V1 in the opposite direction.",
+#:   "Bicycle ahead: brk, 180, passes us going back.",
+#:   "The PTW ahead decelerates, performs a tight U-turn and passes the VUT in the opposite direction.",
+#:   "The bike in front brakes, turns around quick and comes back against me and goes by.",
+#:   "Lead rider flips heading by 180° after a short brake and becomes opposite-direction traffic next to the SUT.",
+#:   "He had been riding on ahead; then he checked, doubled back on himself, and went by their window with a nod.",
+#:   "Forgotten something, has she? On the brakes, whips the moped round and here she comes back towards us.",
+#:   "bike in front did a full uey and rode back past us waving",
+#:   "A cyclist who braked and spun about was soon travelling back along the column of cars behind",
+#:   "Having been ahead of my client and going her way, you braked, turned about and met her face to face?",
+#:   "Scooter in front brake, then take U-turn and come back opposite beside us",
+#:   "Forgot his chips, must've, brakes, whips it about and comes back by my window",
+#:   "Braking and about-turn of leading two-wheeler; subsequent opposing pass",
+#:   "Motorbike ahead spins around and rides BACK at me",
+#:   "The cyclist ahead boomeranged past us.",
+#: ]
+#: adversaries = ["bicycle", "motorcycle"]
+#: requires = ["advTrajectory", "egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["brake", "u-turn", "oncoming"]
+#: position = "ahead"
+#: leader = false
+#: place = "road"
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 1.6
+#: high = 2.4
+#: unit = "m/s"
+#: meaning = "how fast it turns"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = -20.0
+#: high = 5.0
+#: unit = "m"
+#: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts at the latest"
+#: [[parameters]]
+#: name = "OPT_REACT_DISTANCE"
+#: low = 4.0
+#: high = 18.0
+#: unit = "m"
+#: meaning = "how far behind it the ego is when it acts"
+#: [[parameters]]
+#: name = "OPT_TURN_RADIUS"
+#: low = 1.8
+#: high = 3.0
+#: unit = "m"
+#: meaning = "the radius of its turn"
+
+param OPT_ADV_SPEED = Range(1.6, 2.4)
+param OPT_ADV_DISTANCE = Range(-20, 5)
+param OPT_REACT_DISTANCE = Range(4, 18)
+param OPT_TURN_RADIUS = Range(1.8, 3)
+
+behavior AdvBehavior():
+    # It keeps right, as if to let the ego pass.
+    do DrivePath(advTrajectory, 5, -1.9) until self.pose[3] > 4.2 and (headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE or distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE)
+    do BrakeOnPath(advTrajectory, 0.5, -1.9) until self.pose[3] < globalParameters.OPT_ADV_SPEED
+    do TurnOff(3.1, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_TURN_RADIUS)
+    do MoveAhead(globalParameters.OPT_ADV_SPEED)

@@ -1,0 +1,69 @@
+#: description = "The rider ahead starts to wobble, loses balance and falls in the lane."
+#: rephrasings = [
+#:   "The cyclist in front gets the wobbles and comes off right before us.",
+#:   "The bicyclist lost control, fell, and came to rest in the lane of travel ahead of Vehicle 1.",
+#:   "bike ahead wobbles, rider down",
+#:   "The target ahead oscillates laterally and becomes stationary on the VUT's path.",
+#:   "The cyclist before us has trouble with the balance and falls down.",
+#:   "A front wheel caught in the tram rail, the biker sways and tumbles.",
+#:   "The scooter shakes from side to side and then lies on the tarmac.",
+#:   "Overloaded, the bike up ahead snakes about until it topples over.",
+#:   "The poor bugger in front started wobbling on his bike and went over in the road.",
+#:   "The bicyclist ahead lost control, began to sway, and fell to the pavement in the travel lane.",
+#:   "MC ahead unstable, goes down, lying in lane.",
+#:   "The leading two-wheeler shows increasing instability and topples over, remaining in the lane.",
+#:   "The man with bicycle before me shakes left and right and falls down on the road.",
+#:   "Lead rider: growing wobble, tip-over, stationary obstacle at ground level in our lane.",
+#:   "The front wheel shivered, she fought it for a yard or two, and then she came off and lay there before him.",
+#:   "Biker's got a tank slapper on, he's losing it, he's down, rider down in your lane.",
+#:   "the guy on the bike started shaking all over and then ate it right in front of me",
+#:   "A cyclist lost her balance and came down in the path of following traffic.",
+#:   "The bicycle began to oscillate, the rider could not master it, and he was cast upon the road.",
+#:   "Cycle in front started shaking, balance gone, and the fellow fell down in the road.",
+#:   "Wibbling about like jelly, that rider, and next thing he's flat on the deck ahead of me.",
+#:   "Loss of balance and fall of preceding two-wheeler rider into own lane",
+#:   "BIKER WOBBLES AND WIPES OUT ahead of me",
+#:   "The scooterist in front teeters and tumbles.",
+#: ]
+#: adversaries = ["bicycle", "motorcycle"]
+#: requires = ["advTrajectory"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["weave", "stop"]
+#: position = "ahead"
+#: leader = false
+#: maneuver = "straight"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 4.0
+#: high = 6.0
+#: unit = "m/s"
+#: meaning = "how fast it rides"
+#: [[parameters]]
+#: name = "OPT_ADV_AMPLITUDE"
+#: low = 1.0
+#: high = 1.6
+#: unit = "m"
+#: meaning = "how far it wobbles to either side"
+#: [[parameters]]
+#: name = "OPT_ADV_PERIOD"
+#: low = 3.0
+#: high = 3.6
+#: unit = "s"
+#: meaning = "how long a full swing takes"
+#: [[parameters]]
+#: name = "OPT_ADV_TIME"
+#: low = 6.0
+#: high = 8.0
+#: unit = "s"
+#: meaning = "how long it wobbles before it falls"
+
+param OPT_ADV_SPEED = Range(4, 6)
+param OPT_ADV_AMPLITUDE = Range(1, 1.6)
+param OPT_ADV_PERIOD = Range(3, 3.6)
+param OPT_ADV_TIME = Range(6, 8)
+
+behavior AdvBehavior():
+    do WeaveOnPath(advTrajectory, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_AMPLITUDE, globalParameters.OPT_ADV_PERIOD) for globalParameters.OPT_ADV_TIME seconds
+    do Halt()

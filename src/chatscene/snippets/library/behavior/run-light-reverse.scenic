@@ -1,0 +1,81 @@
+#: description = "The crossing car runs the red light, stops, and backs up again."
+#: rephrasings = [
+#:   "he shoots over the red, realises it, bangs it in reverse and rolls back",
+#:   "Vehicle 2 entered against a red signal, stopped, and backed toward the stop bar.",
+#:   "overruns red, halts, reverses out",
+#:   "The target passes the stop line on red, comes to a standstill and then moves rearwards.",
+#:   "The truck passed the red, then it stops and goes with the back direction again to the line.",
+#:   "A lorry noses out against the lights, thinks again, and backs away.",
+#:   "Having jumped the signal, the bus pulls up and retreats.",
+#:   "The van goes through on red, gets halfway, and withdraws backwards.",
+#:   "He jumped the lights, stopped in the middle realising what he'd done, and shoved it in reverse.",
+#:   "Unit 2 entered on red, stopped within the intersection and backed toward its point of entry.",
+#:   "Thru red, halt mid-jct, reverses.",
+#:   "The crossing target passes the red signal, comes to rest in the junction and moves rearward.",
+#:   "The truck goes over red, then stands and drives back.",
+#:   "Red-light violator with regrets: stops past the line, then backs out again.",
+#:   "He was through the red before he saw it; he stopped, shamefaced, and crept backwards whence he'd come.",
+#:   "He's gone over on red, he's stopped, and now his reversing lights are on, so let him back out.",
+#:   "he ran the red, went oops, stopped n started backing up",
+#:   "The driver overran the stop signal, halted in the junction and sheepishly retreated backwards.",
+#:   "Past the red signal you went, there you stopped, and then you drove in reverse whence you came?",
+#:   "He jumped signal, then stopped inside, then taking reverse back to the line.",
+#:   "Through the red, penny drops, stops, and then it's beep beep beep all the way back.",
+#:   "Red-signal violation with mid-intersection halt and rearward withdrawal.",
+#:   "RUNS RED LIGHT, REGRETS IT, BACKS UP",
+#:   "The crossing truck trespassed on red, halted and backpedalled.",
+#: ]
+#: adversaries = ["car", "truck", "bus"]
+#: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]
+#: provides = ["AdvBehavior", "advTurn"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["run-light", "stop", "reverse"]
+#: position = "crossing"
+#: control = "signal"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 22.0
+#: unit = "m"
+#: meaning = "how far the ego still is from where their ways meet when the adversary gets there"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 5.0
+#: high = 9.0
+#: unit = "m/s"
+#: meaning = "how fast it comes in"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = -2.5
+#: high = 2.5
+#: unit = "m"
+#: meaning = "how far beyond where their ways meet it comes to rest"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK"
+#: low = 1.5
+#: high = 3.5
+#: unit = "m/s"
+#: meaning = "how fast it backs up"
+#: [[parameters]]
+#: name = "OPT_ADV_BACK_TIME"
+#: low = 1.5
+#: high = 4.0
+#: unit = "s"
+#: meaning = "for how long it backs up"
+
+param OPT_ADV_DISTANCE = Range(0, 22)
+param OPT_ADV_SPEED = Range(5, 9)
+param OPT_STOP_DISTANCE = Range(-2.5, 2.5)
+param OPT_ADV_BACK = Range(1.5, 3.5)
+param OPT_ADV_BACK_TIME = Range(1.5, 4)
+
+advTurn = "straight"
+
+behavior AdvBehavior():
+    do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED
+    do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) - globalParameters.OPT_STOP_DISTANCE
+    do BrakeOnPath(advTrajectory) until self.pose[3] < 0.05
+    do Halt() for 0.5 seconds
+    do ReverseStraight(globalParameters.OPT_ADV_BACK) for globalParameters.OPT_ADV_BACK_TIME seconds
+    do Halt()

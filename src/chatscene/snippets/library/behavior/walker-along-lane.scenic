@@ -1,0 +1,64 @@
+#: description = "The pedestrian steps into the lane and walks along it in front of the ego, turning its back to it."
+#: rephrasings = [
+#:   "Some fool is strolling down the middle of our lane with his back to us.",
+#:   "The pedestrian was walking in the roadway with traffic.",
+#:   "ped walks in lane, same direction as us",
+#:   "The adult target walks longitudinally ahead of the VUT in its lane, facing away.",
+#:   "The man goes on the street before us in the same direction, he does not see us.",
+#:   "A hiker leaves the verge and trudges on in the carriageway itself.",
+#:   "A reveller wanders home down the lane we drive in.",
+#:   "Somebody with headphones takes to the tarmac and marches along it.",
+#:   "Some bloke stepped off the kerb and just ambled along my lane with his back to me.",
+#:   "The pedestrian entered the lane and walked in it with traffic, his back to Unit 1.",
+#:   "Ped in lane, walking same dir as ego, back turned.",
+#:   "The pedestrian target enters the VUT's lane and walks longitudinally ahead of it, facing away.",
+#:   "A man goes in my lane and walks there before me, I see only his back.",
+#:   "Longitudinal ped: steps in and walks along our lane, same heading, doesn't cross.",
+#:   "She stepped down into the road and walked on ahead of him as if it were a footpath, never looking round.",
+#:   "There's a man walking up the middle of your lane, facing away, hasn't a clue you're behind him.",
+#:   "some guy is literally just walking in the lane in front of us w headphones in",
+#:   "A man stepped off the pavement and went along the traffic lane, deaf to the cars at his heels.",
+#:   "He did not cross, then; he walked in the lane, away from you, and never looked round?",
+#:   "Auntie came down from footpath and walking in the lane only, back side to me, cannot hear horn.",
+#:   "Thinks my lane's the promenade, strolling down it in front of me, never once turns round.",
+#:   "Same-direction walking pedestrian in ego lane, unaware of traffic at rear.",
+#:   "PEDESTRIAN WALKS DOWN THE MIDDLE OF MY LANE",
+#:   "A man moseyed along our lane ahead.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "Euro NCAP CPLA; own code"
+#: [slots]
+#: actions = ["slow", "follow"]
+#: place = "road"
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 0.8
+#: high = 1.4
+#: unit = "m/s"
+#: meaning = "how fast it goes"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 8.0
+#: high = 32.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when it starts to move"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 0.2
+#: high = 1.9
+#: unit = "m"
+#: meaning = "how far from the ego's line it walks"
+
+param OPT_ADV_SPEED = Range(0.8, 1.4)
+param OPT_ADV_DISTANCE = Range(8, 32)
+param OPT_ADV_REACH = Range(0.2, 1.9)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 3 * abs(offsetFrom(egoRoute, self))
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 3.5
+    do MoveAhead(1.4) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
+    # A quarter turn into the ego's direction, from whichever side it comes.
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 1.57 if offsetFrom(egoRoute, self) > 0 else -1.57)

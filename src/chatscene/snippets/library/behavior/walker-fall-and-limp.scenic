@@ -1,0 +1,76 @@
+#: description = "The pedestrian runs into the road, falls, gets up again and limps on slowly."
+#: rephrasings = [
+#:   "She comes a cropper in the road, picks herself up and hobbles off.",
+#:   "The non-motorist fell while running across the roadway, rose, and continued at a slow walk.",
+#:   "ped runs, falls, gets up, limps away",
+#:   "The target decelerates from running speed to rest in the lane and resumes at 1 m/s.",
+#:   "The boy falls on the street, stands up and goes slowly further with pain in the leg.",
+#:   "A runner trips, stays down for a moment and drags himself over to the other side.",
+#:   "Somebody sprains an ankle halfway over and hobbles the rest.",
+#:   "Mid-dash the walker goes sprawling, then scrambles up and limps clear.",
+#:   "A chap ran out, went flat on his face, picked himself up and hobbled off.",
+#:   "The pedestrian ran into the roadway, fell, got to his feet and continued slowly with a limp.",
+#:   "Ped runs in, down, up, hobbles on slow.",
+#:   "The pedestrian target runs into the carriageway, falls, rises and proceeds at reduced speed.",
+#:   "A woman runs on the street, falls down, stands up and goes slowly with hurt leg.",
+#:   "Ped with fall + recovery: running, zero speed on the ground, then 0.5 m/s shuffle to the far side.",
+#:   "She came out running, went sprawling, and after a moment dragged herself up and hobbled on her way.",
+#:   "He's down, no, he's back on his feet, he's dragging that leg, give him time to get across.",
+#:   "guy ran out, totally ate it, got up n hobbled the rest of the way. felt bad",
+#:   "A woman running into the road took a tumble, regained her feet and dragged herself on.",
+#:   "He ran, he went down, he rose, and he continued, lame, at a much reduced pace?",
+#:   "One man came running, fell on the road, then got up and went limping limping.",
+#:   "Charges out, takes a header, scrapes himself up and drags his leg over. Take your time, son.",
+#:   "Fall of running pedestrian in carriageway with slow impaired continuation.",
+#:   "GUY RUNS OUT, FACEPLANTS, LIMPS AWAY",
+#:   "The runner tumbled, rose and shambled on.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "brake", "hesitate", "slow"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.8
+#: high = 5.0
+#: unit = "m/s"
+#: meaning = "how fast it runs"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 10.0
+#: high = 32.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.3
+#: high = 1.6
+#: unit = "m"
+#: meaning = "how far from the ego's line it falls"
+#: [[parameters]]
+#: name = "OPT_STOP_TIME"
+#: low = 0.8
+#: high = 1.8
+#: unit = "s"
+#: meaning = "how long it is down"
+#: [[parameters]]
+#: name = "OPT_SLOW_SPEED"
+#: low = 0.6
+#: high = 1.1
+#: unit = "m/s"
+#: meaning = "how fast it limps on"
+
+param OPT_ADV_SPEED = Range(2.8, 5)
+param OPT_ADV_DISTANCE = Range(10, 32)
+param OPT_STOP_DISTANCE = Range(0.3, 1.6)
+param OPT_STOP_TIME = Range(0.8, 1.8)
+param OPT_SLOW_SPEED = Range(0.6, 1.1)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until self.pose[3] < 0.1
+    do Halt() for globalParameters.OPT_STOP_TIME seconds
+    do MoveAhead(globalParameters.OPT_SLOW_SPEED)

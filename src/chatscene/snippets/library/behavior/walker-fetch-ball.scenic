@@ -1,0 +1,70 @@
+#: description = "The pedestrian runs into the lane, stops to pick something up and runs back with it."
+#: rephrasings = [
+#:   "The kid dashes out, grabs his ball and dashes back in.",
+#:   "The child entered the roadway to retrieve an object, halted, and returned to the shoulder.",
+#:   "ped runs in, picks up item, runs back",
+#:   "The target runs to the VUT's path, is stationary while bending down, and returns to its origin.",
+#:   "A boy runs in the road, takes the toy and goes back fast.",
+#:   "Someone who dropped a wallet rushes out, stoops for it and hurries back.",
+#:   "A girl darts into the lane to save the kitten and carries it home.",
+#:   "He nips out for the hat that blew off, snatches it up and retreats.",
+#:   "A kid legged it out after his football, scooped it up and scarpered back with it.",
+#:   "A child ran into the roadway to retrieve an object and ran back with it in hand.",
+#:   "Child runs in, bends, grabs ball, runs back.",
+#:   "The child target runs into the lane, halts to retrieve an object and returns to its origin.",
+#:   "The girl runs on the road, takes her ball and runs back home.",
+#:   "Runner dashes in, short dwell (pickup anim), runs back with the object to the same side.",
+#:   "Her hat had blown off; she flew after it into the road, snatched it up and fled back with it.",
+#:   "Ball's come out, and where there's a ball there's a child, here he comes, he's got it, he's gone back.",
+#:   "lil kid ran out to get his ball and ran back w it, heart attack",
+#:   "A youngster rushed into the road after a toy, gathered it up and made it back unhurt.",
+#:   "The child entered for no purpose but to recover an article, stooped for it, and bore it back.",
+#:   "Small boy came running for cricket ball, picked it and ran back to gully.",
+#:   "Ball first, nipper second, stoops for it in front of my wheels and off home with it under his arm.",
+#:   "Child incursion for object retrieval with stop in lane and return to side of origin",
+#:   "KID CHASES BALL, GRABS IT, RUNS BACK",
+#:   "The girl darts in, snatches up her toy and flees back.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "brake", "stop", "turn-back"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.8
+#: high = 5.5
+#: unit = "m/s"
+#: meaning = "how fast it runs"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 0.0
+#: high = 24.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.2
+#: high = 1.25
+#: unit = "m"
+#: meaning = "how far from the ego's line it stops"
+#: [[parameters]]
+#: name = "OPT_STOP_TIME"
+#: low = 0.6
+#: high = 1.4
+#: unit = "s"
+#: meaning = "how long it bends down"
+
+param OPT_ADV_SPEED = Range(2.8, 5.5)
+param OPT_ADV_DISTANCE = Range(0, 24)
+param OPT_STOP_DISTANCE = Range(0.2, 1.25)
+param OPT_STOP_TIME = Range(0.6, 1.4)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until self.pose[3] < 0.1
+    do Halt() for globalParameters.OPT_STOP_TIME seconds
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until abs(offsetFrom(egoRoute, self)) > 3.5
+    do Halt()

@@ -1,0 +1,72 @@
+#: description = "The pedestrian walks to the edge of the road, waits there as if to let the ego pass and then sprints across at the last moment."
+#: rephrasings = [
+#:   "He's waiting at the kerb like a good boy, and then he goes for it right under our nose.",
+#:   "The pedestrian approached the curb, paused, and ran into the path of Vehicle 1 at the last instant.",
+#:   "ped waits at edge, then late sprint over",
+#:   "The target halts before the lane and starts to run across when the VUT is close.",
+#:   "The person waits first at the border, then very late he runs fast over the street.",
+#:   "A woman trying to catch her tram lingers at the roadside and makes a mad rush for it.",
+#:   "We think she is going to let us by, but off she shoots.",
+#:   "A schoolkid stands there biding his time until a last-gasp run to the opposite side.",
+#:   "She stood at the kerb looking like she'd let me go, then legged it at the very last second.",
+#:   "The pedestrian waited at the curb, appearing to yield, then ran into the path of Unit 1 at the last moment.",
+#:   "Ped at kerb, waits, feigns yield, bolts late.",
+#:   "The pedestrian target walks to the kerb, remains stationary, and starts a sprint across at minimal TTC.",
+#:   "The girl goes to the border and waits, I think she lets me pass, but then she runs very fast over.",
+#:   "Fake-yield ped: approach, wait at edge, late sprint across; intention prediction trap.",
+#:   "He came to the edge and stood politely, and just as she trusted him he hurled himself across.",
+#:   "He's waiting for you at the kerb, isn't he? No! He's gone for it right under your wheels.",
+#:   "she was standing there waiting for us to pass and then ran at the LAST second",
+#:   "Having seemed content to let the car go by, a man bolted from the kerb as it drew level.",
+#:   "She stood at the edge, you took it she would wait, and when you were all but upon her she ran?",
+#:   "Uncle was standing at the side to let me go, then last moment he ran across.",
+#:   "Waits on the kerb good as gold till I'm nearly on him, and then he goes, the daft beggar.",
+#:   "Deceptive waiting of pedestrian at road edge with last-instant running crossing.",
+#:   "WAITS AT THE CURB... THEN RUNS AT THE WORST MOMENT",
+#:   "A woman dallied at the kerb, then catapulted across at the end.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["hesitate", "cross", "fast"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 1.2
+#: high = 2.2
+#: unit = "m/s"
+#: meaning = "how fast it walks to the edge"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 2.2
+#: high = 2.8
+#: unit = "m"
+#: meaning = "how far from the ego's line it waits"
+#: [[parameters]]
+#: name = "OPT_REACT_DISTANCE"
+#: low = 6.0
+#: high = 15.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when it sprints off"
+#: [[parameters]]
+#: name = "OPT_ADV_SPRINT"
+#: low = 4.0
+#: high = 7.0
+#: unit = "m/s"
+#: meaning = "how fast it sprints"
+
+param OPT_ADV_SPEED = Range(1.2, 2.2)
+param OPT_ADV_REACH = Range(2.2, 2.8)
+param OPT_REACT_DISTANCE = Range(6, 15)
+param OPT_ADV_SPRINT = Range(4, 7)
+
+behavior AdvBehavior():
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 4
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) for 0.6 seconds
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH) or headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE + 8
+    do Halt() until self.pose[3] < 0.1
+    do Halt() for 0.5 seconds
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPRINT)

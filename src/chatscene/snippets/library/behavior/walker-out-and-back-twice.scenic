@@ -1,0 +1,74 @@
+#: description = "The pedestrian steps into the lane and back out of it twice."
+#: rephrasings = [
+#:   "In and out, in and out: he can't decide whether to cross in front of us.",
+#:   "The pedestrian twice entered the roadway and twice withdrew to the shoulder.",
+#:   "ped in/out of lane, two times",
+#:   "The target performs two consecutive aborted crossings.",
+#:   "She goes on the road, back, one more time on the road and back again.",
+#:   "A ditherer tests the road, retreats, tests it anew and gives up for good.",
+#:   "The child plays hop-in, hop-out with the traffic.",
+#:   "Two false starts by somebody at the roadside, both ending where they began.",
+#:   "He stepped off the kerb, hopped back, stepped off again, hopped back again, like he was doing the hokey-cokey.",
+#:   "The pedestrian twice entered the lane and twice retreated to the curb without crossing.",
+#:   "Ped in, out, in, out, never crosses.",
+#:   "The pedestrian target performs two consecutive entries into the lane, each followed by withdrawal to the edge.",
+#:   "The woman goes on the road and back, and one more time on the road and back.",
+#:   "Walker: two false starts, both aborted, remains at the edge.",
+#:   "Two times she ventured out, and two times she lost heart and went back to the side.",
+#:   "He's out, no, he's back, he's out again, and back again, he's having you on.",
+#:   "she stepped out, back, out AGAIN, back again, girl pick one",
+#:   "A pedestrian ventured into the lane two times and both times withdrew.",
+#:   "On two occasions he came forward into the lane, and on both he retired from it; cross it he never did.",
+#:   "The man came in and went back, again came in and again went back, two times he did same thing.",
+#:   "In, out, in, out, and he's still on the side he started from, shake it all about.",
+#:   "Repeated (two-fold) lane entry and withdrawal of pedestrian without crossing",
+#:   "OUT, BACK, OUT, BACK - pedestrian trolls me twice",
+#:   "The man dips into the lane and out of it, two times over.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["hesitate", "turn-back"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.6
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it goes"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 30.0
+#: high = 48.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 0.3
+#: high = 1.1
+#: unit = "m"
+#: meaning = "how far from the ego's line it turns back"
+#: [[parameters]]
+#: name = "OPT_STOP_TIME"
+#: low = 0.2
+#: high = 0.6
+#: unit = "s"
+#: meaning = "how long it waits between"
+
+param OPT_ADV_SPEED = Range(2.6, 4)
+param OPT_ADV_DISTANCE = Range(30, 48)
+param OPT_ADV_REACH = Range(0.3, 1.1)
+param OPT_STOP_TIME = Range(0.2, 0.6)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 4
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH + 0.6)
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until abs(offsetFrom(egoRoute, self)) > globalParameters.OPT_ADV_REACH + 1.4
+    do Halt() until self.pose[3] < 0.1
+    do Halt() for globalParameters.OPT_STOP_TIME seconds
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH)
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until abs(offsetFrom(egoRoute, self)) > 3
+    do Halt()

@@ -1,0 +1,80 @@
+#: description = "The pedestrian steps out, steps back, steps out again and then stays standing in the lane."
+#: rephrasings = [
+#:   "In, out, in again, and then he just stops right there in front of the bonnet.",
+#:   "The pedestrian twice entered the roadway and on the second occasion remained in the lane of travel.",
+#:   "ped: out, back, out, stands in lane",
+#:   "After an aborted first entry the target re-enters and comes to rest on the VUT's centreline.",
+#:   "The person comes, goes back, comes one more time and stays on the lane.",
+#:   "A dithering walker retreats once, has another go and gets stuck in the middle.",
+#:   "Somebody rocks to and fro at the kerb and finally halts in our way.",
+#:   "The kid toes the road, hops back, ventures forth anew and freezes.",
+#:   "some girl went to come out, hopped back, came out again and then just stood there in my lane like a lemon",
+#:   "The pedestrian entered the roadway, retreated, reentered, and remained standing in V1's lane.",
+#:   "Ped: out, back, out again, then rooted in lane.",
+#:   "The pedestrian target enters the lane, retreats, re-enters and finally remains stationary in the lane.",
+#:   "The man goes in the street, goes back, comes again, and then he stands and doesn't move.",
+#:   "False start, retreat, second attempt, then v=0 in the ego lane until the end of the run.",
+#:   "He had come out and shrunk back, ventured out once more, and then it seemed his courage failed him, for there he stayed.",
+#:   "Is she, isn't she: out, back, out... and now she's frozen like a deer in front of you. She isn't shifting.",
+#:   "she stepped out, went back, stepped out again and now shes just standing there??",
+#:   "A confused visitor came off the kerb, regained it, came off once more and planted herself in the lane",
+#:   "Twice you left the kerb, once you returned to it, and the second time you stood fast in the road?",
+#:   "She come out, go back, come out again, then stand there like statue",
+#:   "Hokey cokey, this one: in, out, in again, and now he's rooted in front of my bonnet",
+#:   "Repeated pedestrian entry with one withdrawal and final standstill in lane",
+#:   "Pedestrian in, out, in... and then JUST STANDS THERE",
+#:   "The walker ventured, recoiled, ventured anew and stuck.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["hesitate", "cross", "stop"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.2
+#: high = 3.6
+#: unit = "m/s"
+#: meaning = "how fast it goes"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 32.0
+#: high = 48.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 1.4
+#: high = 2.2
+#: unit = "m"
+#: meaning = "how far from the ego's line it first turns back"
+#: [[parameters]]
+#: name = "OPT_STOP_TIME"
+#: low = 0.4
+#: high = 0.9
+#: unit = "s"
+#: meaning = "how long it waits"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.0
+#: high = 1.4
+#: unit = "m"
+#: meaning = "how far from the ego's line it comes to rest"
+
+param OPT_ADV_SPEED = Range(2.2, 3.6)
+param OPT_ADV_DISTANCE = Range(32, 48)
+param OPT_ADV_REACH = Range(1.4, 2.2)
+param OPT_STOP_TIME = Range(0.4, 0.9)
+param OPT_STOP_DISTANCE = Range(0, 1.4)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 4
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until abs(offsetFrom(egoRoute, self)) > globalParameters.OPT_ADV_REACH + 0.9
+    do Halt() until self.pose[3] < 0.1
+    do Halt() for globalParameters.OPT_STOP_TIME seconds
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt()

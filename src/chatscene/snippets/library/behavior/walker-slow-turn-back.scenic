@@ -1,0 +1,62 @@
+#: description = "The pedestrian wanders slowly into the lane, turns round and wanders back just as slowly."
+#: rephrasings = [
+#:   "Somebody confused toddles out, forgets why, and toddles home again.",
+#:   "The pedestrian walked slowly into the roadway, reversed course, and walked slowly back.",
+#:   "ped slow out, slow back",
+#:   "The target enters and leaves the VUT's lane on the same side at 1 m/s.",
+#:   "The old man goes slowly on the road and goes slowly back, he is lost.",
+#:   "A daydreamer ambles off the pavement, has an afterthought and ambles back.",
+#:   "She pads out to look for something and unhurriedly returns.",
+#:   "An elderly walker changes her mind midway yet withdraws without any haste.",
+#:   "Some dreamer drifted out into my lane, turned on his heel and drifted off again, no rush at all.",
+#:   "The pedestrian walked slowly into the lane, turned around and returned to the same side at an unhurried pace.",
+#:   "Ped strolls in, about-face, strolls back. Slow both ways.",
+#:   "The pedestrian target enters the lane at low speed, turns by 180 degrees and returns at the same low speed.",
+#:   "The man goes slow in my lane, turns and goes slow back.",
+#:   "Symmetric return: dawdles in, about-turn, dawdles out to the same kerb; no running.",
+#:   "She drifted out as if in a dream, thought of something, and drifted back to the pavement none the quicker.",
+#:   "He's meandering out, can't make up his mind, and now he's ambling back again; all day, some people.",
+#:   "guy slowly walked out, slowly turned round, slowly walked back. ok then",
+#:   "A man sauntered into the road, reversed course and sauntered off it, seemingly without a care.",
+#:   "Neither in going out nor in coming back did he hasten; he simply turned and returned to his side?",
+#:   "He walked slowly into my lane, then turned back also slowly, relaxing only.",
+#:   "Out he moseys, forgets what he came for, and moseys home, no hurry either way.",
+#:   "Unhurried pedestrian lane entry and equally unhurried retreat.",
+#:   "MAN WANDERS INTO ROAD, CHANGES MIND, WANDERS BACK",
+#:   "A woman meandered in and meandered home.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "slow", "turn-back"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 0.8
+#: high = 1.3
+#: unit = "m/s"
+#: meaning = "how fast it goes"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 8.0
+#: high = 34.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when it starts to move"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 0.0
+#: high = 1.0
+#: unit = "m"
+#: meaning = "how far from the ego's line it turns back"
+
+param OPT_ADV_SPEED = Range(0.8, 1.3)
+param OPT_ADV_DISTANCE = Range(8, 34)
+param OPT_ADV_REACH = Range(0, 1)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 3 * abs(offsetFrom(egoRoute, self))
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 3.5
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, 3.14159)

@@ -1,0 +1,77 @@
+#: description = "The pedestrian stands in the middle of the lane and bolts only when the ego is close."
+#: rephrasings = [
+#:   "He stops halfway across, stares at us, then legs it at the very last second.",
+#:   "Pedestrian 1 stood in the roadway until Vehicle 1 was near, then ran toward the far curb.",
+#:   "ped halts mid-lane, bolts late",
+#:   "The target rests on the VUT's trajectory and accelerates to running speed shortly before contact.",
+#:   "The child remains standing on the road and runs away first when the car is there.",
+#:   "A jogger pauses right in our lane and then sprints off once we are nearly upon her.",
+#:   "Frozen with fright at first, the walker comes to life late and races out of the way.",
+#:   "Someone waits on the carriageway as if daring us and takes flight in the nick of time.",
+#:   "He stood there bang in the middle like a lemon until I was nearly on top of him, then legged it.",
+#:   "Pedestrian was standing in the travel lane and ran clear only as Unit 1 was about to strike him.",
+#:   "Ped stands mid-lane, no move, runs off last sec.",
+#:   "The pedestrian target is stationary at lane centre and leaves it at a run when the time-to-collision falls below a threshold.",
+#:   "A man stands in my lane and only when I am very near he runs away.",
+#:   "Static walker in ego lane, sprint out triggered at short distance.",
+#:   "She stood rooted like a rabbit in the headlights, and only when they could see her eyes did she spring away.",
+#:   "There's someone just standing in the road, he's not shifting, not shifting, and now he's scarpered.",
+#:   "dude just stood in my lane staring and only ran when i was basically on him",
+#:   "A man who had been standing in the roadway took flight only as the car was almost upon him.",
+#:   "He remained where he stood until my client was within feet of him, and then he fled.",
+#:   "He is standing in centre of road like pillar, when I came very near then only he ran.",
+#:   "Stands there like he's waiting for a bus, and shifts only when he can read my licence plate.",
+#:   "Stationary pedestrian in own lane with escape at critically small distance",
+#:   "WAITS TILL THE LAST METRE THEN RUNS",
+#:   "The man in the lane stands fast and scrams when we are near.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "block", "accelerate"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.6
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it walks out"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 28.0
+#: high = 44.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.2
+#: high = 1.25
+#: unit = "m"
+#: meaning = "how far from the ego's line it comes to rest"
+#: [[parameters]]
+#: name = "OPT_REACT_DISTANCE"
+#: low = 2.5
+#: high = 7.0
+#: unit = "m"
+#: meaning = "how near the ego is when it bolts"
+#: [[parameters]]
+#: name = "OPT_ADV_SPRINT"
+#: low = 3.5
+#: high = 6.5
+#: unit = "m/s"
+#: meaning = "how fast it runs"
+
+param OPT_ADV_SPEED = Range(2.6, 4)
+param OPT_ADV_DISTANCE = Range(28, 44)
+param OPT_STOP_DISTANCE = Range(0.2, 1.25)
+param OPT_REACT_DISTANCE = Range(2.5, 7)
+param OPT_ADV_SPRINT = Range(3.5, 6.5)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(6) until abs(offsetFrom(egoRoute, self)) < 3.8
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPRINT)

@@ -1,0 +1,78 @@
+#: description = "The pedestrian stands in the lane until the ego is close, then runs back to the side it came from."
+#: rephrasings = [
+#:   "She freezes in front of us and at the last moment flees back to where she started.",
+#:   "The pedestrian stopped in the lane of travel and then ran back toward the curb it had left.",
+#:   "ped stops in lane, panics, runs back to own side",
+#:   "The target stays stationary on the path of the VUT, then returns to its starting side at running speed.",
+#:   "The old man stays in the lane, he is afraid and is running back when we come near.",
+#:   "A teenager plays chicken with us in the road before scampering back to the pavement.",
+#:   "Having stood there like a deer, the walker loses their nerve and bolts homeward.",
+#:   "Someone loiters in our path, gets scared as we draw near, and hares back the way they came.",
+#:   "some joker stood his ground in my lane till I was nearly on him and then legged it back where he came from",
+#:   "The pedestrian remained standing in the lane until V1 was close, and then ran back to the side from which he had entered.",
+#:   "Ped blocks lane; we near -> runs back same side.",
+#:   "The pedestrian target is stationary in the lane; at low TTC it returns at running speed to its side of origin.",
+#:   "The boy stands in my lane, and when I am near he runs back to his side.",
+#:   "Chicken game: walker holds in the lane, distance trigger, then retreats at a run to the starting kerb, not over to the far one.",
+#:   "She had stood there facing them down; only when they were all but upon her did she turn and flee to the pavement she had left.",
+#:   "He's stood there playing chicken with you... and he's bottled it, back to where he started, sharpish.",
+#:   "guy just stood in the road till we were super close then legged it back where he came from",
+#:   "A man who had halted in the road scurried back to his own pavement when a car was almost upon him",
+#:   "You remained in the lane until the car was nearly on you, and then fled to the side from which you had set out?",
+#:   "He standing in the road never move, we come near then he run back same side",
+#:   "Stands there like a bollard till I'm on top of him, then scuttles back the way he came",
+#:   "Pedestrian standing in lane with late running withdrawal to the side of origin",
+#:   "Man stands in the road, then RUNS BACK at the last second",
+#:   "The walker loitered in our lane, then skedaddled homeward.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "block", "turn-back", "accelerate"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.6
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it walks out"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 28.0
+#: high = 44.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_STOP_DISTANCE"
+#: low = 0.0
+#: high = 1.2
+#: unit = "m"
+#: meaning = "how far from the ego's line it comes to rest"
+#: [[parameters]]
+#: name = "OPT_REACT_DISTANCE"
+#: low = 2.5
+#: high = 7.0
+#: unit = "m"
+#: meaning = "how near the ego is when it flees"
+#: [[parameters]]
+#: name = "OPT_ADV_SPRINT"
+#: low = 3.5
+#: high = 6.5
+#: unit = "m/s"
+#: meaning = "how fast it runs back"
+
+param OPT_ADV_SPEED = Range(2.6, 4)
+param OPT_ADV_DISTANCE = Range(28, 44)
+param OPT_STOP_DISTANCE = Range(0, 1.2)
+param OPT_REACT_DISTANCE = Range(2.5, 7)
+param OPT_ADV_SPRINT = Range(3.5, 6.5)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    # Briskly as far as the ego's own lane, should there be others before it.
+    do MoveAhead(6) until abs(offsetFrom(egoRoute, self)) < 3.8
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE
+    do MoveAhead(globalParameters.OPT_ADV_SPRINT, 3.14159) until abs(offsetFrom(egoRoute, self)) > 5
+    do Halt()

@@ -1,0 +1,69 @@
+#: description = "The pedestrian runs across, stumbles and falls in the ego's lane."
+#: rephrasings = [
+#:   "He's running over, trips on his own feet and goes down right in front of us.",
+#:   "The pedestrian was running across the roadway, tripped, fell, and came to rest in lane 1.",
+#:   "ped runs, trips, down in lane",
+#:   "The target crosses at running speed, loses balance laterally and is stationary in the VUT's path.",
+#:   "The girl runs over the street, she falls down and lies there.",
+#:   "A jogger loses her footing mid-crossing, reels sideways and collapses on the tarmac.",
+#:   "Someone hurrying over slips on the ice, staggers and stays down in the lane.",
+#:   "The lad lurches to one side, tumbles and does not get up.",
+#:   "A lad came pelting over, tripped and went arse over tit right in my lane.",
+#:   "The pedestrian was running across the roadway, tripped and fell in Unit 1's lane, where he remained.",
+#:   "Ped running over, trips, down in ego lane.",
+#:   "The pedestrian target runs across and falls, coming to rest on the ground in the VUT's lane.",
+#:   "The boy runs over the street, his foot catches and he falls and lies in my lane.",
+#:   "Crossing runner falls in our lane and stays down; low-profile obstacle, no recovery.",
+#:   "He was nearly past her when his foot caught, and down he went full length in front of her wheels.",
+#:   "He's tripped, he's gone down in your lane and he's not getting up, stop!",
+#:   "he was running over and totally wiped out in our lane n didnt get up",
+#:   "A teenager hurrying over the road lost her footing and ended up sprawled before a car.",
+#:   "Running across, he lost his footing and lay in my client's lane; he did not get up?",
+#:   "One girl was running to cross, slipped and fell flat in my lane only.",
+#:   "Legs going like pistons, trips on his own laces and he's kissing the tarmac in front of me.",
+#:   "Trip and fall of running pedestrian, person lying in ego lane.",
+#:   "RUNNER TRIPS AND LANDS IN FRONT OF MY CAR",
+#:   "The crossing runner toppled in our lane.",
+#: ]
+#: adversaries = ["pedestrian"]
+#: requires = ["egoRoute"]
+#: provides = ["AdvBehavior"]
+#: origin = "own code"
+#: [slots]
+#: actions = ["cross", "brake", "stop"]
+#: [[parameters]]
+#: name = "OPT_ADV_SPEED"
+#: low = 2.8
+#: high = 4.0
+#: unit = "m/s"
+#: meaning = "how fast it runs"
+#: [[parameters]]
+#: name = "OPT_ADV_DISTANCE"
+#: low = 12.0
+#: high = 30.0
+#: unit = "m"
+#: meaning = "how far the ego still has to go when the adversary reaches its line"
+#: [[parameters]]
+#: name = "OPT_ADV_REACH"
+#: low = 1.6
+#: high = 2.3
+#: unit = "m"
+#: meaning = "how far from the ego's line it trips"
+#: [[parameters]]
+#: name = "OPT_ADV_ANGLE"
+#: low = 1.1
+#: high = 1.4
+#: unit = "rad"
+#: meaning = "how far it reels aside"
+
+param OPT_ADV_SPEED = Range(2.8, 4)
+param OPT_ADV_DISTANCE = Range(12, 30)
+param OPT_ADV_REACH = Range(1.6, 2.3)
+param OPT_ADV_ANGLE = Range(1.1, 1.4)
+
+behavior AdvBehavior():
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < globalParameters.OPT_ADV_REACH
+    # It reels along the ego's direction, from whichever side it comes.
+    do MoveAhead(globalParameters.OPT_ADV_SPEED, globalParameters.OPT_ADV_ANGLE if offsetFrom(egoRoute, self) > 0 else -globalParameters.OPT_ADV_ANGLE) for 0.5 seconds
+    do Halt()

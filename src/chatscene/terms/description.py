@@ -1,0 +1,74 @@
+"""Step 1 of 9: sentences that describe scenarios, and how different they are.
+
+Paper: section 3.3, step i.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.terms.scenario import AdversaryKind, BaseScenario, Slots
+
+
+class Style(StrEnum):
+    """How a sentence is told."""
+
+    PLAIN = "plain"  # present tense, the ego named
+    REPORT = "report"  # as in the report of a crash, in the past
+    TELEGRAM = "telegram"  # no articles
+    PROTOCOL = "protocol"  # as in the protocol of a test
+    COLLOQUIAL = "colloquial"  # "we", "us"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rendered:
+    """Facts said in English.
+
+    Attributes:
+        text: One sentence or a few.
+        said: The facts it says; others were left out.
+    """
+
+    text: str
+    said: Slots
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Description:
+    """A scenario that was made up from a compatible triple of snippets.
+
+    Attributes:
+        text: The sentence.
+        base: The base scenario it belongs to.
+        adversary: Who the adversary is.
+        snippet_ids: Behavior, geometry, spawn.
+        slots: Everything the triple does.
+    """
+
+    text: str
+    base: BaseScenario
+    adversary: AdversaryKind
+    snippet_ids: tuple[str, str, str]
+    slots: Slots
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Diversity:
+    """How different descriptions are from each other.
+
+    Attributes:
+        behaviors: Different behaviors among them.
+        geometries: Different geometries.
+        spawns: Different spawn positions.
+        kinds: Different kinds of adversary.
+        distinct_2: Different pairs of neighbouring words, per pair.
+        distance: Mean pairwise cosine distance of their embeddings, in [0, 2].
+    """
+
+    behaviors: int
+    geometries: int
+    spawns: int
+    kinds: int
+    distinct_2: float
+    distance: float
