@@ -1,6 +1,10 @@
 from __future__ import annotations
 
 import hashlib
+import importlib
+import shutil
+import socket
+import sys
 import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,8 +17,11 @@ from hypothesis import strategies as st
 
 from chatscene.errors import MissingExtra, SettingsError
 from chatscene.snippets import embedding
-from chatscene.snippets.embedding import EMBEDDERS, MiniLM, encode_cached, load_embedder, plain
+from chatscene.snippets.embedding import EMBEDDERS, Embedder, MiniLM, encode_cached, load_embedder, plain
+from chatscene.snippets.library import Library, load_library
+from chatscene.snippets.retrieve import nearest
 from chatscene.snippets.wordpiece import VOCABULARY, tokenize
+from chatscene.terms.scenario import Component
 
 TEXTS = ("A pedestrian crosses.", "The oncoming car brakes hard.", "straße, naïve café — 信号 100km/h!")
 
@@ -25,7 +32,8 @@ class Counting:
     name = "counting"
     dimension = 4
 
-    def __init__(self) -> None:
+    def __init__(self, identity: str = "counting@1") -> None:
+        self.identity = identity
         self.calls = 0
 
     def encode(self, texts: Sequence[str]) -> embedding.Vectors:
@@ -70,15 +78,110 @@ def test_a_text_too_long_for_the_model_is_cut_between_its_marks() -> None:
     assert (ids[0], ids[-1]) == (101, 102)
 
 
-def test_rows_have_length_one_and_do_not_depend_on_what_stands_beside_them() -> None:
-    embedder = load_embedder()
-    together = embedder.encode(TEXTS)
-    assert together.shape == (3, embedder.dimension)
-    assert together.dtype == np.float32
-    np.testing.assert_allclose(np.linalg.norm(together, axis=1), 1.0, atol=1e-5)
+# What every embedder keeps to
+
+
+TINY = "a tiny model of Sentence-T5's architecture"
+
+
+def make_tiny_t5(folder: Path) -> Path:
+    """Save a Sentence-T5 of random weights: encoder, mean, dense layer, length 1; in halves, as the released ones."""
+    whole: Any = pytest.importorskip("sentence_transformers", reason="Sentence-T5 needs the extra t5")
+    torch: Any = importlib.import_module("torch")
+    cut: Any = importlib.import_module("tokenizers")
+    hf: Any = importlib.import_module("transformers")
+    parts: Any = _modules()
+    alphabet = ["<pad>", "</s>", "<unk>", *"abcdefghijklmnopqrstuvwxyz", "\u2581"]
+    tokenizer = cut.Tokenizer(cut.models.Unigram([(piece, -float(i)) for i, piece in enumerate(alphabet)], unk_id=2))
+    tokenizer.pre_tokenizer = cut.pre_tokenizers.Metaspace()
+    tokenizer.post_processor = cut.processors.TemplateProcessing(single="$A </s>", special_tokens=[("</s>", 1)])
+    marks = {"pad_token": "<pad>", "eos_token": "</s>", "unk_token": "<unk>"}
+    hf.PreTrainedTokenizerFast(tokenizer_object=tokenizer, **marks).save_pretrained(folder / "bare")
+    with torch.random.fork_rng():
+        torch.manual_seed(0)
+        sizes = {"d_model": 16, "d_kv": 8, "d_ff": 32, "num_layers": 2, "num_heads": 2}
+        hf.T5EncoderModel(hf.T5Config(vocab_size=len(alphabet), **sizes)).half().save_pretrained(folder / "bare")
+        dense = parts.Dense(16, 12, bias=False, activation_function=torch.nn.Identity())
+    modules = [parts.Transformer(str(folder / "bare")), parts.Pooling(16), dense, parts.Normalize()]
+    whole.SentenceTransformer(modules=modules, device="cpu").save(str(folder / "whole"))
+    return folder / "whole"
+
+
+def _modules() -> Any:
+    """Where the classes of a model's parts are: version 5.7 moved them."""
+    try:
+        return importlib.import_module("sentence_transformers.sentence_transformer.modules")
+    except ImportError:
+        return importlib.import_module("sentence_transformers.models")
+
+
+@pytest.fixture(scope="module")
+def tiny_t5(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return make_tiny_t5(tmp_path_factory.mktemp("t5"))
+
+
+@pytest.fixture(params=[*EMBEDDERS, TINY])
+def each(request: pytest.FixtureRequest) -> Embedder:
+    """Every embedder in the table whose weights are here, and one of each class whatever is here."""
+    if request.param == TINY:
+        return load_embedder(f"t5:{request.getfixturevalue('tiny_t5')}")
+    try:
+        return load_embedder(request.param)
+    except (MissingExtra, SettingsError) as error:
+        if request.param == "minilm":
+            raise
+        pytest.skip(str(error))
+
+
+def test_rows_have_length_one_and_the_dimension_that_is_told(each: Embedder) -> None:
+    rows = each.encode(TEXTS)
+    assert rows.shape == (len(TEXTS), each.dimension)
+    assert rows.dtype == np.float32
+    np.testing.assert_allclose(np.linalg.norm(rows, axis=1), 1.0, atol=1e-5)
+
+
+def test_a_row_does_not_depend_on_what_stands_beside_it(each: Embedder) -> None:
+    together = each.encode([*TEXTS, "car " * 100])
     for i, text in enumerate(TEXTS):
-        np.testing.assert_array_equal(embedder.encode([text])[0], together[i])
-    assert embedder.encode([]).shape == (0, embedder.dimension)
+        np.testing.assert_array_equal(each.encode([text])[0], together[i])
+    np.testing.assert_array_equal(each.encode(TEXTS[::-1]), together[: len(TEXTS)][::-1])
+
+
+def test_no_texts_give_no_rows(each: Embedder) -> None:
+    rows = each.encode([])
+    assert rows.shape == (0, each.dimension)
+    assert rows.dtype == np.float32
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        " ",
+        "car " * 3000,
+        "\u4fe1\u53f7\u706f\u524d\u505c\u8f66",
+        "e\u0301\U0001f697\u200b\0\n",
+        "x" * 5000,
+        "half a \ud83d",
+    ],
+)
+def test_any_text_has_a_row_of_length_one(each: Embedder, text: str) -> None:
+    assert np.linalg.norm(each.encode([text])) == pytest.approx(1.0, abs=1e-5)
+
+
+def test_what_lies_beyond_the_longest_text_is_not_read(each: Embedder) -> None:
+    np.testing.assert_array_equal(each.encode(["car " * 3000]), each.encode(["car " * 4000]))
+
+
+def test_different_texts_have_different_rows(each: Embedder) -> None:
+    assert np.unique(each.encode(TEXTS), axis=0).shape == (len(TEXTS), each.dimension)
+
+
+def test_an_embedder_is_found_by_its_name_and_told_apart_by_its_identity(each: Embedder) -> None:
+    assert load_embedder(each.name) is each
+    name, _, content = each.identity.rpartition("@")
+    assert name == each.name
+    assert len(content) >= 32
 
 
 def test_a_paraphrase_is_nearer_than_another_event() -> None:
@@ -93,26 +196,120 @@ def test_words_that_say_nothing_about_what_happens_are_left_out() -> None:
     assert plain("suddenly") == "suddenly"  # nothing else is left to encode
 
 
+def test_half_a_character_is_replaced() -> None:
+    assert plain("a \udcffcar") == "a ?car"
+
+
 def test_an_unknown_embedder_is_refused_with_the_nearest_name() -> None:
     with pytest.raises(SettingsError, match="did you mean 'minilm'"):
         load_embedder("minilm6")
 
 
-def test_every_embedder_in_the_table_is_a_class_of_that_name() -> None:
-    for name, path in EMBEDDERS.items():
-        module, _, cls = path.partition(":")
-        assert module == embedding.__name__
-        assert getattr(embedding, cls).name == name
+def test_the_default_embedder_is_loaded_once_however_it_is_called() -> None:
+    assert load_embedder() is load_embedder("minilm") is load_embedder(name="minilm")
 
 
-def _finds_nothing(_name: str) -> None:
-    return None
+# Sentence-T5
 
 
-def test_sentence_t5_names_the_extra_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("importlib.util.find_spec", _finds_nothing)
-    with pytest.raises(MissingExtra, match=r"chatscene\[t5\]"):
-        embedding.SentenceT5()
+@pytest.mark.parametrize("name", ["sentence-t5-base", "sentence-t5-large", "t5:/some/folder"])
+def test_sentence_t5_names_the_extra_it_needs(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setitem(sys.modules, "sentence_transformers", None)
+    with pytest.raises(MissingExtra, match=rf"{name}.*chatscene\[t5\]"):
+        load_embedder(name)
+
+
+@pytest.fixture
+def offline(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise AssertionError("something went to the network")
+
+    monkeypatch.setattr(socket.socket, "connect", refuse)
+    monkeypatch.setattr(socket, "getaddrinfo", refuse)
+
+
+@pytest.mark.usefixtures("offline")
+@pytest.mark.parametrize("name", ["t5:/no/such/folder", "t5:nobody/no-such-model", "t5:not a name"])
+def test_weights_that_are_not_here_are_not_fetched_and_the_message_says_how_to(name: str) -> None:
+    pytest.importorskip("sentence_transformers", reason="Sentence-T5 needs the extra t5")
+    with pytest.raises(SettingsError, match=r"beforehand with: hf download sentence-transformers/sentence-t5-large"):
+        load_embedder(name)
+
+
+@pytest.mark.usefixtures("offline")
+def test_a_model_that_was_fetched_before_is_found_by_its_name(tiny_t5: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fetched(name: str, *, local_files_only: bool) -> str:
+        assert name == "sentence-transformers/sentence-t5-base"
+        assert local_files_only
+        return str(tiny_t5)
+
+    monkeypatch.setattr("huggingface_hub.snapshot_download", fetched)
+    embedder = EMBEDDERS["sentence-t5-base"]()
+    assert (embedder.name, embedder.dimension) == ("sentence-t5-base", 12)
+
+
+def test_a_tiny_t5_gives_the_rows_of_its_definition(tiny_t5: Path) -> None:
+    """Mean of the encoder's states, times the dense layer, scaled: computed by hand from the saved tensors."""
+    torch: Any = pytest.importorskip("torch", reason="Sentence-T5 needs the extra t5")
+    transformers: Any = importlib.import_module("transformers")
+    tensors: Any = importlib.import_module("safetensors.torch")
+    encoder = transformers.T5EncoderModel.from_pretrained(tiny_t5).float().eval()
+    tokenizer = transformers.AutoTokenizer.from_pretrained(tiny_t5)
+    dense = tensors.load_file(tiny_t5 / "2_Dense" / "model.safetensors")["linear.weight"].float()
+    with torch.no_grad():
+        states = encoder(**tokenizer("a car stops", return_tensors="pt")).last_hidden_state[0]
+        row = (dense @ states.mean(dim=0)).numpy()
+    ours = load_embedder(f"t5:{tiny_t5}").encode(["a car stops"])[0]
+    np.testing.assert_allclose(ours, row / np.linalg.norm(row), atol=1e-5)
+
+
+@pytest.mark.usefixtures("offline")
+def test_the_identity_of_a_model_is_that_of_its_content(tiny_t5: Path, tmp_path: Path) -> None:
+    copied, changed = (Path(shutil.copytree(tiny_t5, tmp_path / name)) for name in ("copied", "changed"))
+    weights = changed / "2_Dense" / "model.safetensors"
+    content = bytearray(weights.read_bytes())
+    content[-1] ^= 1  # one bit of one weight
+    weights.write_bytes(content)
+    ours, same, other = (
+        load_embedder(f"t5:{folder}").identity.rpartition("@")[2] for folder in (tiny_t5, copied, changed)
+    )
+    assert ours == same != other
+
+
+@pytest.mark.parametrize("damage", ["weights", "dense", "modules", "module", "tokenizer", "empty"])
+def test_a_broken_model_is_refused_with_its_folder(tiny_t5: Path, tmp_path: Path, damage: str) -> None:
+    folder = Path(shutil.copytree(tiny_t5, tmp_path / damage))
+    broken = {
+        "weights": ("model.safetensors", b"short"),
+        "dense": ("2_Dense/model.safetensors", b""),
+        "modules": ("modules.json", b"{"),
+        "module": ("modules.json", b'[{"idx": 0, "name": "0", "path": "", "type": "sentence_transformers.Nothing"}]'),
+        "tokenizer": ("tokenizer.json", b"{}"),
+        "empty": ("config.json", b""),
+    }
+    name, content = broken[damage]
+    (folder / name).write_bytes(content)
+    with pytest.raises(SettingsError, match=f"{damage} holds no model that sentence-transformers can load"):
+        load_embedder(f"t5:{folder}")
+
+
+def test_switching_the_embedder_switches_the_index(
+    tiny_t5: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    small = Library(load_library().of(Component.GEOMETRY)[:4])
+    ours, other = load_embedder(), load_embedder(f"t5:{tiny_t5}")
+
+    def similar(embedder: Embedder) -> list[tuple[str, float]]:
+        return [(s.id, cosine) for s, cosine in nearest("a road", Component.GEOMETRY, small, embedder, count=4)]
+
+    first, switched, back = similar(ours), similar(other), similar(ours)
+    assert first == back
+    assert sorted(first) != sorted(switched)
+    assert {np.load(file).shape[1] for file in tmp_path.rglob("*.npy")} == {ours.dimension, other.dimension}
+
+
+# The cache
 
 
 def test_weights_that_are_not_the_pinned_ones_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -131,6 +328,8 @@ def test_a_library_is_encoded_once_and_then_read_from_the_cache(
     np.testing.assert_array_equal(first, again)
     encode_cached(embedder, TEXTS[:2])
     assert embedder.calls == 2
+    encode_cached(Counting("counting@2"), TEXTS)  # other weights of the same name, another file
+    assert len(list(tmp_path.rglob("*.npy"))) == 3
 
 
 @pytest.mark.parametrize("damage", [b"", b"not numpy", "short"])

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 
 from chatscene.errors import SettingsError
 
+OFFLINE = "offline"  # the project's own reader, in place of a language model
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SearchSettings:
@@ -55,15 +57,18 @@ class RetrievalSettings:
     """How a triple of snippets is chosen.
 
     Attributes:
-        similarity_weight: Weight of the embedding's cosine against agreement of slots, per component. Geometry
-            and spawn are mostly a matter of facts, which embeddings blur; behavior is mostly wording.
         candidates: How many candidates per component are kept and shown (the released code looks at 3).
         refuse_below: Confidence under which nothing is run.
+        library: Folder of the user's own snippets beside the packaged ones; empty for none.
+        embedder: Who measures the wording of behaviors.
+        language_model: Who reads sentences; ``offline`` stands for the project's own reader.
     """
 
-    similarity_weight: float = 0.5
     candidates: int = 5
-    refuse_below: float = 0.35
+    refuse_below: float = 0.25
+    library: str = ""
+    embedder: str = "minilm"
+    language_model: str = OFFLINE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,7 +22,7 @@ from chatscene.runs import Run, write_block
 from chatscene.search.explore import collided_values
 from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.backend import Backend
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
 
@@ -64,9 +64,9 @@ class _Worker:
 
     def __init__(self, work: Work) -> None:
         self._work = work
-        self._backend: Backend = load_backend("embedded", work.map_path, work.settings.simulation)
         self._ego: EgoPolicy = load_ego(work.ego)
         self._generator = load_generator(work.generator)
+        self._backend: Backend = self._generator.backend(work.map_path, work.settings.simulation)
 
     def run_block(self, route: int, collided: list[Values]) -> Values:
         """Run and keep the next block of a route; what collided in it."""

@@ -1,10 +1,23 @@
-"""Which of the eight base scenarios a set of facts belongs to (paper, section 4.1)."""
+"""What follows from a set of facts: further facts, and which of the eight base scenarios it is (paper, section 4.1)."""
 
 from __future__ import annotations
 
-from chatscene.terms.scenario import Action, AdversaryKind, BaseScenario, Maneuver, Place, Slots
+from dataclasses import replace
+
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    BaseScenario,
+    Control,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Slots,
+)
 
 ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)  # or on two wheels
+TWO_WHEELED = (AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
 LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
@@ -28,3 +41,25 @@ def base_of(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of th
     if slots.place in JUNCTIONS:
         return BaseScenario.CROSSING_NEGOTIATION
     return BaseScenario.STRAIGHT_OBSTACLE if slots.adversary is not None else None
+
+
+def concluded(slots: Slots) -> Slots:
+    """Facts with what follows from them: who runs a light is at a junction with one, who turns is at a junction."""
+    place, control, maneuver, position = slots.place, slots.control, slots.maneuver, slots.position
+    if Action.RUN_LIGHT in slots.actions:
+        control = Control.SIGNAL
+    if maneuver in (*LANE_CHANGES, Maneuver.BYPASS):
+        place = place if place not in (None, *JUNCTIONS) else Place.ROAD
+        control = None
+    elif (maneuver in TURNS or control is not None or position is Position.CROSSING) and place not in JUNCTIONS:
+        place = Place.JUNCTION
+    if maneuver is None and place is not None:
+        maneuver = Maneuver.STRAIGHT
+    parked = slots.occluder in (Occluder.PARKED_CAR, Occluder.PARKED_TRUCK, Occluder.PARKED_BUS)
+    blocker = slots.blocker or maneuver is Maneuver.BYPASS or None
+    occluder = None if blocker and parked else slots.occluder
+    if occluder is not None and position is None:
+        position = Position.ROADSIDE
+    return replace(
+        slots, place=place, control=control, maneuver=maneuver, position=position, blocker=blocker, occluder=occluder
+    )

@@ -12,13 +12,16 @@ import re
 from dataclasses import dataclass
 
 from chatscene.agent import lexicon as words
-from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, ON_FOOT, TURNS, base_of
+from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, ON_FOOT, TURNS, TWO_WHEELED, base_of
+from chatscene.agent.clauses import Clauses, cut, without_things
+from chatscene.agent.quantities import quantities_of
 from chatscene.agent.wording import geometry_in_words, spawn_in_words
 from chatscene.errors import SettingsError
 from chatscene.terms.scenario import (
     Action,
     AdversaryKind,
     Control,
+    Distance,
     Maneuver,
     Occluder,
     Place,
@@ -29,28 +32,10 @@ from chatscene.terms.scenario import (
     SubDescriptions,
 )
 
+UNKNOWN = "not in the library"  # how a note begins about something no snippet has
+WHO = "who the adversary is was not said"
+WHAT = "what the adversary does was not understood"
 LONGEST = 2000  # characters; a situation fits into a paragraph
-
-_SENTENCE = re.compile(
-    r"[;.!?:]+|\b(?:when|while|whilst|but|because|until)\b|\bas\b(?! if)|,"
-    r"|\band (?=(?:an?|another|some|someone|we|i|the (?!ego\b))\b)"  # somebody else enters
-)
-_OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")
-
-
-@dataclass(frozen=True, slots=True)
-class _Clauses:
-    """A sentence, sorted by whom it speaks of.
-
-    Attributes:
-        whole: All of it, mended, without what the ego then has to do.
-        ego: What is said of the ego.
-        adversary: What is said of the adversary.
-    """
-
-    whole: str
-    ego: str
-    adversary: str
 
 
 def decompose(text: str) -> Scenario:
@@ -65,15 +50,8 @@ def decompose(text: str) -> Scenario:
     Raises:
         SettingsError: The text is empty or longer than `LONGEST`.
     """
-    plain = "".join(c if c.isprintable() else " " for c in text)
-    plain = " ".join(plain.split())
-    if not plain:
-        raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
-    if len(plain) > LONGEST:
-        raise SettingsError(f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}")
-    lowered = plain.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
-    mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), lowered)
-    clauses = _clauses(mended)
+    plain, lowered, mended = _mended(text)
+    clauses = cut(_rewritten(mended))
     notes = [f"read {a!r} as {b!r}" for a, b in _changes(lowered, mended)]
     slots = _slots(clauses, notes)
     return Scenario(
@@ -87,7 +65,40 @@ def decompose(text: str) -> Scenario:
         ),
         slots=slots,
         notes=tuple(notes),
+        quantities=quantities_of(clauses.adversary or clauses.whole, clauses.whole),
     )
+
+
+def clauses_of(text: str) -> Clauses:
+    """A sentence mended and cut into clauses, as `decompose` reads it."""
+    return cut(_rewritten(_mended(text)[2]))
+
+
+def _mended(text: str) -> tuple[str, str, str]:
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    plain = " ".join(plain.split())
+    if not plain:
+        raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
+    if len(plain) > LONGEST:
+        raise SettingsError(f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}")
+    lowered = plain.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
+    return plain, lowered, re.sub(r"[a-z]+", lambda m: words.mended(m[0]), lowered)
+
+
+def _rewritten(text: str) -> str:
+    for pattern, meant in words.REWRITES:
+        text = pattern.sub(meant, text)
+    return text if words.EGO.search(text) else _with_an_ego(text)
+
+
+def _with_an_ego(text: str) -> str:
+    """A bystander's story: the vehicle whose way is told is the ego, if there is another road user besides."""
+    told = words.ON_ITS_WAY.search(text)
+    if told is None:
+        return text
+    named = rf"\b(?:the|a|an|my \w+'s|this) (?:\w+ )?{told['vehicle']}\b"
+    rest = re.sub(named, "the ego", text)
+    return rest if any(pattern.search(rest) for pattern in words.KINDS.values()) else text
 
 
 def _id(text: str) -> str:
@@ -100,59 +111,10 @@ def _changes(before: str, after: str) -> list[tuple[str, str]]:
     return [(a, b) for a, b in pairs if a != b]
 
 
-# Clauses
-
-
-def _clauses(text: str) -> _Clauses:
-    text = words.REACTION.sub("", text)
-    ego: list[str] = []
-    adversary: list[str] = []
-    subject, opening = "ego", ""
-    for clause in (part.strip() for part in _SENTENCE.split(text)):
-        if _OPENING.match(clause) and _subject(clause) is None and not _does_something(clause):
-            opening = f"{opening} {clause}".strip()  # "On the left, …" speaks of whoever comes next
-        elif clause:
-            subject = _subject(clause) or subject
-            (ego if subject == "ego" else adversary).append(f"{opening} {clause}".strip())
-            opening = ""
-    if opening:
-        (ego if subject == "ego" else adversary).append(opening)
-    spoken = ", ".join(adversary)
-    if words.ADVERSARIAL.search(spoken):  # whoever is called so is meant, whoever else may drive about
-        spoken = spoken[words.ADVERSARIAL.search(spoken).start() :]  # type: ignore[union-attr]
-    return _Clauses(text, ", ".join(ego), spoken)
-
-
-def _subject(clause: str) -> str | None:
-    """Who does something in a clause: the first of the two that is mentioned as more than an object."""
-    bare = _without_things(words.EGO_AS_OBJECT.sub(" ", clause))
-    if words.ADVERSARIAL.search(clause):
-        return "adversary"
-    ego = words.EGO.search(bare)
-    other = min((m.start() for p in words.KINDS.values() if (m := p.search(bare))), default=None)
-    if ego and other is not None and words.ENCOUNTER.search(bare[:other]):
-        return "ego" if words.BLOCKING.search(clause) else "adversary"
-    if ego is None:
-        return None if other is None else "adversary"
-    return "ego" if other is None or ego.start() < other else "adversary"
-
-
-def _does_something(clause: str) -> bool:
-    return any(pattern.search(clause) for pattern in (*words.ACTIONS.values(), words.LEFT_TURN, words.RIGHT_TURN))
-
-
-def _without_things(text: str) -> str:
-    """A text without what stands about or drives in the background."""
-    for pattern in (*words.OCCLUDERS.values(), words.BACKGROUND):
-        text = pattern.sub(" ", text)
-    # Who is called a leader is one only for somebody else; as the subject of a clause he is the adversary.
-    return words.LEADER.sub(lambda m: m[0] if text[: m.start()].strip() in ("", "a", "the") else " ", text)
-
-
 # Slots
 
 
-def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
+def _slots(clauses: Clauses, notes: list[str]) -> Slots:
     kind = _kind(clauses)
     occluder = _occluder(clauses)
     leader = bool(words.LEADER.search(clauses.ego)) or None
@@ -175,6 +137,8 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
         junction=place in JUNCTIONS,
     )
     position = _position(clauses, known)
+    if Action.PULL_OUT in actions and kind is not AdversaryKind.PEDESTRIAN and occluder is None:
+        position = Position.KERB
     if actions and Action.REVERSE in actions:
         actions = tuple(action for action in actions if action is not Action.ONCOMING)
     if position is Position.ONCOMING:
@@ -182,9 +146,11 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
     if kind is None:
         strangers = words.strangers(clauses.whole)
         heard = f"; no road user the library has: {', '.join(strangers)}" if strangers else ""
-        notes.append(f"who the adversary is was not said{heard}")
+        notes.append(f"{WHO}{heard}")
     if not actions:
-        notes.append("what the adversary does was not understood")
+        notes.append(WHAT)
+    if foreign := words.FOREIGN.search(clauses.whole):
+        notes.append(f"{UNKNOWN}: {foreign[0]}")
     return Slots(
         adversary=kind,
         actions=actions,
@@ -196,13 +162,39 @@ def _slots(clauses: _Clauses, notes: list[str]) -> Slots:
         control=control,
         leader=leader,
         blocker=blocker,
+        distance=_distance(clauses.adversary),
+        group=bool(words.GROUP.search(clauses.adversary)) or None,
+        lanes=_lanes(clauses, place),
+        two_way=_two_way(clauses, place),
     )
 
 
-def _kind(clauses: _Clauses) -> AdversaryKind | None:
+def _distance(text: str) -> Distance | None:
+    if words.FAR_AWAY.search(text):
+        return Distance.FAR
+    return Distance.NEAR if words.NEAR.search(text) else None
+
+
+def _lanes(clauses: Clauses, place: Place | None) -> int | None:
+    if place in JUNCTIONS:
+        return None
+    if words.ONE_LANE.search(clauses.whole):
+        return 1
+    return 2 if words.MANY_LANES.search(clauses.ego) else None
+
+
+def _two_way(clauses: Clauses, place: Place | None) -> bool | None:
+    if place in JUNCTIONS:
+        return None
+    if words.TWO_WAY.search(clauses.ego) or words.EACH_WAY.search(clauses.whole):
+        return True
+    return False if words.ONE_WAY.search(clauses.whole) else None
+
+
+def _kind(clauses: Clauses) -> AdversaryKind | None:
     """The kind mentioned first in what is said of the adversary."""
     for text in (clauses.adversary, clauses.whole):
-        bare = _without_things(text)
+        bare = without_things(text)
         if text is clauses.whole:
             bare = words.EGO.sub(" ", words.EGO_AS_OBJECT.sub(" ", bare))
         found = [(m.start(), i, kind) for i, (kind, p) in enumerate(words.KINDS.items()) if (m := p.search(bare))]
@@ -213,14 +205,14 @@ def _kind(clauses: _Clauses) -> AdversaryKind | None:
     return None
 
 
-def _somebody(clauses: _Clauses) -> AdversaryKind | None:
+def _somebody(clauses: Clauses) -> AdversaryKind | None:
     """What kind somebody is of whom only that is said: a driver if he does what only drivers do."""
     driving = (Action.RUN_LIGHT, Action.CUT_IN, Action.REVERSE, Action.CHANGE_LANE)
     drives = any(words.ACTIONS[action].search(clauses.adversary or clauses.whole) for action in driving)
     return AdversaryKind.CAR if drives else AdversaryKind.PEDESTRIAN
 
 
-def _occluder(clauses: _Clauses) -> Occluder | None:
+def _occluder(clauses: Clauses) -> Occluder | None:
     if not words.HIDING.search(clauses.whole):
         return None
     return next((occluder for occluder, p in words.OCCLUDERS.items() if p.search(clauses.whole)), None)
@@ -233,10 +225,15 @@ _WORDINGS: tuple[tuple[re.Pattern[str], Action | None, set[Action], set[Action]]
     (words.MATCHING, None, {Action.BRAKE, Action.PACE, Action.STOP, Action.CHANGE_LANE}, {Action.SLOW}),
     (words.GOING_ON, Action.STOP, set(), {Action.HESITATE}),
     (words.ANYTHING, Action.PACE, {Action.STOP}, set()),
+    # Whoever stops, slows or cuts in is in the way by doing so.
+    *(
+        (words.ANYTHING, action, {Action.BLOCK}, set[Action]())
+        for action in (Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN)
+    ),
 )
 
 
-def _actions(clauses: _Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]:
+def _actions(clauses: Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]:
     text = clauses.adversary
     for pattern in (*words.OCCLUDERS.values(), words.NO_ACTION):
         text = pattern.sub(" ", text)
@@ -304,7 +301,7 @@ def _side(text: str) -> Side | None:
     return Side(found[1]) if found else None
 
 
-def _maneuver(clauses: _Clauses, side: Side | None, notes: list[str]) -> Maneuver | None:
+def _maneuver(clauses: Clauses, side: Side | None, notes: list[str]) -> Maneuver | None:
     text = clauses.ego
     if words.LEFT_TURN.search(text):
         return Maneuver.LEFT_TURN
@@ -319,13 +316,13 @@ def _maneuver(clauses: _Clauses, side: Side | None, notes: list[str]) -> Maneuve
     return Maneuver.STRAIGHT if re.search(r"\bstraight\b|\bgo(?:es|ing)? through\b", text) else None
 
 
-def _control(clauses: _Clauses, actions: tuple[Action, ...]) -> Control | None:
+def _control(clauses: Clauses, actions: tuple[Action, ...]) -> Control | None:
     if Action.RUN_LIGHT in actions or words.UNPROTECTED.search(clauses.whole):
         return Control.SIGNAL
     return next((control for control, p in words.CONTROLS.items() if p.search(clauses.whole)), None)
 
 
-def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, ...]) -> Place | None:
+def _place(clauses: Clauses, maneuver: Maneuver | None, actions: tuple[Action, ...]) -> Place | None:
     if maneuver in (Maneuver.BYPASS, Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
         return Place.ROAD
     turns = {Action.RUN_LIGHT, Action.TURN_LEFT, Action.TURN_RIGHT} & set(actions)
@@ -335,7 +332,7 @@ def _place(clauses: _Clauses, maneuver: Maneuver | None, actions: tuple[Action, 
             return place
     if junction:
         return Place.JUNCTION
-    for place in (Place.CURVE, Place.ROAD):
+    for place in (Place.LEFT_CURVE, Place.RIGHT_CURVE, Place.CURVE, Place.ROAD):
         if words.PLACES[place].search(clauses.whole):
             return place
     return None
@@ -353,13 +350,15 @@ class _Known:
     junction: bool
 
 
-def _position(clauses: _Clauses, known: _Known) -> Position | None:
+def _position(clauses: Clauses, known: _Known) -> Position | None:
     """Where the adversary starts, from the most telling word to the least."""
     text = clauses.adversary
     if known.occluder is not None:
         return Position.ROADSIDE
     if known.kind in ON_FOOT and words.FAR.search(text):
-        return Position.FAR_CORNER if known.maneuver in TURNS else Position.ROADSIDE
+        return Position.FAR_CORNER if known.junction else Position.ROADSIDE
+    if known.kind in TWO_WHEELED and known.junction and words.SIDE_ROAD.search(text):
+        return Position.CROSSING
     if words.ONCOMING.search(text) and Action.REVERSE not in known.actions:
         return Position.ONCOMING
     if known.kind in ON_FOOT and _steps_in(text, known):
@@ -371,19 +370,27 @@ def _steps_in(text: str, known: _Known) -> bool:
     """Whether somebody on foot or two wheels comes from beside the road."""
     if Action.RUN_LIGHT in known.actions or (words.BEHIND.search(text) and Action.CROSS not in known.actions):
         return False
+    if known.kind in TWO_WHEELED and Action.CROSS not in known.actions and words.SAME_LANE.search(text):
+        return False
     at_corner = known.junction and known.side is not None
     return Action.CROSS in known.actions or at_corner or words.FEINT.search(text) is not None
 
 
 def _in_a_lane(text: str, known: _Known) -> Position | None:
+    neighbour = words.NEIGHBOUR.search(text) is not None
+    if words.BEHIND.search(text):
+        beside = (neighbour or known.side is not None) and not words.SAME_LANE.search(text)
+        return Position.BEHIND_BESIDE if beside else None if not words.SAME_LANE.search(text) else Position.BEHIND
+    if words.SAME_LANE.search(text) and words.AHEAD.search(text):
+        return Position.AHEAD
+    if words.AHEAD.search(text) and (neighbour or (known.side is not None and not known.junction)):
+        return Position.AHEAD_BESIDE
     if words.BESIDE.search(text):
         return Position.BESIDE
-    if known.side is not None and words.BEHIND.search(text):
-        return Position.BEHIND_BESIDE
-    return Position.AHEAD_BESIDE if known.maneuver in LANE_CHANGES or words.NEIGHBOUR.search(text) else None
+    return Position.AHEAD_BESIDE if known.maneuver in LANE_CHANGES or neighbour else None
 
 
-def _at_a_junction(clauses: _Clauses, known: _Known) -> Position | None:
+def _at_a_junction(clauses: Clauses, known: _Known) -> Position | None:
     if known.junction and known.side is not None:
         ahead = known.maneuver is Maneuver.RIGHT_TURN and words.AHEAD.search(clauses.adversary)
         return Position.AHEAD_BESIDE if ahead else Position.CROSSING
@@ -393,7 +400,7 @@ def _at_a_junction(clauses: _Clauses, known: _Known) -> Position | None:
     return Position.ONCOMING if words.UNPROTECTED.search(clauses.whole) else None
 
 
-def _in_the_ego_s_lane(clauses: _Clauses, known: _Known) -> Position | None:
+def _in_the_ego_s_lane(clauses: Clauses, known: _Known) -> Position | None:
     if words.BEHIND.search(clauses.adversary):
         return Position.BEHIND
     if known.side is not None and Action.CUT_IN in known.actions:

@@ -22,27 +22,41 @@ EGO = _p(
     r"(?:the |our |my )?ego(?:'s)?(?: vehicle| car)?(?:'s)?",
     r"we|i",  # "us" and "me" are never the ones who do something
     r"(?:our|my) (?:own )?(?:car|vehicle|path|lane|way)",
-    r"(?:the )?(?:av|adas vehicle|autonomous (?:car|vehicle)|self-driving (?:car|vehicle)|host(?: vehicle)?|vut|test vehicle)",
+    r"(?:the )?(?:av|adas vehicle|autonomous (?:car|vehicle)|self-driving (?:car|vehicle)|host(?: vehicle)?|vut|"
+    r"(?:test|subject|tested) vehicle|(?:vehicle|car) under test|sut|egos?)",
 )
 EGO_AS_OBJECT = re.compile(
     r"\b(?:in front of|ahead of|behind|towards?|to|at|past|into|onto|across|beside|next to|alongside|near|before|of|for|"
     r"with|from|against|cuts? off|cutting off|hits?|blocks?|blocking|facing|overtakes?|passes|avoid|parallel to|by)"
-    r" (?:the |our |my )?(?:ego(?:'s)?(?: vehicle| car)?(?:'s)?|us|me|car we|av|host(?: vehicle)?|vut|"
+    r" (?:the |our |my )?(?:ego(?:'s)?(?: vehicle| car)?(?:'s)?|us|me|car we|av|host(?: vehicle)?|vut|(?:test|subject|tested|autonomous|self-driving) (?:vehicle|car)|(?:vehicle|car) under test|"
     r"(?:own )?(?:car|vehicle|path|lane|way|course|trajectory|bonnet|bumper|nose))(?:'s)?(?: original)?"
     r"(?: (?:path|lane|way|course|trajectory|vehicle))?\b"
 )
 
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
     AdversaryKind.PEDESTRIAN: _p(
-        r"pedestrians?|walkers?|persons?|people|child|children|kids?|man|woman|men|women|boys?|girls?|joggers?|runners?|"
-        r"jaywalk\w*|toddler|student|old lady|on foot|passer-?by"
+        r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|pupils?|lady|gentleman|girl|boy|guy on foot|"
+        r"persons?|people|child|children|kids?|man|woman|men|women|boys?|girls?|joggers?|runners?|"
+        r"jaywalk\w*|toddlers?|students?|old lady|on foot|passers?-?by|school ?(?:kids?|children|boys?|girls?)|pensioners?|"
+        r"teen\w*|worker|police officer|(?:elderly|old) (?:person|lady|gentleman)|somebody on foot|peds?"
     ),
-    AdversaryKind.MOTORCYCLE: _p(r"motor ?(?:cycl\w+|bikes?|bikers?)|bikers?|mopeds?|scooters?|motorist on two wheels"),
-    AdversaryKind.BICYCLE: _p(r"(?:bi)?cycl(?:es?|ists?)|bikes?|bike riders?|e-?bikes?"),
-    AdversaryKind.TRUCK: _p(r"trucks?|lorry|lorries|semis?|tractor-trailers?|hgv|pickups?"),
-    AdversaryKind.BUS: _p(r"bus|buses|coach|coaches"),
+    AdversaryKind.MOTORCYCLE: _p(
+        r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?)|bikers?|mopeds?|scooters?|motorist on two wheels|vespa|mc"
+    ),
+    AdversaryKind.BICYCLE: _p(
+        r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+"
+    ),
+    AdversaryKind.EMERGENCY_VEHICLE: _p(
+        r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|"
+        r"(?:emergency|rescue) (?:vehicles?|cars?|services?)"
+    ),
+    AdversaryKind.TRUCK: _p(
+        r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|tanker|dumper|removal van"
+    ),
+    AdversaryKind.BUS: _p(r"(?:mini)?bus|buses|coach|coaches|shuttle"),
     AdversaryKind.CAR: _p(
-        r"cars?|vehicles?|sedans?|suvs?|taxis?|cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic"
+        r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|hatchback|"
+        r"estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|veh(?:icle)?|targets?|tesla|bmw|audi|golf"
     ),
 }
 ENCOUNTER = _p(
@@ -61,9 +75,14 @@ OCCLUDERS: dict[Occluder, re.Pattern[str]] = {
     Occluder.BUS_STOP: _p(r"bus (?:stop|shelter)|bus-stop|tram stop"),
     Occluder.VENDING_MACHINE: _p(r"vending machine|drinks machine|ticket machine"),
     Occluder.PARKED_TRUCK: _p(
-        rf"{_STANDING} (?:trucks?|lorry|lorries|bus|coach)",
-        rf"(?:truck|lorry|bus|coach)(?: that| which)?(?: is| stands)? {_PARKED}",
+        rf"{_STANDING} (?:delivery )?(?:trucks?|lorry|lorries|hgv)",
+        rf"(?:truck|lorry)(?: that| which)?(?: is| stands)? {_PARKED}",
         r"(?<=behind )(?:a|the) (?:truck|lorry)",
+    ),
+    Occluder.PARKED_BUS: _p(
+        rf"{_STANDING} (?:school )?(?:bus|coach|buses)",
+        rf"(?:bus|coach)(?: that| which)?(?: is| stands)? (?:{_PARKED}|at (?:a|the) stop)",
+        r"(?<=behind )(?:a|the) (?:school )?(?:bus|coach)(?! (?:stop|shelter))",
     ),
     Occluder.PARKED_CAR: _p(
         rf"{_STANDING} (?:cars?|vehicles?|vans?|suvs?|taxis?)",
@@ -72,7 +91,11 @@ OCCLUDERS: dict[Occluder, re.Pattern[str]] = {
         r"(?<=behind )a (?:car|van)",
     ),
     Occluder.KIOSK: _p(r"kiosk|news ?stand|food stall|market stall|booth"),
-    Occluder.CONTAINER: _p(r"container|dumpster|skip|bins?"),
+    Occluder.CONTAINER: _p(r"containers?|dumpster|skip|bins?"),
+    Occluder.HEDGE: _p(r"hedges?|bush(?:es)?|shrub\w*|fence|(?:garden |brick |stone )?wall|greenery|shrubbery"),
+    Occluder.BILLBOARD: _p(
+        r"billboards?|hoarding|poster(?: wall)?|advert\w* (?:column|board|pillar|panel|sign)|sign ?board|advertisement"
+    ),
 }
 HIDING = _p(r"behind|hidden|hides|hiding|obscured|concealed|occluded|between|masked|screened|out of sight")
 LEADER = _p(
@@ -91,18 +114,25 @@ BACKGROUND = _p(r"oncoming traffic|crossing traffic|other traffic|traffic lights
 # What the ego does
 
 LEFT_TURN = _p(
-    r"turn\w* (?:to the )?left",
+    r"turn\w* (?:off )?(?:to )?(?:the )?left",
+    r"(?:go|goes|going|went|head|heads|heading|bear\w*|want\w* (?:to )?go) (?:to )?(?:the )?left(?! (?:lane|side|right))",
+    r"(?:the )?ego left(?= (?:off|onto|into|at|from|out))",
     r"(?:mak|tak|hang)\w* an? (?:sharp )?left",
     r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*",
     r"unprotected left",
 )
 RIGHT_TURN = _p(
-    r"turn\w* (?:to the )?right", r"(?:mak|tak|hang)\w* an? (?:sharp )?right", r"right(?:-hand)?(?: |-)turn\w*"
+    r"turn\w* (?:off )?(?:to )?(?:the )?right(?! (?:in front|behind|ahead|before|across|away|after))",
+    r"(?:go|goes|going|went|head|heads|heading|bear\w*|want\w* (?:to )?go) (?:to )?(?:the )?right(?! (?:lane|side|left|in|behind|up|through|on|past|across|away|ahead))",
+    r"(?:the )?ego right(?= (?:off|onto|into|at|from|out))",
+    r"(?:mak|tak|hang)\w* an? (?:sharp )?right",
+    r"right(?:-hand)?(?: |-)turn\w*",
 )
 LANE_CHANGE = _p(
     r"chang\w* (?:its |our |the )?lanes?",
     r"(?:chang|switch|shift)\w* (?:in)?to (?:the |another )?(?:\w+ )?(?:lane|left|right)",
-    r"lane(?: |-)chang\w*",
+    r"lane(?: |-)chang\w*|\blc\b",
+    r"(?:chang|mov|get|gett|go|shift|switch|merg)\w* (?:over )?(?:on|in|to|into|onto) (?:the )?(?:left|right|next|other|adjacent) lane",
     r"(?:merg\w*|mov\w*|pull\w*|switch\w*) (?:over )?(?:in)?to the (?:left|right|next|adjacent|other|fast|slow|passing) lane",
     r"switch\w* lanes?",
     r"overtak\w*",
@@ -120,21 +150,37 @@ UNPROTECTED = _p(r"unprotected(?: left)?(?: turn)?")
 # Where
 
 PLACES: dict[Place, re.Pattern[str]] = {
-    Place.THREE_WAY: _p(r"(?:three|3)(?:-| )way(?: intersection| junction)?|t(?:-| )(?:junction|intersection)"),
-    Place.FOUR_WAY: _p(r"(?:four|4)(?:-| )way(?: intersection| junction)?|cross ?roads"),
+    Place.THREE_WAY: _p(
+        r"(?:three|3)(?:-| )(?:way|arm(?:ed)?|legged|leg)(?: \w+)?(?: intersection| junction| crossing)?|t(?:-| )?(?:junction|intersection|crossing|int|jct|form|shape)|(?:at|off|of|on|signali[sz]ed|uncontrolled|controlled|the|a|an?) t(?= (?:with|without|where|and|at|junction)|[,.;]|$)|^t(?= with)|"
+        r"(?:junction|intersection) (?:with|of|has) (?:three|3) (?:arms|legs|roads|streets)|stem of (?:the|a) t"
+    ),
+    Place.FOUR_WAY: _p(
+        r"(?:four|4)(?:-| )(?:way|arm(?:ed)?|legged|leg)(?: intersection| junction| crossing)?|cross-? ?roads|"
+        r"(?:junction|intersection|crossing) (?:with|of|has) (?:four|4) (?:arms|legs|roads|streets)|four-cornered"
+    ),
     Place.JUNCTION: _p(
         r"intersections?|junctions?|crossing negotiation|(?:side|cross) (?:road|street)s?|traffic lights?|signals?|stop sign"
     ),
-    Place.CURVE: _p(r"curves?|bends?|curved|winding"),
+    Place.LEFT_CURVE: _p(
+        r"left(?:-hand|-handed|ward)?(?:-| )(?:curve|bend|hander)|(?:curv|bend|swing|veer)\w* (?:round )?(?:to the |off to the )?left"
+    ),
+    Place.RIGHT_CURVE: _p(
+        r"right(?:-hand|-handed|ward)?(?:-| )(?:curve|bend|hander)|(?:curv|bend|swing|veer)\w* (?:round )?(?:to the |off to the )?right"
+    ),
+    Place.CURVE: _p(r"curves?|bends?|curved|winding|corner of the road"),
     Place.ROAD: _p(r"roads?|streets?|highways?|motorways?|lanes?|carriageways?|avenue"),
 }
 CONTROLS: dict[Control, re.Pattern[str]] = {
     Control.NONE: _p(
-        r"un-?signali[sz]ed|uncontrolled|unregulated|(?:no|without) (?:traffic )?(?:lights?|signals?)|crossing negotiation"
+        r"un-?signali[sz]ed|uncontrolled|unregulated|unmarked|(?:no|without)(?: any)? (?:traffic )?(?:lights?|signals?|signs?|control)|neither (?:lights?|signals?)|"
+        r"signal-free|priority to the right|crossing negotiation|lights? (?:are|is) (?:out|off)"
     ),
-    Control.STOP_SIGN: _p(r"stop(?:-| )signs?|(?:all|two|three|four|4)(?:-| )way stop"),
+    Control.STOP_SIGN: _p(
+        r"stop(?:-| )signs?|(?:all|two|three|four|4)(?:-| )way(?:-| )stop|stop(?:-| )(?:controlled|line|sign-controlled)|(?:stop|halt) board"
+    ),
     Control.SIGNAL: _p(
-        r"(?:traffic|red|green) (?:lights?|signals?)|signali[sz]ed|signal-controlled|lights? (?:is|are|turns?) (?:red|green)|"
+        r"(?:traffic|red|green) (?:lights?|signals?)|(?<!un)signali[sz]ed|(?:signal|light|traffic-light|lights)-(?:controlled|regulated)|regulated by (?:signals|lights)|governed by (?:signals|lights)|"
+        r"set of (?:traffic )?lights|with (?:traffic )?(?:signals?|lights)|lights? (?:is|are|turns?) (?:red|green)|"
         r"(?:the|a) red|on (?:red|green)|stop ?lights?|at (?:the|a) (?:lights|signals)"
     ),
 }
@@ -154,22 +200,22 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     ),
     Action.DIAGONAL: _p(r"diagonal(?:ly)?|at an angle|slant\w*|obliquely"),
     Action.HESITATE: _p(
-        r"hesitat\w*|dither\w*|pauses?|stop(?:-| )and(?:-| )go|fits and starts|again and again|wavers?"
+        r"hesitat\w*|dither\w*|paus(?:es?|ed|ing)|stop(?:-| )and(?:-| )go|fits and starts|again and again|waver\w*|undecided|(?:waits|waited|waiting) (?:for )?a moment"
     ),
     Action.REVERSE: _p(r"revers\w*|back(?:s|ing)? (?:up|out)|backwards?|rolls? back"),
     Action.WEAVE: _p(r"weav\w*|zig-?zag\w*|erratic(?:ally)?|snak\w*|side to side|stagger\w*|slalom\w*|between lanes"),
     Action.SWERVE: _p(r"swerv\w*|veer\w*|drifts?|lurch\w*|jink\w*"),
     Action.PACE: _p(
-        r"parallel|alongside|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"
+        r"parallel|alongside|(?:keep\w*|kept) (?:pace|level|up with)|match\w* (?:our|the ego's|my) (?:speed|pace)|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"
     ),
     Action.CHANGE_LANE: _p(r"original lane|chang\w* lanes?|lane change"),
     Action.CUT_IN: _p(
-        r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up|across)|merg\w*|squeez\w*(?: in)?|"
+        r"cut(?:s|ting)? (?:\w+ ){1,4}off|barg\w* in(?:to)?|mov\w* over (?:in(?:to)?|on|to)|pull\w* (?:in|over|across) (?:right |directly |just )*(?:in front|ahead|into)|forc\w* (?:its|his|her|their) way in|cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up|across)|merg\w*|squeez\w*(?: in)?|"
         r"(?:pull|swing|dart|drift|mov)(?:s|es|ing)? (?:in |out )?(?:right |directly |suddenly )?(?:in front|before|ahead)|barg\w* in|(?:in|on)to (?:our|the ego's?|my) (?:original )?lane|"
         r"turns? into (?:our|the ego's?|my|the ego vehicle's) (?:path|lane|way)"
     ),
     Action.ACCELERATE: _p(
-        r"accelerat\w*|speed(?:s|ing)? up|speeds|throttle|guns (?:it|the engine)|floors it|surg\w*|sprint\w*|dash\w*|dart\w*|rush\w*|"
+        r"accelerat\w*|speed(?:s|ing)? up|speeds|throttle|guns (?:it|the engine)|floor(?:s|ed|ing) it|pick\w* up speed|step\w* on (?:the )?(?:gas|it)|(?:start|begin|began)\w* (?:to run|running)|put\w* (?:his|her|its|their|the) foot down|shoots forward|surg\w*|sprint\w*|dash\w*|dart\w*|rush\w*|"
         r"bolt\w*|hurr\w*|picks up speed|steps on the gas"
     ),
     Action.BRAKE: _p(
@@ -181,7 +227,7 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
         r"blocking (?:the|our|its) path|motionless"
     ),
     Action.SLOW: _p(
-        r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|at walking pace"
+        r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|stroll\w*|at (?:a )?(?:walking|snail's) (?:pace|speed)|extremely slow\w*|wander\w*"
     ),
     Action.CROSS: _p(
         r"cross(?:es|ed|ing)?|jaywalk\w*|"
@@ -192,8 +238,108 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.FOLLOW: _p(
         r"(?:driv|rid|keep|go|carr|travel)\w* (?:on|along|going|straight on)|continu\w*|tailgat\w*|follow(?:s|ing) (?:us|the ego|its lane)"
     ),
-    Action.ONCOMING: _p(r"oncoming|opposite direction|head(?:-| )on|wrong(?:-| )way|against traffic|opposing"),
+    Action.ONCOMING: _p(r"oncoming|opposite direction|head(?:-| )on|opposing"),
+    Action.OVERTAKE: _p(
+        r"overt[ao]+k\w*|(?:shot|flew|raced|sped|stormed|tore|roared|blew|goes|went|gets|got|comes|came|swept|sweeps|rushes|rushed) (?:right |straight )?past|pass(?:es|ing)? (?:us|the ego(?: vehicle)?|me|the vut|the av)|(?:shoot|fly|flies|race|speed|storm|thunder|roar|blast|zoom|tear)s? past|"
+        r"goes past|gets past|undertak\w*"
+    ),
+    Action.TAILGATE: _p(
+        r"(?:at|keeping) an? (?:un)?(?:safe|close) (?:following )?distance behind|unsafe (?:following )?distance|clos\w* (?:right )?up (?:to|on|behind) (?:our|the ego's|my)|on (?:our|the ego's|my) tail|"
+        r"(?:our|the ego's|my) rear bumper|follow\w* (?:us|the ego|me) (?:\w+ ){0,2}too close\w*|tailgat\w*|bumper to bumper|(?:on|to) (?:our|the ego's?|my) (?:rear )?(?:bumper|tail)|follow\w* (?:far |much )?too close\w*|"
+        r"(?:sits|hangs|sticks|glued|driv\w*|follow\w*|keeps|stays) (?:very |right |dangerously |too )?(?:close|on our tail)(?:ly)? (?:behind|to our|on|to the rear)|"
+        r"breath\w* down (?:our|my) neck"
+    ),
+    Action.PULL_OUT: _p(
+        r"(?:pull|mov|driv|set|swing|edg|nos|com|roll|start|lurch|creep|shoot|launch|manoeuvr|maneuver)\w* (?:out|off|away|forward)(?: of| from)? (?:of )?(?:the |a |its |his |her )?"
+        r"(?:kerb|curb|kerbside|parking|parked|roadside|bay|bus bay|lay-?by|shoulder|row|bus stop|stop|edge|verge|side(?! (?:road|street)))",
+        r"(?:leav|quit|exit)\w* (?:the |a |its |his |her )?(?:kerb|curb|parking|bay|lay-?by|parked position|bus stop|roadside)",
+        r"unpark\w*",
+        r"(?:set|sets|setting|mov\w*|pull\w*|driv\w*|drove|start\w*|swing\w*|swung) (?:off|out|away)(?: from [^,.;]*?)? (?:and (?:enter|join)\w*|into|in) (?:our|my|the|the ego's) (?:path|lane|way|road|traffic)",
+        r"(?:set|sets|setting|moves|moved|pulls|pulled|drives|drove|starts|started) off(?: and enter\w*| from)",
+        r"pull(?:s|ed|ing)? (?:away|out)(?: in front of| without| into| suddenly|$)",
+    ),
+    Action.WRONG_WAY: _p(
+        r"wrong(?:-| )way|against (?:the )?(?:traffic|flow|direction)|on the wrong side|wrong side of the road|"
+        r"in our lane (?:towards?|against|facing)|ghost driver|contraflow|in the wrong direction|wrong direction"
+    ),
+    Action.U_TURN: _p(
+        r"u(?:-| )turns?|turns? (?:right )?(?:a)?round in the road|one-eighty|does a 180|180(?: degree)? turn|turns? back on itself"
+    ),
+    Action.BLOCK: _p(
+        r"block(?:s|ing|ed)? (?:the|our|its|my|both|all)? ?(?:own )?(?:road|lane|path|way|junction|intersection|carriageway|street|box|whole|lanes)?|"
+        r"obstruct\w*|in (?:our|the ego's?|my) way|stand(?:s|ing)? in (?:our|the|my)"
+    ),
+    Action.FAST: _p(
+        r"at (?:breakneck|high|top) speed|breakneck|race[sd]? along|flat out|at full (?:tilt|throttle|pelt)|speeding|at (?:high|full|great|top|excessive) speed|(?:very |too |so )fast|rac(?:es|ing)|over the speed limit|flat out|high-speed|excessive speed|"
+        r"tear(?:s|ing) (?:along|through|down)|hurtl\w*|bomb(?:s|ing) (?:along|down|through)"
+    ),
 }
+# Other ways to say what the patterns know
+REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
+    # Who reports, and under what title, is not part of the situation
+    (
+        re.compile(
+            r"^(?:according to (?:the |a )?(?:report|police|witness\w*|driver|statement)\w*,? ?|(?:the )?(?:driver|witness\w*|report|police|caller)s? "
+            r"(?:state|report|say|said|note|describe|claim|record)\w*(?: that)?:? |(?:test )?(?:case|scenario|situation|summary|description)(?: \d+)?: )"
+        ),
+        "",
+    ),
+    # Somebody on two wheels is called by the wheels
+    (
+        re.compile(
+            r"\b(?:(?:young|old|elderly|older|little|small) )?(?:man|woman|girl|boy|kid|child|teenager|guy|person|lady|somebody|someone|rider|courier|student|teen|bloke|lad) "
+            r"(?:on|riding|astride) (?:an? |his |her |their )?(?=(?:\w+ )?(?:motor ?cycle|motor ?bike|scooter|moped|vespa|bicycle|bike|e-bike|cargo bike|push ?bike)\b)"
+        ),
+        "",
+    ),
+    (re.compile(r"\bpeds?\b"), "pedestrian"),
+    (re.compile(r"\bint\b\.?"), "intersection"),
+    (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
+    (re.compile(r"\bw/o\b"), "without"),
+    (re.compile(r"\bw/"), "with "),
+    (re.compile(r"\bveh\b\.?"), "vehicle"),
+    (re.compile(r"\b(?:lhs|l/h side|nearside left)\b"), "left side"),
+    (re.compile(r"\b(?:rhs|r/h side)\b"), "right side"),
+    (
+        re.compile(
+            r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|"
+            r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|av)\b"
+        ),
+        "the ego",
+    ),
+    (re.compile(r"\b(?:the )?(?:vehicle (?:2|two|b)|v2|unit (?:2|two))\b"), "the other vehicle"),
+    (re.compile(r"\b(?:the )?(?:pov|principal other vehicle|target vehicle|gvt)\b"), "the other vehicle"),
+    (re.compile(r"\b(?:ept[ac]?|pedestrian target|child target)\b"), "pedestrian"),
+    (re.compile(r"\b(?:ebt[a]?|bicyclist target|cyclist target)\b"), "cyclist"),
+    (re.compile(r"\b(?:emt|motorcyclist target)\b"), "motorcyclist"),
+    # Somebody parked of whom more is told is no thing that stands about
+    (
+        re.compile(
+            r"\b(car|vehicle|van|suv|taxi|truck|lorry|bus|coach|motorcycle|motorbike|scooter|ambulance|engine|limousine|wagon|sedan|saloon|cab|pickup|hgv)"
+            r" (?:is|was|sits|sat|stands|stood) (?:parked|stationary|standing|waiting|stopped)? ?(?=(?:at|on|along|by) the )"
+        ),
+        r"\1 at the kerb ",
+    ),
+    (
+        re.compile(
+            r"\b(?:parked|stationary|standing) (car|vehicle|van|suv|taxi|truck|lorry|bus|coach|motorcycle|motorbike|ambulance)"
+            r"((?: (?:at|on|by|to|in|along) the (?:\w+ )?(?:left|right|kerb|curb|roadside|side)(?: side)?)?)"
+            r"(?=,? (?:that |which )?(?:suddenly |abruptly |then |just |slowly |quickly |all of a sudden |without \w+ |starts? to |begins? to )*"
+            r"(?:pull|mov|driv|set|swing|start|leav|reverse|revers|back|edg|mak|lurch|shoot|nos|roll|creep|manoeuvr|join|cut)\w*)"
+        ),
+        r"\1 at the kerb\2",
+    ),
+)
+
+# What happens on roads and is in no library of ours; who speaks of it is refused rather than served something else
+FOREIGN = _p(
+    r"dogs?|cats?|horses?|cows?|cattle|deer|sheep|animals?|moose|boars?|birds?|pony|ponies|fox|foxes|ducks?|kangaroos?",
+    r"trams?|tramways?|trains?|railway|level crossing|helicopters?|aeroplanes?|airplanes?|planes?|drones?|boats?|spaceships?|meteors?|robots?|dragons?",
+    r"roundabouts?|rotary|car parks?|parking (?:garage|lot)|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
+    r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
+    r"fog|hail|flood\w*|sun ?glare|aquaplan\w*|earthquake|wheelchair robot",
+)
+
 RUNNING = _p(r"r[ua]n(?:s|ning)? (?:out|across|into|onto|over|off)")
 CUTTING_IN = _p(r"cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up)|merg\w*|squeez\w*")
 PASSING = _p(
@@ -210,7 +356,7 @@ GOING_ON = _p(r"(?:and|then) (?:then )?(?:walk|go|driv|mov|continu|rid|run)\w* (
 # Where the adversary starts
 
 ONCOMING = _p(
-    r"oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|against (?:traffic|us)|other way|"
+    r"(?:walk|com|approach|rid|driv|head|runn?)\w* (?:\w+ ){0,2}towards? (?:us|me|the ego)|approach\w* (?:us|me|the ego) (?:on foot|head)|(?:com|approach)\w* (?:the )?other way|oncoming|opposite (?:direction|lane|arm)|opposing|head(?:-| )on|wrong(?:-| )way|against (?:traffic|us)|other way|"
     r"(?:com|approach|head|driv|rid|walk|runn?|speed|rac)\w* (?:straight |right )?(?:towards?|at) (?:us|me|the ego)"
 )
 FAR = _p(
@@ -220,12 +366,63 @@ CROSSING = _p(
     r"crossing (?:car|vehicle|truck|bus|traffic|motorcycle)|cross traffic|side (?:road|street)|perpendicular|cross(?:es|ing)"
 )
 NEIGHBOUR = _p(r"(?:target|adjacent|next|neighbou?ring|other|left|right|passing) lane|lane (?:beside|next to|to the)")
+KERB = _p(
+    r"(?:at|from|on|by|along|against|off|leav\w*) (?:the )?(?:\w+ )?(?:kerb|curb|kerbside|roadside)|pulled over|lay-?by|bus (?:bay|stop)|"
+    r"park(?:ing|ed)(?: (?:space|bay|spot|lane|row|position))?|hard shoulder|standing at the (?:side|edge)|unpark\w*"
+)
+NEAR = _p(
+    r"just (?:ahead|behind|beyond|in front)|close (?:by|ahead|in front|behind|to us)|nearby|a few (?:\w+ )?(?:metres|meters|yards|steps) (?:ahead|away|off|in front|further)|"
+    r"right up behind|hardly a (?:car )?length|only (?:metres|meters) (?:from|away|off|ahead)|a (?:car )?length (?:ahead|in front)|(?:very )?(?:near|close) behind|short before us|only a few (?:metres|meters|yards|paces|steps) away|a few (?:paces|steps) away|quite near|very close|close at hand|(?:just |only )?(?:five|ten|fifteen|5|10|15) (?:metres|meters) (?:off|away)|"
+    r"a short (?:way|distance)|immediately (?:ahead|in front|behind)|right next to|at close (?:range|quarters)|very near"
+)
+FAR_AWAY = _p(
+    r"from far|far out|(?:at |from )?long range|first far|still far|still (?:a good|some) way off|a long way back|way back|far back|a long way off|(?:further|far) off|(?:some )?(?:forty|fifty|sixty|seventy|40|50|60|70) (?:metres|meters) (?:off|away|ahead)|far (?:ahead|away|off|down|in front|behind|up)|in the distance|a long way|well (?:ahead|down|up) |farther (?:down|up)|further (?:down|up)|"
+    r"at (?:a )?(?:long|great|large) (?:range|distance)|distant|way (?:ahead|down|up)"
+)
+_PEOPLE = (
+    r"pedestrians|walkers|persons|people|children|kids|men|women|boys|girls|joggers|runners|students|schoolchildren|school ?kids|teenagers|friends|"
+    r"cyclists|bicycles|bikes|riders|motorcycles|motorcyclists|motorbikes|bikers|scooters"
+)
+GROUP = _p(
+    r"(?:group|crowd|bunch|gang|pack|family|couple|pair|class|party|handful) of",
+    rf"(?:two|three|four|five|several|some|multiple|many|a few|both|2|3|4) (?:\w+ )?(?:{_PEOPLE})",
+    r"(?:pedestrians|children|kids|people|schoolchildren|cyclists|bikers|teenagers|joggers)",
+    r"(?:a|the) (?:family|crowd|mother with (?:a |her )?\w+|parent and child)",
+)
+MANY_LANES = _p(
+    r"(?:two|2|several|more) lanes (?:there|ours|on (?:its|our|his|her|the ego's) side|for (?:us|our|my)|our way|my way)|2-lane|(?:left|right|inner|outer) (?:lane )?(?:of|from) (?:the )?two|(?:in|of|from) (?:the )?two lanes|"
+    r"several lanes|more than one lane|(?:has|have|with) (?:two|three|2|3) lanes|(?:two|three) lanes (?:going|for|its|their|wide|that|to)|(?:two|three|four|2|3|4)-lane (?:approach|carriageway|one-way)|multi-?(?: )?lane|(?:two|three|four|several|2|3) lanes (?:in (?:each|our|the same|one|its|the ego's)|each|per|our)\w*|dual carriageway|"
+    r"motorway|highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
+)
+ONE_LANE = _p(
+    r"1 ?\+ ?1|(?:1|one) lane (?:each|for each|in each|either|per)|(?:just|only) one lane|(?:single|one)(?:-| )(?:lane|track)(?! to (?:another|the))|(?:one|a single) lane (?:each way|per direction|in (?:each|its|our|either) direction|our way|going)|narrow (?:road|street|lane)"
+)
+TWO_WAY = _p(
+    r"lanes? (?:each way|per direction|in (?:each|either) direction)|with oncoming traffic|two(?:-| )way|oncoming lane|opposite lane|opposing lane|one lane (?:each way|per direction|in each direction)|undivided"
+)
+EACH_WAY = _p(
+    r"lanes? (?:each way|per direction|in (?:each|either) direction|for each direction|each)|1 ?\+ ?1|two directions"
+)
+# A vehicle of which a bystander tells where it was going
+ON_ITS_WAY = re.compile(
+    r"\b(?:the|a|my \w+'s) (?:\w+ )?(?P<vehicle>car|van|taxi|cab|suv|hatchback|estate|minivan|saloon|sedan|fiat|golf|ford)\b"
+    r"(?: there)? (?:was |is |had been |just |wanted to |going to |trying to )*(?:just )?"
+    r"(?:turn(?:ing|ed|s)?|going straight|driving straight|mov(?:ing|ed) over|chang(?:ing|ed)|went straight|goes straight|coming straight|get into|going along|came up|driving along)"
+)
+ONE_WAY = _p(r"one(?:-| )way")
+SIDE_ROAD = _p(
+    r"(?:side|cross(?:ing)?|minor|intersecting) (?:road|street|arm)|(?:com|approach|driv|rid|arriv|enter)\w* (?:in |out |over )?from (?:the |our )?(?:\w+ )?(?:left|right)|"
+    r"(?:left|right)(?:-hand)? (?:arm|street|road|approach|leg|branch)"
+)
+SAME_LANE = _p(
+    r"(?:same|our|my|the ego's|its) (?:own )?lane|directly (?:ahead|in front|behind|before)|(?:right|straight|immediately) (?:behind|in front|ahead)|edge of (?:the|our) lane"
+)
 BEHIND = _p(r"(?:from )?behind|rear|tailgat\w*|back")
 AHEAD = _p(r"ahead|(?:in )?front|lead(?:ing)?|preceding")
 BESIDE = _p(r"parallel|alongside|beside|next to|side by side|level with")
 TURNING_WORDS = re.compile(
     r"\b(?:turn|swerv|veer|merg|chang|mov|steer|pull|swing|hook)\w*(?: (?!from\b|on\b|in\b)\w+){0,2}? (?:to (?:the|its) )?(?:left|right)\b"
-    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\bright (?:in front|away|before|behind|after|at|into|next|now|of way|past|through)\b"
+    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\bright (?:in front|away|before|behind|after|at|into|next|now|of way|past|through|on|up|across|beside|up to|there|where|when|as)\b"
 )
 SIDE = re.compile(r"\b(left|right)\b")
 

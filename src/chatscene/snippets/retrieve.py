@@ -2,47 +2,87 @@
 
 Paper: section 3.3, step iii. The reference takes the nearest snippet per component, each on its own; here the three
 are chosen together, so that what cannot be joined cannot be chosen, and typed facts weigh beside wording, because
-an embedding hardly tells left from right (decision 0006).
+an embedding hardly tells left from right (decisions 0006 and 0017).
 """
 
 from __future__ import annotations
 
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.agent.decompose import UNKNOWN
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.compatibility import agree, compatibility, incompatibility
-from chatscene.snippets.embedding import Embedder, Vectors, encode_cached
+from chatscene.snippets.bind import out_of_reach
+from chatscene.snippets.compatibility import compatibility, incompatibility
+from chatscene.snippets.embedding import Embedder, Vectors
 from chatscene.snippets.library import Library
-from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots
+from chatscene.snippets.slot_classifier import Probabilities, as_class, as_value, likelihoods
+from chatscene.snippets.vector_index import VectorIndex, build_cached
+from chatscene.snippets.wording_index import WordingIndex, word_index
+from chatscene.snippets.wording_vectors import vectors_of
+from chatscene.terms.scenario import Action, AdversaryKind, Component, Distance, Place, Scenario, Side, Slots, includes
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet
 
 OF_COMPONENT: dict[Component, tuple[str, ...]] = {
-    Component.BEHAVIOR: ("actions",),
-    Component.GEOMETRY: ("maneuver", "place", "control"),
-    Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker"),
+    Component.BEHAVIOR: ("actions", "position", "control"),
+    Component.GEOMETRY: ("maneuver", "place", "control", "lanes", "two_way"),
+    Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker", "distance", "group"),
 }
-CONFLICT = 1.5  # what one contradicted fact costs; more than any similarity can make up for
-UNASKED = 0.12  # what one thing nobody asked for costs: an occluder, a leader, a further action
-CONTRADICTED = 0.3  # confidence left by a fact that the triple contradicts: its program would not mean what was said
+CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
+UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
+UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
+UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
+ADDED = ("occluder", "leader", "blocker", "control", "group", "distance", "lanes")
+CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
 NO_ACTION = 0.45  # confidence left where nothing the adversary does was understood
 NO_ADVERSARY = 0.3  # … or who it is
-UNSAID = 0.5  # agreement of a fact that the snippet leaves open
+GUESSED = 0.4  # … or where no word says outright who it is or what it does
+BEYOND = 0.3  # … or where something is spoken of that no snippet has
+FAR_WORDING, NEAR_WORDING = 0.25, 0.6  # cosines of a behavior's wording that count as nothing and as all
+UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
+OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
+NARROWER = 0.85  # agreement of a place that is one kind of what was said
+AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
+CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
+PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
+PLACE_WORDING = 0.1  # weight of wording for geometry and spawn: it decides among equals
+# Of a behavior: cosine of the adversary's part, shared words, log-likelihood under the classifier. Fitted by likelihood
+# on sentences of behaviors of which the classifier had seen none (decision 0017).
+WORDING = np.array([0.2, 1.0, 1.4])
+FAINTEST = 1e-4  # least likelihood of a behavior
+
+SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
+UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
+
+TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
 
 Scores = NDArray[np.float64]
 
 
 def nearest(
-    text: str, component: Component, library: Library, embedder: Embedder, *, count: int
+    text: str, component: Component, library: Library, embedder: Embedder, *, count: int, lexical_weight: float = 0.0
 ) -> list[tuple[Snippet, float]]:
-    """The snippets of one component most similar to a text, with their cosines, best first."""
-    snippets = library.of(component)
-    similarity, _ = _similarities(text, snippets, embedder)
+    """The snippets of one component most similar to a text, best first, with their similarities.
+
+    Args:
+        text: Compared with every wording of a snippet; the nearest counts.
+        component: Which snippets.
+        library: From which library.
+        embedder: Of the cosines.
+        count: How many.
+        lexical_weight: Share of shared words in the similarity, in [0, 1].
+    """
+    shelf = _shelf(library, component, embedder)
+    similarity, _ = shelf.dense(_query(text, embedder))
+    if lexical_weight:
+        similarity = (1 - lexical_weight) * similarity + lexical_weight * shelf.words.search(text)[0]
     best = np.argsort(-similarity, kind="stable")[:count]
-    return [(snippets[i], float(similarity[i])) for i in best]
+    return [(shelf.snippets[i], float(similarity[i])) for i in best]
 
 
 def retrieve(
@@ -60,19 +100,9 @@ def retrieve(
         NothingFits: No triple serves it well enough; the message names the nearest.
     """
     settings = settings or RetrievalSettings()
-    joint = compatibility(library)
-    ranked = {
-        component: _match_all(scenario, component, snippets, embedder, settings)
-        for component, snippets in zip(Component, (joint.behaviors, joint.geometries, joint.spawns), strict=True)
-    }
-    allowed = joint.mask if scenario.slots.adversary is None else joint.of_kind(scenario.slots.adversary)
-    if not allowed.any():
-        raise NothingFits(f"nothing in the library has a {scenario.slots.adversary} as adversary")
-    scores = [np.array([match.score for match in ranked[component]]) for component in Component]
-    total = scores[0][:, None, None] + scores[1][None, :, None] + scores[2][None, None, :]
-    index = np.unravel_index(int(np.argmax(np.where(allowed, total, -np.inf))), allowed.shape)
-    triple = tuple(ranked[component][i] for component, i in zip(Component, index, strict=True))
-    confidence = _confidence(scenario, triple)
+    likely = likelihoods(scenario.text, settings.library)
+    ranked, triple = _best(scenario, library, embedder, likely)
+    confidence = _confidence(scenario, triple, likely)
     if confidence < settings.refuse_below:
         raise NothingFits(_refusal(scenario, triple, confidence))
     return Retrieval(
@@ -81,106 +111,273 @@ def retrieve(
         spawn=triple[2],
         adversary=_adversary(scenario, triple),
         confidence=confidence,
-        candidates={
-            component: tuple(sorted(matches, key=lambda m: -m.score)[: settings.candidates])
-            for component, matches in ranked.items()
-        },
+        candidates={component: ranking.best(settings.candidates) for component, ranking in ranked.items()},
         ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary),
     )
+
+
+def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedder, likely: Probabilities) -> Slots:
+    """What was read, made whole with the library in mind: facts that only together are likely are read together.
+
+    A fact that the best triple contradicts, and that may as well be what the triple does, is taken to be that.
+
+    Args:
+        scenario: What was read, fact by fact.
+        rules: What the patterns read.
+        library: What can be chosen.
+        embedder: Measures wording.
+        likely: How likely each fact is.
+    """
+    try:
+        _, triple = _best(replace(scenario, slots=replace(scenario.slots, actions=())), library, embedder, likely)
+    except NothingFits:
+        return scenario.slots
+    slots = scenario.slots
+    for component, match in zip(Component, triple, strict=True):
+        does = match.snippet.slots
+        for name in OF_COMPONENT[component]:
+            said, value = getattr(slots, name), getattr(does, name)
+            if name == "actions":
+                known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
+                heard = bool(rules.actions) and set(rules.actions) <= set(value)
+                slots = replace(slots, actions=value) if known >= POSSIBLE or heard else slots
+            elif said is not None and _agreement(said, value) == 0.0:
+                unsure = likely.slots[name].get(as_class(said), 0.0) < SURE
+                possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE or getattr(rules, name) == value
+                slots = replace(slots, **{name: value}) if unsure and possible else slots
+    return slots
+
+
+def _best(
+    scenario: Scenario, library: Library, embedder: Embedder, likely: Probabilities
+) -> tuple[dict[Component, _Ranking], tuple[Match, ...]]:
+    """Every component ranked, and the compatible triple that scores highest."""
+    joint = compatibility(library)
+    ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
+    allowed = joint.of_kind(scenario.slots.adversary)
+    if not allowed.any():
+        raise NothingFits(f"nothing in the library has a {scenario.slots.adversary} as adversary")
+    scores = [ranked[component].score.astype(np.float32) for component in Component]
+    total = scores[0][:, None, None] + (scores[1][:, None] + scores[2][None, :])[None]
+    index = np.unravel_index(int(np.argmax(np.where(allowed, total, np.float32(-np.inf)))), allowed.shape)
+    return ranked, tuple(ranked[component].match(int(i)) for component, i in zip(Component, index, strict=True))
 
 
 # One component
 
 
-def _match_all(
+@dataclass(frozen=True, slots=True)
+class _Ranking:
+    """Every snippet of a component against one scenario; a row each."""
+
+    said: Slots
+    component: Component
+    snippets: tuple[Snippet, ...]
+    similarity: Scores
+    texts: list[str]
+    agreement: Scores
+    score: Scores
+
+    def match(self, i: int) -> Match:
+        snippet = self.snippets[i]
+        return Match(
+            snippet=snippet,
+            similarity=float(self.similarity[i]),
+            agreement=float(self.agreement[i]),
+            score=float(self.score[i]),
+            nearest=self.texts[i],
+            conflicts=tuple(_conflicts(self.said, snippet, self.component)),
+        )
+
+    def best(self, count: int) -> tuple[Match, ...]:
+        return tuple(self.match(int(i)) for i in np.argsort(-self.score, kind="stable")[:count])
+
+
+def _rank(
     scenario: Scenario,
     component: Component,
-    snippets: tuple[Snippet, ...],
+    library: Library,
     embedder: Embedder,
-    settings: RetrievalSettings,
-) -> list[Match]:
-    similarity, texts = _similarities(scenario.parts[component], snippets, embedder)
-    return [
-        _match(scenario.slots, component, snippet, float(similarity[i]), texts[i], settings.similarity_weight)
-        for i, snippet in enumerate(snippets)
-    ]
+    likely: Probabilities,
+) -> _Ranking:
+    shelf = _shelf(library, component, embedder)
+    text = scenario.parts[component]
+    # Geometry and spawn are facts put into fixed words: an encoder adds nothing to them but time.
+    places = component is not Component.BEHAVIOR
+    lexical, texts = (shelf.names if places else shelf.words).search(text)
+    similarity = lexical
+    score = PLACE_WORDING * lexical - PARAMETER * shelf.parameters
+    if not places:
+        similarity, texts = shelf.dense(_query(text, embedder))
+        score = WORDING @ np.array([similarity, lexical, shelf.meant(likely, similarity)])
+    agreement, conflicts = shelf.facts(scenario.slots, component)
+    if places:
+        score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
+    else:
+        score = score + AGREEMENT * agreement - CONFLICT * conflicts
+    if scenario.quantities:
+        score = score - CONFLICT * np.array([out_of_reach(s, scenario.quantities) for s in shelf.snippets])
+    return _Ranking(scenario.slots, component, shelf.snippets, similarity, texts, agreement, score)
 
 
-def _match(said: Slots, component: Component, snippet: Snippet, similarity: float, text: str, weight: float) -> Match:
-    parts = [_agreement(slot, getattr(said, slot), getattr(snippet.slots, slot)) for slot in OF_COMPONENT[component]]
-    filled = [value for value in parts if value is not None]
-    agreement = sum(filled) / len(filled) if filled else 1.0
-    conflicts = tuple(
-        f"{slot}: said {_words(wanted)}, does {_words(does)}"
-        for slot in (*OF_COMPONENT[component], "adversary")
-        if (wanted := getattr(said, slot)) not in (None, ())
-        and (does := _does(snippet, slot)) not in (None, ())
-        and _agreement(slot, wanted, does) == 0.0
-    )
-    score = weight * similarity + (1 - weight) * agreement
-    score -= CONFLICT * len(conflicts) + UNASKED * _unasked(said, snippet.slots, component)
-    return Match(
-        snippet=snippet, similarity=similarity, agreement=agreement, score=score, nearest=text, conflicts=conflicts
-    )
+class _Shelf:
+    """The snippets of one component, ready to be searched: vectors, words, and facts as codes."""
+
+    def __init__(self, snippets: tuple[Snippet, ...], embedder: Embedder) -> None:
+        self.snippets = snippets
+        self._embedder = embedder
+        self.wordings = [text for snippet in snippets for text in (snippet.description, *snippet.rephrasings)]
+        self.owners = np.array([i for i, s in enumerate(snippets) for _ in range(1 + len(s.rephrasings))])
+        self.words: WordingIndex = word_index(tuple(self.wordings), tuple(self.owners.tolist()))
+        self.names: WordingIndex = word_index(tuple(s.description for s in snippets), tuple(range(len(snippets))))
+        self.parameters = np.array([len(snippet.parameters) for snippet in snippets], float)
+        self.actions = np.array([[action in s.slots.actions for action in Action] for s in snippets], float)
+        names = {slot for slots in OF_COMPONENT.values() for slot in slots} - {"actions"}
+        self.values: dict[str, list[Any]] = {}
+        self.codes: dict[str, NDArray[np.intp]] = {}
+        for name in sorted(names):
+            values = list(dict.fromkeys(getattr(s.slots, name) for s in snippets))
+            self.values[name] = values
+            self.codes[name] = np.array([values.index(getattr(s.slots, name)) for s in snippets])
+
+    @cached_property
+    def index(self) -> VectorIndex:
+        """Every wording as a vector (paper, section 3.2); of geometries and spawns only a direct search asks for it."""
+        return build_cached(vectors_of(self.wordings, self._embedder))
+
+    def dense(self, query: Vectors) -> tuple[Scores, list[str]]:
+        """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
+        cosines, rows = self.index.search(query, len(self.wordings))
+        best = np.full(len(self.snippets), -np.inf)
+        owners, first = np.unique(self.owners[rows[0]], return_index=True)  # best first: the first of each counts
+        best[owners] = cosines[0][first]
+        texts = [""] * len(self.snippets)
+        for owner, at in zip(owners.tolist(), first.tolist(), strict=True):
+            texts[owner] = self.wordings[rows[0][at]]
+        return best, texts
+
+    def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
+        """(N,) log-likelihood that each behavior is meant.
+
+        One that the classifier was not trained on, such as a user's own, is as likely as its wording is near.
+        """
+        near = np.clip((similarity - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
+        p = [likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near.tolist(), strict=True)]
+        return np.log(np.array(p) + FAINTEST)
+
+    def likelihood(self, beliefs: Beliefs, component: Component) -> Scores:
+        """(N,) log-likelihood that the facts of each snippet are what was said."""
+        total = np.zeros(len(self.snippets))
+        for name in OF_COMPONENT[component]:
+            table = [
+                sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value))
+                    for wanted, p in beliefs[name])
+                for value in self.values[name]
+            ]  # fmt: skip
+            total += np.log(np.array(table) + UNLIKELY)[self.codes[name]]
+        return total
+
+    def facts(self, said: Slots, component: Component) -> tuple[Scores, Scores]:
+        """(N,) mean agreement with what was said, and facts contradicted."""
+        parts: list[Scores] = []
+        conflicts = np.zeros(len(self.snippets))
+        for name in OF_COMPONENT[component]:
+            if name == "actions":
+                if said.actions:
+                    share = self._acted(said.actions)
+                    parts.append(share)
+                    conflicts += ((share == 0.0) & self.actions.any(axis=1)) | self._turns_against(said.actions)
+                continue
+            wanted, codes = getattr(said, name), self.codes[name]
+            if wanted is None:
+                continue
+            table = np.array([_agreement(wanted, value) for value in self.values[name]])
+            conflicts += (table == 0.0)[codes]
+            if component is not Component.BEHAVIOR:
+                parts.append(table[codes])
+        agreement = np.mean(parts, axis=0) if parts else np.ones(len(self.snippets))
+        return agreement, conflicts
+
+    def _turns_against(self, said: tuple[Action, ...]) -> NDArray[np.bool_]:
+        """(N,) whether a behavior turns right where only left was said, or the other way round."""
+        left, right = (self.actions[:, list(Action).index(turn)] > 0 for turn in TURNS)
+        if (TURNS[0] in said) == (TURNS[1] in said):
+            return np.zeros(len(self.snippets), bool)
+        return right & ~left if TURNS[0] in said else left & ~right
+
+    def _acted(self, said: tuple[Action, ...]) -> Scores:
+        wanted = np.array([action in said for action in Action], float)
+        both = self.actions @ wanted
+        either = self.actions.sum(axis=1) + wanted.sum() - both
+        return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
 
 
-def _does(snippet: Snippet, slot: str) -> object:
-    return snippet.adversaries if slot == "adversary" else getattr(snippet.slots, slot)
+Beliefs = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
 
 
-def _agreement(slot: str, said: object, does: object) -> float | None:
-    """How well a snippet does one fact, in [0, 1]; None where nothing was said about it."""
-    if said in (None, ()):
-        return None
-    if slot == "adversary":
-        return 1.0 if isinstance(does, tuple) and (not does or said in does) else 0.0
-    if isinstance(said, tuple) and isinstance(does, tuple):
-        both, either = set(said) & set(does), set(said) | set(does)
-        return (len(both) / len(said) * 2 + len(both) / len(either)) / 3
+def _beliefs(slots: Slots, likely: Probabilities) -> Beliefs:
+    """What may have been said: as the classifier has it, but for facts that were read otherwise."""
+    found: Beliefs = {}
+    for name, classes in likely.slots.items():
+        read = as_class(getattr(slots, name))
+        if read == max(classes, key=lambda value: classes[value]):
+            found[name] = [(as_value(name, value), p) for value, p in classes.items()]
+        else:
+            found[name] = [(getattr(slots, name), 1.0)]
+    return found
+
+
+def _free(name: str, value: object) -> float:
+    """How likely a snippet's fact is where nothing was said of it."""
+    if value in (None, False):
+        return 1.0
+    return UNASKED if name in ADDED else UNASKED_VALUE
+
+
+def _conflicts(said: Slots, snippet: Snippet, component: Component) -> list[str]:
+    """The facts that a snippet contradicts, in words."""
+    found: list[str] = []
+    for slot in OF_COMPONENT[component]:
+        wanted, does = getattr(said, slot), getattr(snippet.slots, slot)
+        if slot == "actions":
+            turned = [turn for turn in TURNS if turn in wanted]
+            against = bool(wanted) and bool(does) and not set(wanted) & set(does)
+            against |= len(turned) == 1 and bool(set(TURNS) & set(does)) and turned[0] not in does
+        else:
+            against = wanted is not None and _agreement(wanted, does) == 0.0
+        if against:
+            found.append(f"{slot}: said {_words(wanted)}, does {_words(does)}")
+    if said.adversary is not None and snippet.adversaries and said.adversary not in snippet.adversaries:
+        found.append(f"adversary: said {said.adversary}, does {_words(snippet.adversaries)}")
+    return found
+
+
+def _agreement(said: object, does: object) -> float:
+    """How well a snippet does one fact, in [0, 1]."""
     if does is None:
-        return 0.0 if isinstance(said, bool) and said else UNSAID
-    return 1.0 if agree(slot, said, does) else 0.0
-
-
-def _unasked(said: Slots, does: Slots, component: Component) -> int:
-    """How many things a snippet brings that nobody asked for."""
-    names = [slot for slot in OF_COMPONENT[component] if slot in ("occluder", "leader", "blocker", "control")]
-    return sum(getattr(does, name) not in (None, False) and getattr(said, name) is None for name in names)
+        return 0.0 if said is True else OPEN if isinstance(said, (Side, Distance)) else UNSAID
+    if said == does:
+        return 1.0
+    if isinstance(said, Place) and isinstance(does, Place):
+        if includes(said, does):
+            return CROSSROADS if does is Place.FOUR_WAY else NARROWER
+        return UNSAID if includes(does, said) else 0.0
+    return 0.0
 
 
 def _words(value: object) -> str:
     return ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 
-def _similarities(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> tuple[Scores, list[str]]:
-    """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
-    index, owners, wordings = _index(snippets, embedder)
-    cosines, rows = index.search(_query(text, embedder), len(wordings))
-    best = np.full(len(snippets), -np.inf)
-    nearest_text = [""] * len(snippets)
-    for cosine, row in zip(cosines[0], rows[0], strict=True):  # best first: the first of each owner counts
-        if best[owners[row]] == -np.inf:
-            best[owners[row]] = cosine
-            nearest_text[owners[row]] = wordings[row]
-    return best, nearest_text
-
-
 @lru_cache(maxsize=256)
 def _query(text: str, embedder: Embedder) -> Vectors:
-    """A text's row; geometries and spawns are put into few different words, so most are asked for again."""
+    """A text's row."""
     return embedder.encode([text])
 
 
-@lru_cache(maxsize=8)
-def _index(snippets: tuple[Snippet, ...], embedder: Embedder):
-    """A faiss index over every wording of the snippets (paper, section 3.2), who owns each row, and the wordings."""
-    import faiss
-
-    wordings = [text for snippet in snippets for text in (snippet.description, *snippet.rephrasings)]
-    owners = [i for i, snippet in enumerate(snippets) for _ in range(1 + len(snippet.rephrasings))]
-    index = faiss.IndexFlatIP(embedder.dimension)
-    index.add(encode_cached(embedder, wordings))
-    return index, owners, wordings
+@lru_cache(maxsize=16)
+def _shelf(library: Library, component: Component, embedder: Embedder) -> _Shelf:
+    return _Shelf(library.of(component), embedder)
 
 
 # The triple
@@ -194,15 +391,19 @@ def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
     return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
 
 
-def _confidence(scenario: Scenario, triple: tuple[Match, ...]) -> float:
+def _confidence(scenario: Scenario, triple: tuple[Match, ...], likely: Probabilities) -> float:
     """In [0, 1]: how much was said that we understand, how much of it the triple does, how near its wording is."""
     said = scenario.slots.said()
     understood = min(1.0, len(said) / 3) * (1.0 if scenario.slots.actions else NO_ACTION)
     understood *= 1.0 if scenario.slots.adversary is not None else NO_ADVERSARY
+    understood *= BEYOND if any(note.startswith(UNKNOWN) for note in scenario.notes) else 1.0
+    if "adversary" in scenario.guessed:
+        understood *= likely.slots["adversary"][as_class(scenario.slots.adversary)]
+        understood *= GUESSED if "actions" in scenario.guessed else 1.0
     facts = sum(match.agreement for match in triple) / len(triple)
-    wording = (0.6 * triple[0].similarity + 0.2 * triple[1].similarity + 0.2 * triple[2].similarity - 0.2) / 0.5
+    wording = (triple[0].similarity - FAR_WORDING) / (NEAR_WORDING - FAR_WORDING)
     broken = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
-    return float(understood * broken * (0.6 * facts + 0.4 * min(max(wording, 0.0), 1.0)))
+    return float(likely.in_scope * understood * broken * (0.5 * facts + 0.5 * min(max(wording, 0.0), 1.0)))
 
 
 def _refusal(scenario: Scenario, triple: tuple[Match, ...], confidence: float) -> str:
@@ -213,7 +414,7 @@ def _refusal(scenario: Scenario, triple: tuple[Match, ...], confidence: float) -
 
 
 def _ruled_out(
-    ranked: dict[Component, list[Match]],
+    ranked: dict[Component, _Ranking],
     triple: tuple[Match, ...],
     kind: AdversaryKind | None,
 ) -> tuple[RuledOut, ...]:
@@ -221,8 +422,8 @@ def _ruled_out(
     chosen = {match.snippet.component: match.snippet for match in triple}
     out: list[RuledOut] = []
     for component, match in zip(Component, triple, strict=True):
-        better = sorted((m for m in ranked[component] if m.score > match.score), key=lambda m: -m.score)
-        for candidate in better[:2]:
+        better = [m for m in ranked[component].best(2) if m.score > match.score]
+        for candidate in better:
             swapped = {**chosen, component: candidate.snippet}
             reason = incompatibility(*(swapped[c] for c in Component))
             if reason is None and kind is not None and candidate.snippet.adversaries:

@@ -1,0 +1,63 @@
+"""Numbers in a sentence: "about ten metres ahead", "at 50 km/h", "for three seconds", "when we are 15 m away"."""
+
+from __future__ import annotations
+
+import re
+
+from chatscene.terms.scenario import Measure, Quantity
+
+_UNITS = {
+    "m": 1.0, "metre": 1.0, "meter": 1.0, "yard": 0.9144, "yd": 0.9144, "foot": 0.3048, "feet": 0.3048, "ft": 0.3048,
+    "car length": 5.0,
+    "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "mph": 0.44704, "m/s": 1.0,
+    "second": 1.0, "sec": 1.0, "s": 1.0,
+}  # fmt: skip
+_NUMBERS = {
+    "a couple of": 2, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9,
+    "ten": 10, "twelve": 12, "fifteen": 15, "twenty": 20, "twenty-five": 25, "thirty": 30, "thirty-five": 35,
+    "forty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80, "a hundred": 100, "one hundred": 100,
+    "half a": 0.5, "one": 1, "a": 1,
+}  # fmt: skip
+
+_NUMBER = r"(?P<number>\d+(?:\.\d+)?|" + "|".join(sorted(_NUMBERS, key=len, reverse=True)) + ")"
+_LENGTH = r"(?P<unit>m|metre|meter|yard|yd|foot|feet|ft|car length)s?"
+_SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)"
+_TIME = r"(?P<unit>second|sec|s)s?"
+_EGO = r"(?:we|i|the ego(?: vehicle)?|ego|our car|the vut|the av)"
+
+_PATTERNS: tuple[tuple[Measure, re.Pattern[str]], ...] = (
+    (
+        Measure.TRIGGER,
+        re.compile(
+            rf"\b(?:when|once|as soon as|while|with) {_EGO}(?: is| are| am|'re|'s| gets?| comes?)? (?:still |only |just |about |within |some )*"
+            rf"{_NUMBER}[ -]?{_LENGTH}\b"
+        ),
+    ),
+    (
+        Measure.DISTANCE,
+        re.compile(
+            rf"\b{_NUMBER}[ -]?{_LENGTH} (?:away|ahead|in front|off|down the road|up the road|further|behind|before|beyond|from (?:us|the ego)|to the (?:front|rear))"
+        ),
+    ),
+    (Measure.DISTANCE, re.compile(rf"\bat (?:a )?(?:distance|range|gap) of (?:about |some |roughly )?{_NUMBER}[ -]?{_LENGTH}\b")),
+    (Measure.SPEED, re.compile(rf"\b{_NUMBER} ?{_SPEED}")),
+    (Measure.TIME, re.compile(rf"\bfor (?:about |some |around |roughly )?{_NUMBER} ?{_TIME}\b")),
+)  # fmt: skip
+
+
+def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
+    """The quantities said of the adversary, the first of each measure, in SI units.
+
+    Args:
+        adversary: What is said of the adversary, lower case.
+        whole: All that is said; when the adversary acts is often said of the ego.
+    """
+    found: dict[Measure, Quantity] = {}
+    for measure, pattern in _PATTERNS:
+        text = whole if measure in (Measure.TRIGGER, Measure.TIME) else adversary
+        match = pattern.search(text)
+        if match and measure not in found and not (measure is Measure.DISTANCE and Measure.TRIGGER in found):
+            number = _NUMBERS.get(match["number"])
+            value = (float(match["number"]) if number is None else number) * _UNITS[match["unit"]]
+            found[measure] = Quantity(measure=measure, value=round(value, 3), said=match[0])
+    return tuple(found.values())

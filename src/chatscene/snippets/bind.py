@@ -1,0 +1,82 @@
+"""Quantities that were said become ranges of parameters: "at 50 km/h" is a speed near 13.9 m/s, not any speed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from chatscene.errors import NothingFits
+from chatscene.terms.scenario import Measure, Quantity
+from chatscene.terms.snippet import ParameterRange, Snippet
+
+Triple = tuple[Snippet, Snippet, Snippet]
+
+SHARE = 0.1  # of a quantity, to either side: what a person means by a number
+SLACK = 0.25  # a quantity this share beyond what a snippet can do is done as nearly as it can
+
+_NAMES = {
+    Measure.DISTANCE: "OPT_GEO_Y",
+    Measure.SPEED: "OPT_ADV_SPEED",
+    Measure.TIME: "OPT_STOP_TIME",
+    Measure.TRIGGER: "OPT_ADV_DISTANCE",
+}
+_FROM_EGO = re.compile(r"how far (?:ahead of|behind|along) the ego")  # other distances start elsewhere
+
+
+def bound(triple: Triple, quantities: Sequence[Quantity]) -> tuple[Triple, tuple[str, ...]]:
+    """Narrow the parameters that quantities speak of.
+
+    Args:
+        triple: The snippets.
+        quantities: What was said.
+
+    Returns:
+        The snippets, with code and header narrowed alike; and a note for each quantity that none of them can follow.
+
+    Raises:
+        NothingFits: A quantity lies far outside of what the snippet can do.
+    """
+    notes: list[str] = []
+    parts = list(triple)
+    for quantity in quantities:
+        found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _speaks_of(quantity, p)]
+        if not found:
+            notes.append(f"{quantity.said!r} was heard, but nothing in these snippets can be set to it")
+        for i, parameter in found:
+            parts[i] = _narrowed(parts[i], parameter, quantity)
+    return (parts[0], parts[1], parts[2]), tuple(notes)
+
+
+def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity]) -> int:
+    """How many of the quantities a snippet has a parameter for that cannot be set to them."""
+    return sum(_speaks_of(q, p) and not _in_reach(p, q) for q in quantities for p in snippet.parameters)
+
+
+def _in_reach(parameter: ParameterRange, quantity: Quantity) -> bool:
+    reach = SLACK * max(abs(quantity.value), 1.0)
+    return parameter.low - reach <= quantity.value <= parameter.high + reach
+
+
+def _speaks_of(quantity: Quantity, parameter: ParameterRange) -> bool:
+    if parameter.name != _NAMES[quantity.measure]:
+        return False
+    return quantity.measure is not Measure.DISTANCE or _FROM_EGO.match(parameter.meaning) is not None
+
+
+def _narrowed(part: Snippet, parameter: ParameterRange, quantity: Quantity) -> Snippet:
+    if not _in_reach(parameter, quantity):
+        raise NothingFits(
+            f"{part.id} cannot do {quantity.said!r} ({quantity.value:g} {parameter.unit}): "
+            f"{parameter.meaning or parameter.name} lies between {parameter.low:g} and {parameter.high:g} "
+            f"{parameter.unit}; say a number in between, or none"
+        )
+    low = parameter.clip(quantity.value * (1 - SHARE))
+    high = parameter.clip(quantity.value * (1 + SHARE))
+    narrowed = replace(parameter, low=round(low, 3), high=round(high, 3))
+    line = re.compile(rf"^(param {parameter.name} = Range)\([^)]*\)", re.MULTILINE)
+    return replace(
+        part,
+        parameters=tuple(narrowed if p is parameter else p for p in part.parameters),
+        source=line.sub(rf"\1({narrowed.low:g}, {narrowed.high:g})", part.source),
+    )

@@ -1,0 +1,61 @@
+"""Steps 2 and 3 together: a sentence read by the patterns and the classifier, agreeing or saying so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from chatscene.agent.asking import decompose_with
+from chatscene.agent.base import base_of, concluded
+from chatscene.agent.decompose import WHAT, WHO, clauses_of, decompose
+from chatscene.agent.wording import geometry_in_words, spawn_in_words
+from chatscene.language_models.protocol import load_language_model
+from chatscene.language_models.reply_cache import user_folder
+from chatscene.settings import OFFLINE, RetrievalSettings
+from chatscene.snippets.embedding import load_embedder
+from chatscene.snippets.library import library_with
+from chatscene.snippets.retrieve import settled
+from chatscene.snippets.slot_classifier import VALUES, likelihoods, said
+from chatscene.terms.scenario import Component, Scenario
+
+
+def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
+    """Read a sentence, offline or by the language model that the settings name.
+
+    Raises:
+        SettingsError: The text is empty or too long, or there is no such language model.
+        MissingExtra: The language model's package is missing.
+    """
+    settings = settings or RetrievalSettings()
+    offline = _read_offline(text, settings.library)
+    if settings.language_model == OFFLINE:
+        return offline
+    return decompose_with(load_language_model(settings.language_model, cache=user_folder()), offline)
+
+
+def _read_offline(text: str, own: str) -> Scenario:
+    """The patterns come first; what they leave open, or what the classifier is sure of against them, is its.
+
+    Each slot on which it overrules them is a note.
+    """
+    rules = decompose(text)
+    likely = likelihoods(rules.text, own)
+    library = library_with(own)
+    slots = concluded(said(likely, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)}))
+    slots = concluded(settled(replace(rules, slots=slots), rules.slots, library, load_embedder(), likely))
+    notes = [
+        f"{name}: the patterns read {was}, the classifier {now}"
+        for name in VALUES
+        if (was := getattr(rules.slots, name)) is not None and (now := getattr(slots, name)) != was
+    ]
+    heard = tuple(note for note, fact in ((WHO, slots.adversary), (WHAT, slots.actions)) if fact)
+    guessed = tuple(name for name in (*VALUES, "actions") if getattr(slots, name) and not getattr(rules.slots, name))
+    return replace(
+        rules,
+        slots=slots,
+        base=base_of(slots),
+        parts=replace(
+            rules.parts, geometry=geometry_in_words(slots, clauses_of(text).ego), spawn=spawn_in_words(slots)
+        ),
+        notes=(*(note for note in rules.notes if not note.startswith(heard)), *notes),
+        guessed=guessed,
+    )

@@ -1,0 +1,277 @@
+"""What a sentence says, by an encoder trained on sentences composed from the library itself.
+
+The patterns of `chatscene.agent` are right where they match and silent where they do not; a classifier is never silent
+and seldom sure. Here is the classifier: MiniLM with its upper layers trained further, and on its states one head per
+slot, one for the actions, one over the behaviors of the library and one for whether it is a driving scenario at all,
+each with its own attention over the words. How much the patterns count beside it was fitted on sentences written by
+hand (decision 0017).
+`chatscene.snippets.fitting` trains it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.agent.decompose import decompose
+from chatscene.errors import SnippetError
+from chatscene.snippets.embedding import MiniLM
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    Control,
+    Distance,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Side,
+    Slots,
+)
+
+NAME = "slot_classifier.npz"
+PACKAGED = Path(__file__).parent / NAME
+BEHAVIOR = "behavior"  # the head over the behaviors' ids
+SCOPE = "scope"  # the head that tells what a library of driving scenarios can serve at all
+NOT_SAID = ""  # the class of a slot that the sentence leaves open
+
+# The values of each slot that has one, as texts; the first class says that nothing was said.
+VALUES: dict[str, tuple[str, ...]] = {
+    "adversary": tuple(AdversaryKind),
+    "side": tuple(Side),
+    "position": tuple(Position),
+    "occluder": tuple(Occluder),
+    "maneuver": tuple(Maneuver),
+    "place": tuple(Place),
+    "control": tuple(Control),
+    "leader": ("True",),
+    "blocker": ("True",),
+    "distance": tuple(Distance),
+    "group": ("True",),
+    "lanes": ("1", "2", "3"),
+    "two_way": ("True", "False"),
+}
+LIKELY = 0.5  # an action is said if it is as likely as this …
+KNOWN = 0.1  # … or belongs to the likeliest behavior, if that is as likely as this
+HEADS = (*VALUES, "actions", BEHAVIOR, SCOPE)
+TRUSTED = (*VALUES, "actions")  # of which the patterns know something
+
+Floats = NDArray[np.float32]
+
+
+@dataclass(frozen=True, slots=True)
+class Trust:
+    """How a slot is decided from the classifier's log-odds and the patterns: their log-odds are added.
+
+    Attributes:
+        odds: Factor of the classifier's log-odds.
+        found: Added to what the patterns found.
+        silent: Added to what they did not find: to "not said" where they found no value, to an action they missed.
+    """
+
+    odds: float = 1.0
+    found: float = 0.0
+    silent: float = 0.0
+
+    def joined(self, odds: Floats, marks: Floats) -> Floats:
+        """Log-odds from the classifier's and the patterns' marks: 1 for found, -1 for not found, 0 for neither."""
+        return self.odds * odds + np.where(marks > 0, self.found, 0.0) + np.where(marks < 0, self.silent, 0.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SlotClassifier:
+    """A trained encoder and its heads.
+
+    Attributes:
+        changes: What was trained of the encoder: new bytes of its file by where they stand.
+        classes: Of each of `HEADS`.
+        queries: (heads, D), what each head attends to.
+        weights: (D, columns), a column per class of each head in order.
+        bias: (columns,).
+        trust: Per slot, and for actions, how much the classifier counts beside the patterns.
+    """
+
+    changes: Mapping[int, bytes]
+    classes: Mapping[str, tuple[str, ...]]
+    queries: Floats
+    weights: Floats
+    bias: Floats
+    trust: Mapping[str, Trust]
+
+    def log_odds(self, states: Floats) -> dict[str, Floats]:
+        """(classes,) log-odds of each head from the encoder's states of a sentence, (tokens, D)."""
+        share = np.exp(states @ self.queries.T - (states @ self.queries.T).max(axis=0))
+        pooled = (share / share.sum(axis=0)).T @ states
+        found: dict[str, Floats] = {}
+        first = 0
+        for row, (name, classes) in zip(pooled, self.classes.items(), strict=True):
+            columns = slice(first, first + len(classes))
+            found[name] = row @ self.weights[:, columns] + self.bias[columns]
+            first += len(classes)
+        return found
+
+    def classify(self, states: Floats, rules: Slots) -> Probabilities:
+        """How likely each value of each slot, each action and each behavior is.
+
+        Args:
+            states: The encoder's states of the sentence, (tokens, D).
+            rules: What the patterns found in it.
+        """
+        slots: dict[str, dict[str, float]] = {}
+        for name, odds in self.log_odds(states).items():
+            classes = self.classes[name]
+            joined = self.trust[name].joined(odds, rule_marks(name, classes, rules)) if name in self.trust else odds
+            likely = 1 / (1 + np.exp(-joined)) if name == "actions" else _softmax(joined)
+            slots[name] = dict(zip(classes, likely.tolist(), strict=True))
+        return Probabilities(
+            slots={name: slots[name] for name in VALUES},
+            actions={Action(name): p for name, p in slots["actions"].items()},
+            behaviors=slots[BEHAVIOR],
+            in_scope=slots[SCOPE]["True"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Probabilities:
+    """What a sentence says, with how sure that is.
+
+    Attributes:
+        slots: For each slot with one value, the probability of each value and of `NOT_SAID`.
+        actions: For each action, the probability that the adversary does it.
+        behaviors: For each behavior the classifier knows, the probability that it is meant.
+        in_scope: The probability that it is a driving scenario, of the kind that the library has.
+    """
+
+    slots: Mapping[str, Mapping[str, float]]
+    actions: Mapping[Action, float]
+    behaviors: Mapping[str, float]
+    in_scope: float
+
+
+def _softmax(x: Floats) -> Floats:
+    e = np.exp(x - x.max())
+    return e / e.sum()
+
+
+def rule_marks(head: str, classes: Sequence[str], rules: Slots) -> Floats:
+    """(classes,) 1 for what the patterns found; -1 for "not said" where they found nothing, and no action found."""
+    if head == "actions":
+        return np.array([1.0 if name in rules.actions else -1.0 for name in classes], np.float32)
+    found = as_class(getattr(rules, head))
+    return np.array([(1.0 if name else -1.0) if name == found else 0.0 for name in classes], np.float32)
+
+
+def as_class(value: object) -> str:
+    """A slot's value as the name of its class."""
+    return NOT_SAID if value is None else str(value)
+
+
+def as_value(slot: str, name: str) -> Any:
+    """The value of a slot from the name of its class."""
+    if name == NOT_SAID:
+        return None
+    kinds: dict[str, Any] = {
+        "adversary": AdversaryKind, "side": Side, "position": Position, "occluder": Occluder, "maneuver": Maneuver,
+        "place": Place, "control": Control, "distance": Distance, "lanes": int,
+    }  # fmt: skip
+    return kinds[slot](name) if slot in kinds else name == "True"
+
+
+def classes_of(head: str, behaviors: Sequence[str]) -> tuple[str, ...]:
+    """The classes of a head."""
+    if head == "actions":
+        return tuple(Action)
+    if head == SCOPE:
+        return ("False", "True")
+    return tuple(behaviors) if head == BEHAVIOR else (NOT_SAID, *VALUES[head])
+
+
+# Files
+
+
+def save_classifier(classifier: SlotClassifier, path: Path) -> None:
+    """Write a classifier: arrays only."""
+    np.savez_compressed(
+        path,
+        at=np.array(list(classifier.changes), np.int64),
+        lengths=np.array([len(new) for new in classifier.changes.values()], np.int64),
+        changes=np.frombuffer(b"".join(classifier.changes.values()), np.uint8),
+        classes=np.array("\n".join(f"{head}\t" + "\t".join(names) for head, names in classifier.classes.items())),
+        queries=classifier.queries,
+        weights=classifier.weights.astype(np.float16),
+        bias=classifier.bias,
+        trust=np.array([[t.odds, t.found, t.silent] for t in classifier.trust.values()]),
+    )
+
+
+@lru_cache(maxsize=2)
+def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
+    """Read a classifier.
+
+    Raises:
+        SnippetError: The file is missing or damaged.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as arrays:
+            content, ends = arrays["changes"].tobytes(), np.cumsum(arrays["lengths"]).tolist()
+            starts = [0, *ends[:-1]]
+            named = [line.split("\t") for line in str(arrays["classes"]).split("\n")]
+            trust = [Trust(*row) for row in arrays["trust"].tolist()]
+            return SlotClassifier(
+                changes={at: content[a:b] for at, a, b in zip(arrays["at"].tolist(), starts, ends, strict=True)},
+                classes={head: tuple(names) for head, *names in named},
+                queries=arrays["queries"],
+                weights=arrays["weights"].astype(np.float32),
+                bias=arrays["bias"],
+                trust=dict(zip(TRUSTED, trust, strict=True)),
+            )
+    except (OSError, ValueError, KeyError) as error:
+        raise SnippetError(
+            f"the slot classifier {path} cannot be read ({error}); train it again with: chatscene library fit"
+        ) from error
+
+
+@lru_cache(maxsize=2)
+def _trained(path: Path) -> tuple[SlotClassifier, MiniLM]:
+    classifier = load_classifier(path)
+    return classifier, MiniLM(classifier.changes)
+
+
+@lru_cache(maxsize=256)
+def likelihoods(text: str, own: str = "") -> Probabilities:
+    """How likely each fact is in a sentence.
+
+    Args:
+        text: The sentence.
+        own: Folder of one's own snippets; the classifier trained on them is used if it lies there, else the packaged.
+    """
+    at = Path(own) / NAME
+    classifier, encoder = _trained(at if own and at.exists() else PACKAGED)
+    return classifier.classify(encoder.states(text), decompose(text).slots)
+
+
+def said(probabilities: Probabilities, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
+    """The likeliest value of each slot, and what the likeliest behavior does.
+
+    Actions come together or not at all, as in the behaviors that people speak of; taken one by one where each is
+    likelier than not, half as many are right. Where no behavior is likely, they are.
+
+    Args:
+        probabilities: Of the sentence.
+        behaviors: What each behavior of the library does.
+    """
+    values: dict[str, Any] = {}
+    for name in VALUES:
+        classes = probabilities.slots[name]
+        values[name] = as_value(name, max(classes, key=lambda value: classes[value]))
+    likely = {name: p for name, p in probabilities.behaviors.items() if name in behaviors}
+    best = max(likely, key=lambda name: likely[name], default="")
+    if likely.get(best, 0.0) >= KNOWN:
+        return Slots(**values, actions=behaviors[best])
+    return Slots(**values, actions=tuple(a for a in Action if probabilities.actions[a] >= LIKELY))

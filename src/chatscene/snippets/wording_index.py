@@ -1,0 +1,76 @@
+"""Words that a text and a snippet's wordings share, weighed by how rare they are.
+
+TF-IDF cosine over stems and pairs of stems (G. Salton, 1975); beside an encoder it tells apart what an encoder
+blurs: "brakes twice" from "brakes".
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.snippets.embedding import plain
+
+_SILENT = frozenset(
+    (
+        *("a", "an", "and", "are", "as", "at", "be", "by", "for", "from", "he", "her", "him", "his", "in", "is", "it"),
+        *("its", "of", "on", "or", "she", "that", "the", "their", "them", "then", "they", "this", "to", "was", "were"),
+        *("while", "who", "with", "which"),
+    )
+)
+
+
+@lru_cache(maxsize=8192)
+def stem(word: str) -> str:
+    """A word without its commonest endings."""
+    return re.sub(r"(?<=[a-z]{3})(?:'s|ing|ed|es|s|ly|e)$", "", word)
+
+
+def _terms(text: str) -> Counter[str]:
+    words = [stem(word) for word in re.findall(r"[a-z0-9']+", plain(text).lower()) if word not in _SILENT]
+    return Counter([*words, *(f"{a} {b}" for a, b in pairwise(words))])
+
+
+class WordingIndex:
+    """Wordings, each owned by a snippet; searched by the words they share with a text."""
+
+    def __init__(self, wordings: tuple[str, ...], owners: tuple[int, ...]) -> None:
+        counted = [_terms(text) for text in wordings]
+        seen = Counter(term for terms in counted for term in terms)
+        self._rarity = {term: float(np.log((1 + len(wordings)) / (1 + times)) + 1) for term, times in seen.items()}
+        self._wordings = wordings
+        self._owners = np.array(owners)
+        self._size = max(owners) + 1
+        self._postings: dict[str, tuple[list[int], list[float]]] = {}
+        for row, terms in enumerate(counted):
+            weights = {term: times * self._rarity[term] for term, times in terms.items()}
+            length = float(np.sqrt(sum(w * w for w in weights.values()))) or 1.0
+            for term, weight in weights.items():
+                rows, shares = self._postings.setdefault(term, ([], []))
+                rows.append(row)
+                shares.append(weight / length)
+
+    def search(self, text: str) -> tuple[NDArray[np.float64], list[str]]:
+        """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
+        terms = {term: times * self._rarity[term] for term, times in _terms(text).items() if term in self._rarity}
+        length = float(np.sqrt(sum(w * w for w in terms.values()))) or 1.0
+        scores = np.zeros(len(self._wordings))
+        for term, weight in terms.items():
+            rows, shares = self._postings[term]
+            scores[rows] += np.array(shares) * (weight / length)
+        order = np.lexsort((np.arange(len(scores)), -scores, self._owners))
+        owners, first = np.unique(self._owners[order], return_index=True)
+        best = np.zeros(self._size)
+        best[owners] = scores[order][first]
+        return best, [self._wordings[i] for i in order[first]]
+
+
+@lru_cache(maxsize=8)
+def word_index(wordings: tuple[str, ...], owners: tuple[int, ...]) -> WordingIndex:
+    """The index of some wordings, built once."""
+    return WordingIndex(wordings, owners)

@@ -1,0 +1,414 @@
+"""How well sentences are understood, measured against facts that people wrote down for them.
+
+A sentence is right on a component if the snippet found does every fact that was said of it and contradicts none, and
+brings nothing that stands or drives about unasked. Whether the program then *means* the sentence is judged from its
+tracks, against the facts written down, not against those that were read.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from chatscene.agent.base import concluded
+from chatscene.ego.policy import load_ego
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
+from chatscene.evaluate.score import wilson
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import Progress
+from chatscene.program.assemble import assemble
+from chatscene.program.check import check
+from chatscene.program.meaning import check_meaning
+from chatscene.settings import RetrievalSettings, SimulationSettings
+from chatscene.simulate.backend import load_backend
+from chatscene.snippets.bind import bound
+from chatscene.snippets.embedding import load_embedder
+from chatscene.snippets.library import Library, library_with
+from chatscene.snippets.reading import read
+from chatscene.snippets.retrieve import OF_COMPONENT, nearest, retrieve
+from chatscene.terms.results import Cell, ResultTable
+from chatscene.terms.scenario import Action, Component, Maneuver, Position, Scenario, Slots, includes
+from chatscene.terms.snippet import Retrieval, Snippet
+from chatscene.workers import spread
+
+HELD_OUT = "held-out"
+STAGES = ("encoder only", "+ rephrasings", "+ lexical", "+ slots", "+ contracts")
+LEXICAL_SHARE = 0.3  # of shared words against the cosine, in the ablation
+BROUGHT = ("occluder", "leader", "blocker", "group")  # what stands or drives about if nobody asked for it
+_OPPOSITES = (
+    (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN),
+    (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sentence:
+    """A sentence and what it says, written down by hand.
+
+    Attributes:
+        text: The sentence.
+        style: How it is written.
+        slots: What it says.
+        behavior: The snippet it was written for; None for one that nothing can serve.
+        in_scope: Whether a library of driving scenarios can serve it.
+    """
+
+    text: str
+    style: str
+    slots: Slots = Slots()  # noqa: RUF009 - frozen
+    behavior: str | None = None
+    in_scope: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """What became of one sentence.
+
+    Attributes:
+        sentence: The sentence.
+        refusal: Why nothing was found; empty if something was.
+        slots: What was read.
+        first: Per component, whether the snippet found is right.
+        among_three: Per component, whether one of the best three is.
+        same_behavior: Whether the behavior is the very one that the sentence was written for.
+        chosen: The ids found.
+        flipped: Left for right or right for left, somewhere.
+        ran: Whether the program compiled, was placed and ran.
+        failures: What the program's drives never showed of what was said; None where it was not run.
+    """
+
+    sentence: Sentence
+    refusal: str = ""
+    slots: Slots
+    first: Mapping[Component, bool]
+    among_three: Mapping[Component, bool]
+    same_behavior: bool = False
+    chosen: tuple[str, ...] = ()
+    flipped: bool = False
+    ran: bool | None = None
+    failures: tuple[str, ...] | None = None
+
+
+def load_sentences(name: str | Path) -> tuple[Sentence, ...]:
+    """Sentences from a packaged set or a file of JSON lines.
+
+    Raises:
+        SettingsError: There is no such file, or a line is not a sentence with its facts.
+    """
+    packaged = files("chatscene.snippets").joinpath("sentences", f"{name}.jsonl")
+    try:
+        content = (packaged if packaged.is_file() else Path(name)).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise SettingsError(f"the sentences {name} cannot be read: {error}") from error
+    known = {field.name for field in fields(Sentence)}
+    adapter = TypeAdapter(Sentence)
+    found: list[Sentence] = []
+    for number, line in enumerate(content.splitlines(), 1):
+        if line.strip():
+            try:
+                row = json.loads(line)
+                sentence = adapter.validate_python({key: row[key] for key in row if key in known})
+                found.append(replace(sentence, slots=concluded(sentence.slots)))
+            except (json.JSONDecodeError, ValidationError, TypeError) as error:
+                raise SettingsError(f"{name}, line {number} is not a sentence with its facts: {error}") from error
+    return tuple(found)
+
+
+# What is right
+
+
+def serves(snippet: Snippet, said: Slots, component: Component) -> bool:
+    """Whether a snippet does every fact said of its component, contradicts none and brings nothing unasked."""
+    does = snippet.slots
+    if component is Component.BEHAVIOR:
+        return essential(said) == essential(replace(does, position=does.position or said.position))
+    for name in OF_COMPONENT[component]:
+        wanted, given = getattr(said, name), getattr(does, name)
+        if name == "place" and component is Component.SPAWN:
+            continue
+        if wanted is None or wanted is False:
+            if name in BROUGHT and given:
+                return False
+        elif given != wanted and not (name == "place" and given is not None and includes(wanted, given)):
+            return False
+    return True
+
+
+def essential(slots: Slots) -> frozenset[Action]:
+    """Actions without those that others bring along: whoever cuts in changes lanes, whoever stops has braked."""
+    actions = {Action.STOP if action is Action.BLOCK else action for action in slots.actions}
+    if slots.position is Position.ONCOMING or Action.WRONG_WAY in actions:
+        actions -= {Action.ONCOMING}
+    for action, along in _ALONG.items():
+        if action in actions:
+            actions -= along
+    if len(actions) > 1 or slots.position is Position.ONCOMING:
+        actions -= {Action.FOLLOW}
+    return frozenset(actions)
+
+
+_ALONG: dict[Action, set[Action]] = {
+    Action.CUT_IN: {Action.CHANGE_LANE},
+    Action.STOP: {Action.BRAKE},
+    Action.TURN_LEFT: {Action.CROSS},
+    Action.TURN_RIGHT: {Action.CROSS},
+    Action.TURN_BACK: {Action.STOP},
+    Action.PULL_OUT: {Action.CUT_IN, Action.CHANGE_LANE, Action.CROSS},
+    Action.HESITATE: {Action.STOP},
+    Action.CROSS: {Action.FAST},
+    Action.DIAGONAL: {Action.CROSS},
+    Action.U_TURN: {Action.TURN_LEFT, Action.TURN_RIGHT, Action.CROSS, Action.ONCOMING},
+}
+
+
+def flipped(said: Slots, found: Sequence[Snippet]) -> bool:
+    """Whether left became right somewhere."""
+    sides = {snippet.slots.side for snippet in found if snippet.slots.side is not None}
+    if said.side is not None and sides and said.side not in sides:
+        return True
+    turns = {snippet.slots.maneuver for snippet in found}
+    if any(said.maneuver in pair and turns & (set(pair) - {said.maneuver}) for pair in _OPPOSITES):
+        return True
+    done = {action for snippet in found for action in snippet.slots.actions}
+    pair = {Action.TURN_LEFT, Action.TURN_RIGHT}
+    wanted = pair & set(said.actions)
+    return len(wanted) == 1 and bool(done & pair) and not wanted & done
+
+
+# The measurement
+
+
+def judge(sentence: Sentence, library: Library, settings: RetrievalSettings, *, drive: bool) -> Judged:
+    """Read a sentence, find its triple, and run its program."""
+    scenario = read(sentence.text, settings)
+    try:
+        retrieval = retrieve(scenario, library, load_embedder(settings.embedder), settings)
+    except NothingFits as refusal:
+        nothing = dict.fromkeys(Component, False)
+        return Judged(sentence=sentence, refusal=str(refusal), slots=scenario.slots, first=nothing, among_three=nothing)
+    matches = dict(zip(Component, (retrieval.behavior, retrieval.geometry, retrieval.spawn), strict=True))
+    judged = Judged(
+        sentence=sentence,
+        slots=scenario.slots,
+        first={c: serves(m.snippet, sentence.slots, c) for c, m in matches.items()},
+        among_three={
+            c: any(serves(m.snippet, sentence.slots, c) for m in (matches[c], *retrieval.candidates[c][:2]))
+            for c in Component
+        },
+        same_behavior=retrieval.behavior.snippet.id == sentence.behavior,
+        chosen=tuple(s.id for s in retrieval.snippets),
+        flipped=flipped(sentence.slots, retrieval.snippets),
+    )
+    return _driven(judged, scenario, retrieval) if drive and sentence.in_scope else judged
+
+
+def _driven(judged: Judged, scenario: Scenario, retrieval: Retrieval) -> Judged:
+    """Climb the ladder as a run does: what shows nothing of what was read is refused there."""
+    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    try:
+        triple, _ = bound(retrieval.snippets, scenario.quantities)
+        program = assemble(scenario, triple, retrieval.adversary)
+        checked = check(program, scenario.slots, backend, load_ego("rule-based"))
+    except MeansSomethingElse as error:
+        nothing = dict.fromkeys(Component, False)
+        return replace(judged, refusal=str(error), first=nothing, among_three=nothing)
+    except ChatSceneError as error:
+        return replace(judged, ran=False, failures=(f"{type(error).__name__}: {error}",))
+    route = backend.route(program, 0)
+    failures = min((check_meaning(judged.sentence.slots, episode, route) for episode in checked.episodes), key=len)
+    return replace(judged, ran=True, failures=failures)
+
+
+@dataclass(frozen=True, slots=True)
+class _Setup:
+    settings: RetrievalSettings
+    drive: bool
+
+
+class _Judge:
+    def __init__(self, setup: _Setup) -> None:
+        self._setup = setup
+        self._library = library_with(setup.settings.library)
+
+    def __call__(self, numbered: tuple[int, Sentence]) -> tuple[int, Judged]:
+        number, sentence = numbered
+        return number, judge(sentence, self._library, self._setup.settings, drive=self._setup.drive)
+
+
+def measure(
+    sentences: Sequence[Sentence],
+    *,
+    settings: RetrievalSettings,
+    drive: bool = True,
+    jobs: int = 1,
+    progress: Progress,
+) -> tuple[Judged, ...]:
+    """Judge sentences, in their order.
+
+    Args:
+        sentences: What to read.
+        settings: Of the retrieval.
+        drive: Whether to run the programs, which takes most of the time.
+        jobs: Processes; any number gives the same.
+        progress: Told what is done.
+    """
+    setup = _Setup(settings, drive)
+    judged: dict[int, Judged] = {}
+    for number, one in spread(_Judge, setup, list(enumerate(sentences)), jobs=jobs):
+        judged[number] = one
+        progress("sentences", len(judged), len(sentences))
+    return tuple(judged[i] for i in range(len(sentences)))
+
+
+# Tables
+
+
+def _rate(hits: Iterable[bool]) -> Cell:
+    found = list(hits)
+    if not found:
+        return Cell(None)
+    return Cell(sum(found) / len(found), *wilson(sum(found), len(found)))
+
+
+def summary_table(judged: Sequence[Judged]) -> ResultTable:
+    """Rates over all sentences and per style."""
+    groups = {"all": list(judged)} | {
+        style: [j for j in judged if j.sentence.style == style]
+        for style in sorted({j.sentence.style for j in judged if j.sentence.in_scope})
+    }
+    return ResultTable(
+        title="How well sentences are understood",
+        columns=(
+            "in scope", "refused", "behavior", "geometry", "spawn", "behavior top 3", "geometry top 3", "spawn top 3",
+            "very behavior", "flips", "runs", "means it", "out of scope refused",
+        ),
+        rows=tuple((name, _summary(group)) for name, group in groups.items()),
+        notes=(
+            "rates of the sentences in scope; behavior, geometry, spawn, flips, runs and means it: of those that were "
+            "not refused; intervals: Wilson, 95 %",
+            "very behavior: the snippet that the sentence was written for, where others may do the same",
+        ),
+    )  # fmt: skip
+
+
+def _summary(group: Sequence[Judged]) -> tuple[Cell, ...]:
+    inside = [j for j in group if j.sentence.in_scope]
+    served = [j for j in inside if not j.refusal]
+    ran = [j for j in served if j.ran is not None]
+    return (
+        Cell(float(len(inside))),
+        _rate(bool(j.refusal) for j in inside),
+        *(_rate(j.first[c] for j in served) for c in Component),
+        *(_rate(j.among_three[c] for j in served) for c in Component),
+        _rate(j.same_behavior for j in served),
+        _rate(j.flipped for j in served),
+        _rate(bool(j.ran) for j in ran),
+        _rate(j.failures == () for j in ran),
+        _rate(bool(j.refusal) for j in group if not j.sentence.in_scope),
+    )
+
+
+def slot_table(judged: Sequence[Judged]) -> ResultTable:
+    """Per slot: how often what was said was read, and how often something was read that was not said."""
+    inside = [j for j in judged if j.sentence.in_scope]
+    rows: list[tuple[str, tuple[Cell, ...]]] = []
+    for name in (field.name for field in fields(Slots)):
+        pairs = [(_plain(j.sentence.slots, name), _plain(j.slots, name)) for j in inside]
+        rows.append(
+            (
+                name,
+                (
+                    _rate(wanted == got for wanted, got in pairs if wanted),
+                    _rate(bool(got) for wanted, got in pairs if not wanted),
+                ),
+            )
+        )
+    return ResultTable(
+        title="Facts read",
+        columns=("right where said", "read where not said"),
+        rows=tuple(rows),
+        notes=("intervals: Wilson, 95 %",),
+    )
+
+
+def _plain(slots: Slots, name: str) -> object:
+    return essential(slots) if name == "actions" else getattr(slots, name)
+
+
+def confusions(judged: Sequence[Judged], count: int = 20) -> list[tuple[str, int]]:
+    """The commonest wrong readings: slot, what was said, what was read."""
+    found: Counter[str] = Counter()
+    for j in judged:
+        if j.sentence.in_scope:
+            for name in (field.name for field in fields(Slots)):
+                wanted, got = _plain(j.sentence.slots, name), _plain(j.slots, name)
+                if wanted and wanted != got:
+                    found[f"{name}: {_shown(wanted)} read as {_shown(got)}"] += 1
+    return found.most_common(count)
+
+
+def _shown(value: object) -> str:
+    return ", ".join(sorted(map(str, value))) if isinstance(value, frozenset) else str(value) if value else "nothing"
+
+
+def ablation_table(sentences: Sequence[Sentence], settings: RetrievalSettings) -> ResultTable:
+    """How much each part of the retrieval brings: right at first choice, sentences in scope, nothing refused."""
+    inside = [s for s in sentences if s.in_scope]
+    library = library_with(settings.library)
+    bare = Library(tuple(replace(snippet, rephrasings=()) for snippet in library))
+    rows: list[tuple[str, tuple[Cell, ...]]] = []
+    for stage in STAGES:
+        found = [_staged(stage, s, bare if stage == STAGES[0] else library, settings) for s in inside]
+        hits = [{c: serves(f[c], s.slots, c) for c in Component} for s, f in zip(inside, found, strict=True)]
+        rows.append((stage, (*(_rate(h[c] for h in hits) for c in Component), _rate(all(h.values()) for h in hits))))
+    return ResultTable(
+        title="What each part of the retrieval brings",
+        columns=(*Component, "all three"),
+        rows=tuple(rows),
+        notes=("right at first choice, of the sentences in scope; nothing is refused here; Wilson, 95 %",),
+    )
+
+
+def _staged(stage: str, sentence: Sentence, library: Library, settings: RetrievalSettings) -> dict[Component, Snippet]:
+    embedder = load_embedder(settings.embedder)
+    if stage in STAGES[:3]:
+        lexical = LEXICAL_SHARE if stage == STAGES[2] else 0.0
+        return {
+            c: nearest(sentence.text, c, library, embedder, count=1, lexical_weight=lexical)[0][0] for c in Component
+        }
+    chosen = retrieve(read(sentence.text, settings), library, embedder, replace(settings, refuse_below=0.0))
+    if stage == STAGES[3]:
+        return {c: chosen.candidates[c][0].snippet for c in Component}
+    return dict(zip(Component, chosen.snippets, strict=True))
+
+
+def as_rows(judged: Sequence[Judged]) -> list[dict[str, Any]]:
+    """Every sentence with what became of it, for a file."""
+    return [
+        {
+            "text": j.sentence.text,
+            "style": j.sentence.style,
+            "in_scope": j.sentence.in_scope,
+            "said": {name: _json(value) for name, value in j.sentence.slots.said().items()},
+            "read": {name: _json(value) for name, value in j.slots.said().items()},
+            "behavior": j.sentence.behavior,
+            "chosen": list(j.chosen),
+            "right": {c.value: j.first[c] for c in Component},
+            "flipped": j.flipped,
+            "refusal": j.refusal,
+            "ran": j.ran,
+            "failures": None if j.failures is None else list(j.failures),
+        }
+        for j in judged
+    ]
+
+
+def _json(value: object) -> object:
+    return [str(item) for item in value] if isinstance(value, tuple) else value

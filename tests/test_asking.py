@@ -1,0 +1,61 @@
+"""A language model fills the same slots; what it gets wrong never breaks the reading."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from chatscene.agent.asking import EXAMPLES, Decomposition, decompose_with
+from chatscene.agent.decompose import decompose
+from chatscene.language_models.checked import CheckedModel
+from chatscene.language_models.protocol import LanguageModel, Limits
+from chatscene.language_models.scripted import Scripted
+from chatscene.terms.scenario import Action, AdversaryKind, Control, Maneuver, Place, Side
+
+TEXT = "Some guy barrels through on red from our left while we go straight."
+
+
+def model(*replies: Any) -> LanguageModel:
+    texts = [reply if isinstance(reply, str) else json.dumps(reply) for reply in replies]
+    return CheckedModel(Scripted(texts), limits=Limits())
+
+
+def form(**slots: Any) -> dict[str, Any]:
+    return json.loads(EXAMPLES[-1].reply) | {"position": None} | slots
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda e: e.text[:30])
+def test_the_examples_of_the_prompt_are_what_they_ask_for(example: Any) -> None:
+    assert Decomposition.model_validate_json(example.reply).behavior
+
+
+def test_a_models_slots_are_used_with_what_follows_from_them() -> None:
+    answer = form(adversary="truck", actions=["run-light"], side="left", behavior="the truck runs the light")
+    scenario = decompose_with(model(answer), decompose(TEXT))
+    slots = scenario.slots
+    assert (slots.adversary, slots.actions, slots.side) == (AdversaryKind.TRUCK, (Action.RUN_LIGHT,), Side.LEFT)
+    assert (slots.control, slots.place, slots.maneuver) == (Control.SIGNAL, Place.JUNCTION, Maneuver.STRAIGHT)
+    assert scenario.parts.behavior == "the truck runs the light"
+    assert "read by" in scenario.notes[0]
+
+
+def test_where_the_readers_differ_is_told() -> None:
+    answer = form(adversary="bus", actions=["brake"])
+    notes = decompose_with(model(answer), decompose("The truck ahead brakes.")).notes
+    assert any("bus" in note and "truck" in note for note in notes)
+
+
+def test_a_model_that_answers_nonsense_leaves_the_offline_reading() -> None:
+    offline = decompose("A cyclist cuts across from the left.")
+    scenario = decompose_with(model(*["no idea"] * 3), offline)
+    assert scenario.slots == offline.slots
+    assert "read offline" in scenario.notes[-1]
+
+
+def test_words_that_are_no_facts_are_asked_for_again() -> None:
+    wrong = form(adversary="dragon")
+    right = form(adversary="bicycle", actions=["cross"])
+    scenario = decompose_with(model(wrong, right), decompose("A cyclist crosses."))
+    assert scenario.slots.adversary is AdversaryKind.BICYCLE

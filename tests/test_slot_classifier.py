@@ -1,0 +1,157 @@
+"""The classifier: small ones trained here on sentences with known answers, and the packaged one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.agent.decompose import decompose
+from chatscene.errors import SnippetError
+from chatscene.snippets.composing import Labelled, compose, wordings
+from chatscene.snippets.embedding import MiniLM
+from chatscene.snippets.fitting import fit, fit_trust
+from chatscene.snippets.library import Library, load_library
+from chatscene.snippets.reading import read
+from chatscene.snippets.slot_classifier import (
+    VALUES,
+    SlotClassifier,
+    Trust,
+    load_classifier,
+    said,
+    save_classifier,
+)
+from chatscene.snippets.wording_index import stem
+from chatscene.terms.scenario import Action, AdversaryKind, Component, Side, Slots
+
+WORDS = ("now", "then", "soon", "late", "fast", "slow", "far", "near")
+IDS = ("behavior/cross", "behavior/lane-brake", "geometry/straight-road", "spawn/ahead-in-lane", "spawn/roadside-right")
+
+
+def small() -> Library:
+    library = load_library()
+    return Library(tuple(library.get(i) for i in IDS))
+
+
+def _silent(_what: str, _done: int, _of: int) -> None:
+    pass
+
+
+def sentences() -> list[Labelled]:
+    crossing = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.CROSS,), side=Side.RIGHT)
+    braking = Slots(adversary=AdversaryKind.CAR, actions=(Action.BRAKE,))
+    return [
+        *(Labelled(f"a zorp glides over the way {w}", crossing, ("behavior/cross",)) for w in WORDS),
+        *(Labelled(f"the krell anchors up at once {w}", braking, ("behavior/lane-brake",)) for w in WORDS),
+    ]
+
+
+@pytest.fixture(scope="module")
+def trained() -> SlotClassifier:
+    return fit(sentences(), small(), epochs=60, seed=0, told=_silent)
+
+
+@pytest.fixture(scope="module")
+def encoder(trained: SlotClassifier) -> MiniLM:
+    return MiniLM(trained.changes)
+
+
+def test_words_that_no_pattern_knows_are_learned_from_sentences(trained: SlotClassifier, encoder: MiniLM) -> None:
+    text = "a zorp glides over the way x"
+    found = trained.classify(encoder.states(text), decompose(text).slots)
+    assert said(found, {}).adversary is AdversaryKind.PEDESTRIAN
+    assert found.actions[Action.CROSS] > found.actions[Action.BRAKE]
+    assert found.behaviors["behavior/cross"] > 0.5
+
+
+def test_probabilities_are_probabilities(trained: SlotClassifier, encoder: MiniLM) -> None:
+    found = trained.classify(encoder.states("the krell anchors up"), Slots())
+    assert set(found.slots) == set(VALUES)
+    assert all(sum(p.values()) == pytest.approx(1.0, abs=1e-5) for p in found.slots.values())
+    assert all(0.0 <= p <= 1.0 for p in found.actions.values())
+
+
+def test_what_the_patterns_found_counts_for_it(trained: SlotClassifier, encoder: MiniLM) -> None:
+    trusting = replace(trained, trust=dict.fromkeys(trained.trust, Trust(found=4.0)))
+    states = encoder.states("the krell anchors up")
+    plain = trusting.classify(states, Slots()).slots["side"]["left"]
+    told = trusting.classify(states, Slots(side=Side.LEFT)).slots["side"]["left"]
+    assert told > plain
+
+
+def test_the_runtime_reads_what_was_trained_but_for_rounding(trained: SlotClassifier, encoder: MiniLM) -> None:
+    right = [trained.log_odds(encoder.states(s.text)) for s in sentences()]
+    assert [max(zip(odds["adversary"], trained.classes["adversary"], strict=True))[1] for odds in right] == [
+        s.slots.adversary for s in sentences()
+    ]
+
+
+def test_untrained_layers_are_written_as_they_were_read() -> None:
+    pytest.importorskip("torch")
+    from chatscene.snippets.tuned_encoder import Tuned
+
+    same = MiniLM(Tuned(frozen=3, columns=[2], dropout=0.0).changes())
+    text = "a bus pulls out"
+    np.testing.assert_allclose(same.states(text), MiniLM().states(text), atol=1e-4)
+
+
+def test_a_classifier_comes_back_from_its_file(trained: SlotClassifier, tmp_path: Path) -> None:
+    save_classifier(trained, tmp_path / "c.npz")
+    again = load_classifier(tmp_path / "c.npz")
+    assert again.classes == trained.classes
+    assert again.changes == trained.changes
+    assert again.trust == trained.trust
+    np.testing.assert_allclose(again.weights, trained.weights, atol=1e-3)
+
+
+def test_a_damaged_file_says_how_to_train_again(tmp_path: Path) -> None:
+    (tmp_path / "c.npz").write_bytes(b"no weights")
+    with pytest.raises(SnippetError, match="library fit"):
+        load_classifier(tmp_path / "c.npz")
+
+
+def test_trust_is_found_within_its_bounds(trained: SlotClassifier) -> None:
+    fitted = fit_trust(trained, sentences())
+    for head, trust in fitted.trust.items():
+        assert trust.found >= (2.0 if head in ("maneuver", "control") else 0.0)
+        assert trust.silent <= 0.0 if head == "actions" else trust.silent >= 0.0
+
+
+def test_slots_that_nobody_labelled_keep_the_default_trust(trained: SlotClassifier) -> None:
+    open_ = [replace(s, open=frozenset((*VALUES, "actions"))) for s in sentences()]
+    assert fit_trust(trained, open_).trust["side"] == Trust()
+
+
+def test_composed_sentences_say_what_their_labels_say() -> None:
+    library = load_library()
+    made = compose(library, 60, seed=3)
+    assert made == compose(library, 60, seed=3)
+    assert len({s.text for s in made}) > 55
+    actions = {s.id: set(s.slots.actions) for s in library.of(Component.BEHAVIOR)}
+    assert all(set(s.slots.actions) <= actions[i] for s in made for i in s.behaviors)
+
+
+def test_every_wording_teaches_only_what_is_done() -> None:
+    taught = wordings(small())
+    assert {s.behaviors for s in taught} == {("behavior/cross",), ("behavior/lane-brake",)}
+    assert all(s.open == frozenset(VALUES) for s in taught)
+
+
+@pytest.mark.parametrize(("word", "root"), [("braking", "brak"), ("brakes", "brak"), ("brake", "brak"), ("bus", "bus")])
+def test_stems_join_the_forms_of_a_word(word: str, root: str) -> None:
+    assert stem(word) == root
+
+
+def test_the_packaged_classifier_knows_the_behaviors_of_the_library() -> None:
+    known = load_classifier().classes["behavior"]
+    ids = {s.id for s in load_library().of(Component.BEHAVIOR)}
+    assert len(ids & set(known)) >= 0.95 * len(ids)
+
+
+def test_a_fact_that_only_the_classifier_saw_is_called_a_guess() -> None:
+    scenario = read("The bloke in front jumps on the anchors for no reason at all.")
+    assert set(scenario.guessed) <= {*VALUES, "actions"}
+    assert all(getattr(scenario.slots, name) for name in scenario.guessed)
+    assert not any(getattr(decompose(scenario.text).slots, name) for name in scenario.guessed)
