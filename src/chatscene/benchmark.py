@@ -160,11 +160,14 @@ def _open(folder: Path, settings: dict[str, Any]) -> dict[str, Any]:
 
 def _tasks(folder: Path, generator: str, scenarios: int) -> list[_Task]:
     source = load_generator(generator)
-    return [
+    tasks = [
         _Task(folder=folder / "scenes" / base / str(number), text=text)
         for base in BaseScenario
         for number, text in enumerate(source.texts(base)[:scenarios])
     ]
+    if not tasks:
+        raise SettingsError(f"the generator {generator!r} has no texts for a benchmark; use chatscene")
+    return tasks
 
 
 def _counts(folders: Iterable[Path]) -> dict[str, int]:

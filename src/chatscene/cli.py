@@ -8,21 +8,19 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
+from chatscene.cli_library import JSON, READING, Reading, console, library, progress
+from chatscene.cli_proposal import COMMANDS, describe
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from chatscene.evaluation import Evaluated
     from chatscene.pipeline import Summary
 
-JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
 MAP = click.option(
     "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
 )
@@ -49,12 +47,6 @@ def _complain(error: ChatSceneError) -> None:
     click.echo(f"{type(error).__name__}: {error}", err=True)
 
 
-def _console() -> Console:
-    from rich.console import Console
-
-    return Console(highlight=False)
-
-
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="chatscene")
 def main() -> None:
@@ -68,7 +60,13 @@ def main() -> None:
 
 
 @main.command()
-@click.argument("text")
+@click.argument("text", required=False)
+@click.option(
+    "--program",
+    type=click.Path(path_type=Path, exists=True),
+    default=None,
+    help="Your own .scenic program, or a folder of them, in place of TEXT.",
+)
 @MAP
 @click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
@@ -87,9 +85,11 @@ def main() -> None:
     type=click.IntRange(min=1),
     help="Processes; default: as many as pay.",
 )
+@READING
 @JSON
 def run(
-    text: str,
+    text: str | None,
+    program: Path | None,
     map_name: str,
     ego: str,
     scenes: int,
@@ -99,6 +99,7 @@ def run(
     out: Path | None,
     jobs: int | None,
     as_json: bool,
+    **reading: Unpack[Reading],
 ) -> None:
     """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
 
@@ -106,22 +107,29 @@ def run(
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
+    chatscene run --program mine.scenic --routes 4
     """
     from chatscene import pipeline
-    from chatscene.settings import SearchSettings, Settings
+    from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 
-    settings = Settings(search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable))
-    folder = out or pipeline.free_folder(Path("runs"), text)
-    summary = pipeline.run(
-        text,
-        folder,
-        settings=settings,
-        map_name=map_name,
-        ego_name=ego,
-        jobs=jobs or _jobs(scenes, routes),
-        progress=_progress(),
+    settings = Settings(
+        search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable),
+        retrieval=RetrievalSettings(**reading),
     )
-    _say_done(folder, summary, as_json)
+    for name, one in _texts(text, program).items():
+        folder = (out / name if program and program.is_dir() else out) if out else None
+        folder = folder or pipeline.free_folder(Path("runs"), name)
+        summary = pipeline.run(
+            one,
+            folder,
+            settings=settings,
+            map_name=map_name,
+            ego_name=ego,
+            jobs=jobs or _jobs(scenes, routes),
+            generator="program" if program else "chatscene",
+            progress=progress(),
+        )
+        _say_done(folder, summary, as_json)
 
 
 @main.command()
@@ -140,9 +148,9 @@ def resume(folder: Path, jobs: int | None, as_json: bool) -> None:
 
     kept = runs.open_run(folder)
     if runs.read_record(kept).command == "evaluate":
-        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=_progress()), as_json)
+        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=progress()), as_json)
         return
-    summary = pipeline.resume(folder, jobs=jobs or 1, progress=_progress())
+    summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress())
     _say_done(folder, summary, as_json)
 
 
@@ -172,7 +180,7 @@ def evaluate(
         egos=egos or evaluation.EGOS,
         every_scene=every_scene,
         jobs=jobs,
-        progress=_progress(),
+        progress=progress(),
     )
     _say_evaluated(evaluated, as_json)
 
@@ -219,7 +227,7 @@ def benchmark(
         avoidable_only=avoidable,
         seed=seed,
         jobs=jobs,
-        progress=_progress(),
+        progress=progress(),
     )
     for text, reason in outcome.refused.items():
         click.echo(f"refused: {text!r}: {reason}", err=True)
@@ -243,9 +251,7 @@ def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Pat
     from chatscene import driving
     from chatscene.report.tables import as_text
 
-    table = driving.drive(
-        egos, folder=out, map_name=map_name, scenes=scenes, seed=seed, jobs=jobs, progress=_progress()
-    )
+    table = driving.drive(egos, folder=out, map_name=map_name, scenes=scenes, seed=seed, jobs=jobs, progress=progress())
     click.echo(as_text(table))
 
 
@@ -289,7 +295,7 @@ def train(
         seed=seed,
         map_name=map_name,
     )
-    trained = train_ego(out, settings, progress=_progress())
+    trained = train_ego(out, settings, progress=progress())
     click.echo(" steps  completion  collisions  mean speed")
     for row in trained.curve:
         click.echo(
@@ -323,8 +329,9 @@ def replay(folder: Path, scene_id: str, as_json: bool) -> None:
 @main.command()
 @click.argument("text")
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
+@READING
 @JSON
-def explain(text: str, show_program: bool, as_json: bool) -> None:
+def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Reading]) -> None:
     """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
@@ -332,108 +339,21 @@ def explain(text: str, show_program: bool, as_json: bool) -> None:
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
     """
     from chatscene import pipeline
+    from chatscene.settings import RetrievalSettings, Settings
 
-    understood = pipeline.understand(text)
+    understood = pipeline.understand(text, Settings(retrieval=RetrievalSettings(**reading)))
     if as_json:
         click.echo(json.dumps(understood.as_dict(), indent=1))
         return
     from chatscene.report.terminal import print_understanding
 
-    print_understanding(_console(), understood, show_program=show_program)
+    print_understanding(console(), understood, show_program=show_program)
 
 
-@main.group()
-def library() -> None:
-    """The snippets that programs are joined from."""
-
-
-@library.command("list")
-@click.option("--component", type=click.Choice(["behavior", "geometry", "spawn"]), default=None)
-@JSON
-def list_snippets(component: str | None, as_json: bool) -> None:
-    """List the snippets, a line each.
-
-    \b
-    chatscene library list --component spawn
-    """
-    from chatscene.snippets.library import load_library
-
-    snippets = [s for s in load_library() if component in (None, s.component.value)]
-    if as_json:
-        click.echo(json.dumps([{"id": s.id, "description": s.description} for s in snippets], indent=1))
-        return
-    for snippet in snippets:
-        click.echo(f"{snippet.id:<48} {snippet.description}")
-
-
-@library.command()
-@click.argument("snippet_id", metavar="ID")
-def show(snippet_id: str) -> None:
-    """Print one snippet: what it says, what it needs and gives, its code.
-
-    \b
-    chatscene library show behavior/cross-and-stop
-    """
-    from chatscene.report.terminal import print_snippet
-    from chatscene.snippets.library import load_library
-
-    print_snippet(_console(), load_library().get(snippet_id))
-
-
-@library.command()
-@click.argument("text")
-@click.option(
-    "--component", type=click.Choice(["behavior", "geometry", "spawn"]), default="behavior", show_default=True
-)
-@click.option("--top", default=5, show_default=True)
-@JSON
-def search(text: str, component: str, top: int, as_json: bool) -> None:
-    """Find the snippets of one component nearest to TEXT.
-
-    \b
-    chatscene library search "slams on the brakes"
-    """
-    from chatscene.snippets.embedding import load_embedder
-    from chatscene.snippets.library import load_library
-    from chatscene.snippets.retrieve import nearest
-    from chatscene.terms.scenario import Component
-
-    found = nearest(text, Component(component), load_library(), load_embedder(), count=top)
-    if as_json:
-        click.echo(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))
-        return
-    for snippet, similarity in found:
-        click.echo(f"{similarity:5.2f}  {snippet.id:<44} {snippet.description}")
-
-
-@library.command()
-@click.option("--folder", type=click.Path(path_type=Path, exists=True), default=None, help="A library of your own.")
-@JSON
-def lint(folder: Path | None, as_json: bool) -> None:
-    """Check every snippet: header against code, compiles, samples, runs, does what it says.
-
-    \b
-    chatscene library lint
-    chatscene library lint --folder my-snippets
-    """
-    from chatscene.ego.policy import load_ego
-    from chatscene.maps.network import resolve_map
-    from chatscene.program.lint import lint as lint_library
-    from chatscene.settings import SimulationSettings
-    from chatscene.simulate.backend import load_backend
-    from chatscene.snippets.library import load_library
-
-    snippets = load_library(folder)
-    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
-    findings = lint_library(snippets, backend, load_ego("rule-based"))
-    if as_json:
-        click.echo(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
-    else:
-        for finding in findings:
-            click.echo(f"{finding.snippet_id}: {finding.rung}: {finding.message}")
-        click.echo(f"{len(snippets)} snippets, {len(findings)} findings")
-    if findings:
-        sys.exit(1)
+for command in COMMANDS:
+    library.add_command(command)
+main.add_command(library)
+main.add_command(describe)
 
 
 @main.group("map")
@@ -461,7 +381,7 @@ def show_map(map_name: str, as_json: bool) -> None:
     if as_json:
         click.echo(json.dumps(asdict(description), indent=1))
     else:
-        print_map(_console(), description)
+        print_map(console(), description)
 
 
 @map_group.command("check")
@@ -503,17 +423,22 @@ def doctor(as_json: bool) -> None:
         sys.exit(1)
 
 
+def _texts(text: str | None, program: Path | None) -> dict[str, str]:
+    """What to run, by a name for its folder: a sentence, a program, or each program of a folder."""
+    if (text is None) == (program is None):
+        raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    if program is None:
+        return {text or "": text or ""}
+    from chatscene.program.foreign import read_foreign
+    from chatscene.search.own_program import text_of
+
+    return {own.path.stem: text_of(own) for own in read_foreign(program)}
+
+
 def _jobs(scenes: int, routes: int) -> int:
     """As many processes as pay: starting one costs about as much as 250 scenes."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return max(1, min(cores, routes, scenes * routes // 250))
-
-
-def _progress() -> Callable[[str, int, int], None]:
-    """A progress line with an estimate of the time left; silent where nobody watches."""
-    from chatscene.report.terminal import progress_line
-
-    return progress_line(sys.stderr)
 
 
 def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:

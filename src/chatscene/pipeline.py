@@ -28,7 +28,7 @@ from chatscene.search.generator import load_generator
 from chatscene.search.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.backend import Backend
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
@@ -104,7 +104,7 @@ def understand(text: str, settings: Settings | None = None) -> Understood:
     """
     settings = settings or Settings()
     generator = Retrieved()
-    scenario = generator.read(text)
+    scenario = generator.read(text, settings.retrieval)
     written = generator.write(scenario, settings.retrieval)
     return Understood(scenario=scenario, retrieval=written.retrieval, program=written.program)
 
@@ -127,7 +127,7 @@ def run(
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     settings = settings or Settings()
-    load_generator(generator).read(text)  # an empty text leaves no folder behind
+    load_generator(generator).read(text, settings.retrieval)  # an empty text leaves no folder behind
     resolve_map(map_name)
     load_ego(ego_name)
     kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
@@ -169,7 +169,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
 
     progress("understanding the sentence", 0, 0)
     generator = load_generator(record.generator)
-    scenario = generator.read(record.text)
+    scenario = generator.read(record.text, settings.retrieval)
     runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
     written = generator.write(scenario, settings.retrieval)
     program = written.program
@@ -177,7 +177,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     runs.write_program(run, scenario.id, program.source)
 
     progress("checking that the program means it", 0, 0)
-    backend = load_backend("embedded", map_path, settings.simulation)
+    backend = generator.backend(map_path, settings.simulation)
     check(program, scenario.slots, backend, load_ego(record.ego))
     routes = _routes(backend, program, settings.search.routes)
     if len(routes) < settings.search.routes:
@@ -257,7 +257,7 @@ def replay(folder: Path, scene_id: str) -> Replayed:
     settings = runs.settings_of(record)
     _, program = rebuild(run)
     scene = runs.scene_of(row, program)
-    backend = load_backend("embedded", resolve_map(record.map_name), settings.simulation)
+    backend = load_generator(record.generator).backend(resolve_map(record.map_name), settings.simulation)
     again = backend.run(program, scene, load_ego(record.ego))
     return Replayed(scene_id=scene_id, difference=_difference(stored, again))
 
@@ -270,8 +270,9 @@ def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:
     """
     record = runs.read_record(run)
     generator = load_generator(record.generator)
-    scenario = generator.read(record.text)
-    program = generator.write(scenario, runs.settings_of(record).retrieval).program
+    settings = runs.settings_of(record).retrieval
+    scenario = generator.read(record.text, settings)
+    program = generator.write(scenario, settings).program
     if runs.read_programs(run).get(scenario.id) != program.source:
         raise Diverged(
             f"the library has changed since {run.path} was made: it now makes another program of the sentence; "

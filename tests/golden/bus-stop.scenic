@@ -4,30 +4,34 @@ model chatscene.world.model
 
 AdvClass = Pedestrian
 
-## behavior/cross-and-stop
-param OPT_ADV_SPEED = Range(1.2, 5)
-param OPT_ADV_DISTANCE = Range(6, 40)
+## behavior/sprint-and-stop
+param OPT_ADV_SPEED = Range(4, 7)
+param OPT_ADV_DISTANCE = Range(6, 18)
 param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE
+    # Earlier where it has farther to go, or on a wide road it would pass behind the ego.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()
 
 ## geometry/straight-road
 egoRoute = selectRoute(maneuver="straight", place="road")
 egoSpawnPt = startOf(egoRoute)
+kerbLane = ownLane(egoRoute)
 
 ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute
 
 ## spawn/behind-bus-stop-right
 param OPT_GEO_Y = Range(22, 50)
-param OPT_GEO_X = Range(1.3, 2.6)
+param OPT_GEO_X = Range(1.5, 2.3)
 param OPT_BLOCKER_GAP = Range(2.7, 4.4)
 
-new BusStop at besideRoad(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP, "right", 1.6),
-    facing directionOn(egoRoute, globalParameters.OPT_GEO_Y - globalParameters.OPT_BLOCKER_GAP),
+# Not in the middle of an intersection, where the side of the road would be far away.
+advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
+new BusStop at besideRoad(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP, "right", 1.6),
+    facing directionOn(egoRoute, advLevel - globalParameters.OPT_BLOCKER_GAP),
     with label "bus-stop"
-AdvAgent = new AdvClass at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", globalParameters.OPT_GEO_X),
-    facing crossingDirection(egoRoute, globalParameters.OPT_GEO_Y, "right"),
+AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "right", globalParameters.OPT_GEO_X),
+    facing crossingDirection(egoRoute, advLevel, "right"),
     with behavior AdvBehavior()

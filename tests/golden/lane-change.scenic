@@ -20,11 +20,10 @@ leftLane = adjacentLane
 
 ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute
 
-## spawn/adjacent-lane-ahead
-param OPT_GEO_Y = Range(6, 22)
+## spawn/ahead-in-lane
+param OPT_GEO_Y = Range(9, 22)
 
-advTrajectory = adjacentLane
-advLane = advTrajectory
+advTrajectory = egoRoute
 AdvAgent = new AdvClass at pointOn(advTrajectory, globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

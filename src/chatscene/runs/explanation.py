@@ -26,7 +26,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "base": scenario.base.value if scenario.base else None,
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
-        "notes": list(scenario.notes),
+        "notes": [*scenario.notes, *(retrieval.notes if retrieval else ())],
     } | (_retrieval(retrieval) if retrieval else {})
 
 

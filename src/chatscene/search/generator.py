@@ -10,12 +10,13 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Protocol
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import SettingsError, no_such
 from chatscene.search.explore import Block
-from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.backend import Backend
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -43,10 +44,10 @@ class Generator(Protocol):
     """
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
-        """The scenarios it searches with for a base scenario, in order of preference."""
+        """The scenarios it searches with for a base scenario, in order of preference; perhaps none."""
         ...
 
-    def read(self, text: str) -> Scenario:
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """A scenario from its text.
 
         Raises:
@@ -60,6 +61,10 @@ class Generator(Protocol):
         Raises:
             NothingFits: It cannot make one.
         """
+        ...
+
+    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
+        """Where its programs are run."""
         ...
 
     def explore(
@@ -77,7 +82,10 @@ class Generator(Protocol):
         ...
 
 
-GENERATORS: dict[str, str] = {"chatscene": "chatscene.search.retrieved:Retrieved"}
+GENERATORS: dict[str, str] = {
+    "chatscene": "chatscene.search.retrieved:Retrieved",
+    "program": "chatscene.search.own_program:OwnProgram",
+}
 
 
 def load_generator(name: str) -> Generator:

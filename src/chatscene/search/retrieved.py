@@ -7,16 +7,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 
-from chatscene.agent.decompose import decompose
 from chatscene.ego.policy import EgoPolicy
 from chatscene.program.assemble import assemble
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings
-from chatscene.simulate.backend import Backend
+from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.simulate.backend import Backend, load_backend
+from chatscene.snippets.bind import bound
 from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
+from chatscene.snippets.library import library_with
+from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -29,17 +31,23 @@ class Retrieved:
         """Five sentences, in our words, for the situations of the paper's five."""
         return _benchmark_texts()[base]
 
-    def read(self, text: str) -> Scenario:
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
-        scenario = decompose(text)
+        scenario = read(text, settings)
         listed = next((base for base, texts in _benchmark_texts().items() if text in texts), None)
         return scenario if listed is None else replace(scenario, base=listed)
 
     def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:
         """Steps 3 and 4."""
-        retrieval = retrieve(scenario, load_library(), load_embedder(), settings)
-        program = assemble(scenario, retrieval.snippets, retrieval.adversary)
+        retrieval = retrieve(scenario, library_with(settings.library), load_embedder(settings.embedder), settings)
+        triple, notes = bound(retrieval.snippets, scenario.quantities)
+        program = assemble(scenario, triple, retrieval.adversary)
+        retrieval = replace(retrieval, notes=notes)
         return Written(program=program, retrieval=retrieval)
+
+    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
+        """In this process: the snippets are reviewed."""
+        return load_backend("embedded", map_path, settings)
 
     def explore(
         self,
