@@ -101,7 +101,7 @@ def test_a_behavior_that_fails_while_it_runs_is_found(backend: Backend) -> None:
 def test_a_spawn_that_overlaps_the_ego_is_found(backend: Backend) -> None:
     library = few(*CROSS)
     spawn = library.get(CROSS[2])
-    inside = with_code(spawn, "besideRoad(egoRoute, globalParameters.OPT_GEO_Y, \"right\", globalParameters.OPT_GEO_X)",
+    inside = with_code(spawn, "besideRoad(egoRoute, advLevel, \"right\", globalParameters.OPT_GEO_X)",
                        "pointOn(egoRoute, 0 * globalParameters.OPT_GEO_Y, 0 * globalParameters.OPT_GEO_X)")  # fmt: skip
     assert (CROSS[2], "samples") in rungs(spoilt(library, inside), backend)
 

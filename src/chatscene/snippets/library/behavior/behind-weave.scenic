@@ -30,6 +30,7 @@
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
+#: place = "road"
 #: actions = ["tailgate", "weave"]
 #: leader = false
 #: position = "behind"

@@ -25,7 +25,7 @@
 #:   "Bus BEATS me to the intersection then parks in it",
 #:   "The bike dashed in first and then rooted itself to the spot.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"

@@ -30,6 +30,7 @@
 #: provides = ["AdvBehavior", "advFacing"]
 #: origin = "own code"
 #: [slots]
+#: blocker = false
 #: actions = ["oncoming", "swerve", "cross"]
 #: position = "oncoming"
 #: place = "road"

@@ -25,11 +25,12 @@
 #:   "PASSES ME JUST TO SLAM HIS BRAKES (next lane)",
 #:   "The motorbike overhauls us and digs in on its own side.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
+#: place = "road"
 #: actions = ["overtake", "brake"]
 #: position = "behind-beside"
 #: [[parameters]]

@@ -25,11 +25,12 @@
 #:   "OVERTAKES, THEN REFUSES TO LEAVE - lurks by my bonnet",
 #:   "The motorcycle edges past and then loiters at our front flank.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane"]
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
+#: place = "road"
 #: actions = ["overtake", "pace"]
 #: position = "behind-beside"
 #: [[parameters]]

@@ -25,7 +25,7 @@
 #:   "Truck REFUSES to let me change lanes, matches my speed",
 #:   "The motorbike mirrored our speed at our elbow.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle"]
+#: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"

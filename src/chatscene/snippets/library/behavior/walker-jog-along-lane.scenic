@@ -30,6 +30,7 @@
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
+#: leader = false
 #: actions = ["fast", "follow"]
 #: place = "road"
 #: [[parameters]]
