@@ -57,6 +57,8 @@ WORDING = np.array([0.2, 1.0, 1.4])
 FAINTEST = 1e-4  # least likelihood of a behavior
 
 SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
+HASTE = {Action.ACCELERATE, Action.FAST}  # how a thing is done, which need not be said
+HEARD = 0.14  # an action less likely than this was not heard
 UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
 TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
@@ -232,6 +234,9 @@ class _Shelf:
         self.names: WordingIndex = word_index(tuple(s.description for s in snippets), tuple(range(len(snippets))))
         self.parameters = np.array([len(snippet.parameters) for snippet in snippets], float)
         self.actions = np.array([[action in s.slots.actions for action in Action] for s in snippets], float)
+        does = [frozenset(s.slots.actions) for s in snippets]
+        # (N, N) whether the second does what the first does, and that in haste.
+        self.hastier = np.array([[bool(b > a) and b - a <= HASTE for b in does] for a in does], bool)
         names = {slot for slots in OF_COMPONENT.values() for slot in slots} - {"actions"}
         self.values: dict[str, list[Any]] = {}
         self.codes: dict[str, NDArray[np.intp]] = {}
@@ -259,11 +264,15 @@ class _Shelf:
     def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
         """(N,) log-likelihood that each behavior is meant.
 
-        One that the classifier was not trained on, such as a user's own, is as likely as its wording is near.
+        One that the classifier was not trained on, such as a user's own, is as likely as its wording is near. Where
+        the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who "steps out
+        and freezes" is not said to sprint.
         """
         near = np.clip((similarity - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
-        p = [likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near.tolist(), strict=True)]
-        return np.log(np.array(p) + FAINTEST)
+        p = np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near.tolist(), strict=True)])
+        heard = self.actions @ np.array([likely.actions[action] >= HEARD for action in Action])
+        best = int(np.argmax(p))
+        return np.log(p + p[best] * (self.hastier[:, best] & (heard == heard[best])) + FAINTEST)
 
     def likelihood(self, beliefs: Beliefs, component: Component) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
