@@ -73,7 +73,7 @@ class Judged:
 
     Attributes:
         sentence: The sentence.
-        refusal: Why nothing was found; empty if something was.
+        refusal: Why nothing was found, or what no drive of the program showed; empty if neither.
         slots: What was read.
         first: Per component, whether the snippet found is right.
         among_three: Per component, whether one of the best three is.

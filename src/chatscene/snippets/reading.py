@@ -26,22 +26,24 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
         MissingExtra: The language model's package is missing.
     """
     settings = settings or RetrievalSettings()
-    offline = _read_offline(text, settings.library)
+    offline = _read_offline(text, settings)
     if settings.language_model == OFFLINE:
         return offline
     return decompose_with(load_language_model(settings.language_model, cache=user_folder()), offline)
 
 
-def _read_offline(text: str, own: str) -> Scenario:
-    """The patterns come first; what they leave open, or what the classifier is sure of against them, is its.
+def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
+    """Patterns and classifier weighed slot by slot, then settled together with what the library has.
 
-    Each slot on which it overrules them is a note.
+    Each slot that ends otherwise than the patterns read it is a note.
     """
     rules = decompose(text)
-    likely = likelihoods(rules.text, own)
-    library = library_with(own)
+    likely = likelihoods(rules.text, settings.library)
+    library = library_with(settings.library)
     slots = concluded(said(likely, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)}))
-    slots = concluded(settled(replace(rules, slots=slots), rules.slots, library, load_embedder(), likely))
+    slots = concluded(
+        settled(replace(rules, slots=slots), rules.slots, library, load_embedder(settings.embedder), likely)
+    )
     notes = [
         f"{name}: the patterns read {was}, the classifier {now}"
         for name in VALUES

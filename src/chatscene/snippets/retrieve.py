@@ -47,8 +47,8 @@ FAR_WORDING, NEAR_WORDING = 0.25, 0.6  # cosines of a behavior's wording that co
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
 OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
 NARROWER = 0.85  # agreement of a place that is one kind of what was said
-AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
 CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
+AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
 PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
 PLACE_WORDING = 0.1  # weight of wording for geometry and spawn: it decides among equals
 # Of a behavior: cosine of the adversary's part, shared words, log-likelihood under the classifier. Fitted by likelihood
@@ -96,7 +96,7 @@ def retrieve(
         scenario: What was understood.
         library: What can be chosen.
         embedder: Measures wording.
-        settings: Weights, and the confidence below which nothing is chosen.
+        settings: How many candidates are named, and the confidence below which nothing is chosen.
 
     Raises:
         NothingFits: No triple serves it well enough; the message names the nearest.
