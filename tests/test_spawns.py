@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
@@ -66,7 +68,7 @@ def _starts(spawn_id: str) -> tuple[tuple[Episode, Route], ...]:
     return tuple(found)
 
 
-def _poses(spawn: Snippet) -> list[tuple[tuple[str, ...], np.ndarray]]:
+def _poses(spawn: Snippet) -> list[tuple[tuple[str, ...], NDArray[Any]]]:
     """Of each of the three drives, the kinds of all but the ego and their (N, 3) poses."""
     return [
         (
