@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from chatscene.agent.decompose import decompose
 from chatscene.errors import NothingFits
-from chatscene.snippets.bind import bound, out_of_reach
+from chatscene.snippets.bind import Triple, bound, distances, out_of_reach
 from chatscene.snippets.library import load_library, names_of
-from chatscene.terms.scenario import Measure, Quantity
+from chatscene.terms.scenario import FAR, NEAR, Distance, Measure, Quantity, Scenario, Slots
 
 LIBRARY = load_library()
 TRIPLE = (
@@ -47,8 +49,43 @@ def said(measure: Measure, value: float) -> Quantity:
     return Quantity(measure=measure, value=value, said="so much")
 
 
+def scenario(*quantities: Quantity, distance: Distance | None = None) -> Scenario:
+    return replace(decompose("A car brakes."), slots=Slots(distance=distance), quantities=quantities)
+
+
+def start_of(triple: Triple) -> tuple[float, float]:
+    return next((p.low, p.high) for p in triple[2].parameters if p.name == "OPT_GEO_Y")
+
+
+@pytest.mark.parametrize(
+    ("spawn", "distance", "begins", "ends"),
+    [("ahead-right-edge", Distance.NEAR, 12.0, NEAR), ("roadside-right", Distance.FAR, FAR, 50.0)],
+)
+def test_a_start_that_was_said_to_be_near_or_far_is_narrowed(
+    spawn: str, distance: Distance, begins: float, ends: float
+) -> None:
+    triple, _ = bound((*TRIPLE[:2], LIBRARY.get(f"spawn/{spawn}")), scenario(distance=distance))
+    assert start_of(triple) == (begins, ends)
+
+
+def test_metres_that_were_said_count_before_near() -> None:
+    triple, _ = bound(TRIPLE, scenario(said(Measure.DISTANCE, 30.0), distance=Distance.FAR))
+    assert start_of(triple) == (27.0, 33.0)
+
+
+def test_whoever_waits_beside_the_road_may_set_out_near_the_ego_from_where_it_is() -> None:
+    assert distances(TRIPLE[2]) == {Distance.NEAR, Distance.FAR}
+    assert bound(TRIPLE, scenario(distance=Distance.NEAR))[0] == TRIPLE
+
+
+def test_a_start_that_cannot_be_far_is_not_told_to_be() -> None:
+    ahead = LIBRARY.get("spawn/ahead-in-lane")
+    assert distances(ahead) == {Distance.NEAR}
+    assert bound((*TRIPLE[:2], ahead), scenario(distance=Distance.FAR))[0][2] == ahead
+
+
 def test_a_speed_narrows_header_and_code_alike() -> None:
-    (behavior, *_), notes = bound(TRIPLE, [said(Measure.SPEED, 2.0)])
+    (behavior, *_), notes = bound(TRIPLE, scenario(said(Measure.SPEED, 2.0)))
     (speed,) = [p for p in behavior.parameters if p.name == "OPT_ADV_SPEED"]
     assert (speed.low, speed.high) == (1.8, 2.2)
     assert names_of(behavior.source, ()).parameters["OPT_ADV_SPEED"] == (1.8, 2.2)
@@ -57,11 +94,11 @@ def test_a_speed_narrows_header_and_code_alike() -> None:
 
 def test_a_speed_nobody_on_foot_can_reach_is_refused() -> None:
     with pytest.raises(NothingFits, match="cannot do 'so much'"):
-        bound(TRIPLE, [said(Measure.SPEED, 14.0)])
+        bound(TRIPLE, scenario(said(Measure.SPEED, 14.0)))
 
 
 def test_a_quantity_that_nothing_can_be_set_to_is_told() -> None:
-    triple, (note,) = bound(TRIPLE, [said(Measure.TIME, 3.0)])
+    triple, (note,) = bound(TRIPLE, scenario(said(Measure.TIME, 3.0)))
     assert triple == TRIPLE
     assert "so much" in note
 
@@ -71,9 +108,9 @@ def test_what_is_in_reach_stays_within_the_declared_ranges(value: float, measure
     quantity = said(measure, value)
     if any(out_of_reach(part, [quantity]) for part in TRIPLE):
         with pytest.raises(NothingFits):
-            bound(TRIPLE, [quantity])
+            bound(TRIPLE, scenario(quantity))
         return
-    triple, _ = bound(TRIPLE, [quantity])
+    triple, _ = bound(TRIPLE, scenario(quantity))
     for before, after in zip(TRIPLE, triple, strict=True):
         for old, new in zip(before.parameters, after.parameters, strict=True):
             assert old.low <= new.low <= new.high <= old.high

@@ -79,7 +79,15 @@ class Unsatisfiable(ProgramError):  # noqa: N818
 
 
 class MeansSomethingElse(ProgramError):  # noqa: N818
-    """The program runs, but its tracks do not show what the sentence says."""
+    """The program runs, but its tracks do not show what the sentence says.
+
+    Attributes:
+        blamed: Ids of the snippets that do not show it together; none for a program that has none.
+    """
+
+    def __init__(self, message: str, *, blamed: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.blamed = blamed
 
 
 class SimulationError(ChatSceneError):

@@ -21,10 +21,9 @@ from chatscene.errors import ChatSceneError, Diverged, MapError, MeansSomethingE
 from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
-from chatscene.program.check import check
 from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import climb, load_generator
 from chatscene.search.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
@@ -172,13 +171,17 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     scenario = generator.read(record.text, settings.retrieval)
     runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
     written = generator.write(scenario, settings.retrieval)
-    program = written.program
     runs.write_explanation(run, runs.explain(record.text, [(scenario, written.retrieval)]))
-    runs.write_program(run, scenario.id, program.source)
+    runs.write_program(run, scenario.id, written.program.source)
 
     progress("checking that the program means it", 0, 0)
     backend = generator.backend(map_path, settings.simulation)
-    check(program, scenario.slots, backend, load_ego(record.ego))
+    written, _ = climb(
+        generator, scenario, written, settings=settings.retrieval, backend=backend, ego=load_ego(record.ego)
+    )
+    program = written.program
+    runs.write_explanation(run, runs.explain(record.text, [(scenario, written.retrieval)]))
+    runs.write_program(run, scenario.id, program.source)
     routes = _routes(backend, program, settings.search.routes)
     if len(routes) < settings.search.routes:
         progress(f"map {record.map_name!r} has {len(routes)} of the {settings.search.routes} routes asked for", 0, 0)
@@ -272,7 +275,7 @@ def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:
     generator = load_generator(record.generator)
     settings = runs.settings_of(record).retrieval
     scenario = generator.read(record.text, settings)
-    program = generator.write(scenario, settings).program
+    program = generator.write(scenario, settings, runs.read_tried(run)).program
     if runs.read_programs(run).get(scenario.id) != program.source:
         raise Diverged(
             f"the library has changed since {run.path} was made: it now makes another program of the sentence; "

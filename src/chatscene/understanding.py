@@ -23,19 +23,19 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, Se
 from chatscene.evaluate.score import wilson
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
-from chatscene.program.assemble import assemble
-from chatscene.program.check import check
 from chatscene.program.meaning import check_meaning
+from chatscene.search.generator import Written, climb
+from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SimulationSettings
 from chatscene.simulate.backend import load_backend
-from chatscene.snippets.bind import bound
+from chatscene.snippets.bind import distances
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import Library, library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import OF_COMPONENT, nearest, retrieve
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Action, Component, Maneuver, Position, Scenario, Slots, includes
-from chatscene.terms.snippet import Retrieval, Snippet
+from chatscene.terms.snippet import Snippet
 from chatscene.workers import spread
 
 HELD_OUT = "held-out"
@@ -136,6 +136,8 @@ def serves(snippet: Snippet, said: Slots, component: Component) -> bool:
         if wanted is None or wanted is False:
             if name in BROUGHT and given:
                 return False
+        elif name == "distance" and given is None and wanted in distances(snippet):
+            continue
         elif given != wanted and not (name == "place" and given is not None and includes(wanted, given)):
             return False
     return True
@@ -185,16 +187,22 @@ def flipped(said: Slots, found: Sequence[Snippet]) -> bool:
 # The measurement
 
 
-def judge(sentence: Sentence, library: Library, settings: RetrievalSettings, *, drive: bool) -> Judged:
-    """Read a sentence, find its triple, and run its program."""
-    scenario = read(sentence.text, settings)
+def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Judged:
+    """Read a sentence, find its triple, and climb the ladder with its program as a run does."""
+    generator = Retrieved()
+    scenario = generator.read(sentence.text, settings)
+    ran, failures = None, None
     try:
-        retrieval = retrieve(scenario, library, load_embedder(settings.embedder), settings)
-    except NothingFits as refusal:
+        written = generator.write(scenario, settings)
+        if drive and sentence.in_scope:
+            written, ran, failures = _driven(sentence, scenario, written, settings)
+    except (NothingFits, MeansSomethingElse) as refusal:
         nothing = dict.fromkeys(Component, False)
         return Judged(sentence=sentence, refusal=str(refusal), slots=scenario.slots, first=nothing, among_three=nothing)
+    retrieval = written.retrieval
+    assert retrieval is not None  # whoever retrieves says so
     matches = dict(zip(Component, (retrieval.behavior, retrieval.geometry, retrieval.spawn), strict=True))
-    judged = Judged(
+    return Judged(
         sentence=sentence,
         slots=scenario.slots,
         first={c: serves(m.snippet, sentence.slots, c) for c, m in matches.items()},
@@ -205,25 +213,25 @@ def judge(sentence: Sentence, library: Library, settings: RetrievalSettings, *, 
         same_behavior=retrieval.behavior.snippet.id == sentence.behavior,
         chosen=tuple(s.id for s in retrieval.snippets),
         flipped=flipped(sentence.slots, retrieval.snippets),
+        ran=ran,
+        failures=failures,
     )
-    return _driven(judged, scenario, retrieval) if drive and sentence.in_scope else judged
 
 
-def _driven(judged: Judged, scenario: Scenario, retrieval: Retrieval) -> Judged:
-    """Climb the ladder as a run does: what shows nothing of what was read is refused there."""
+def _driven(
+    sentence: Sentence, scenario: Scenario, first: Written, settings: RetrievalSettings
+) -> tuple[Written, bool, tuple[str, ...]]:
+    """What climbed the ladder, whether it ran, and what its drives never showed of what was written down."""
     backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    ego = load_ego("rule-based")
     try:
-        triple, _ = bound(retrieval.snippets, scenario.quantities)
-        program = assemble(scenario, triple, retrieval.adversary)
-        checked = check(program, scenario.slots, backend, load_ego("rule-based"))
-    except MeansSomethingElse as error:
-        nothing = dict.fromkeys(Component, False)
-        return replace(judged, refusal=str(error), first=nothing, among_three=nothing)
+        written, checked = climb(Retrieved(), scenario, first, settings=settings, backend=backend, ego=ego)
+    except MeansSomethingElse:
+        raise
     except ChatSceneError as error:
-        return replace(judged, ran=False, failures=(f"{type(error).__name__}: {error}",))
-    route = backend.route(program, 0)
-    failures = min((check_meaning(judged.sentence.slots, episode, route) for episode in checked.episodes), key=len)
-    return replace(judged, ran=True, failures=failures)
+        return first, False, (f"{type(error).__name__}: {error}",)
+    route = backend.route(written.program, 0)
+    return written, True, min((check_meaning(sentence.slots, e, route) for e in checked.episodes), key=len)
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,11 +243,10 @@ class _Setup:
 class _Judge:
     def __init__(self, setup: _Setup) -> None:
         self._setup = setup
-        self._library = library_with(setup.settings.library)
 
     def __call__(self, numbered: tuple[int, Sentence]) -> tuple[int, Judged]:
         number, sentence = numbered
-        return number, judge(sentence, self._library, self._setup.settings, drive=self._setup.drive)
+        return number, judge(sentence, self._setup.settings, drive=self._setup.drive)
 
 
 def measure(

@@ -41,22 +41,29 @@ KINDS: dict[AdversaryKind, re.Pattern[str]] = {
         r"teen\w*|worker|police officer|(?:elderly|old) (?:person|lady|gentleman)|somebody on foot|peds?"
     ),
     AdversaryKind.MOTORCYCLE: _p(
-        r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?)|bikers?|mopeds?|scooters?|motorist on two wheels|vespa|mc"
+        r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|motorist on two wheels|vespa|mc|"
+        r"(?:dirt|trials?|trail|pit|sports?|super|touring|enduro)[- ]?bikes?|scramblers?|harley|ducati|kawasaki|yamaha"
     ),
     AdversaryKind.BICYCLE: _p(
-        r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+"
+        r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
+        r"bmx(?:er)?|fixies?|pedelecs?|tandem|(?:push|racing|road|mountain|city|folding|delivery)[- ]?bikes?"
     ),
     AdversaryKind.EMERGENCY_VEHICLE: _p(
-        r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|"
+        r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|cop cars?|fire tenders?|medic units?|response (?:cars?|units?)|ems|"
         r"(?:emergency|rescue) (?:vehicles?|cars?|services?)"
     ),
     AdversaryKind.TRUCK: _p(
-        r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|tanker|dumper|removal van"
+        r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|tanker|dumper|removal van|"
+        r"artics?|articulated|juggernauts?|camions?|(?:eighteen|18)[- ]wheelers?|big rigs?|cement mixer|car transporter|"
+        r"low[- ]?loader|flatbed|dustcart|prime mover"
     ),
-    AdversaryKind.BUS: _p(r"(?:mini)?bus|buses|coach|coaches|shuttle"),
+    AdversaryKind.BUS: _p(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
     AdversaryKind.CAR: _p(
         r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|hatchback|"
-        r"estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|veh(?:icle)?|targets?|tesla|bmw|audi|golf"
+        r"estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|veh(?:icle)?|targets?|tesla|bmw|audi|golf|"
+        r"hatch|limos?|roadsters?|minicabs?|uber|4x4|corsa|prius|volvo|toyota|honda|fiat|micra|passat|skoda|renault|clio|"
+        r"peugeot|nissan|mazda|hyundai|kia|opel|vauxhall|mercedes|porsche|lexus|subaru|chevy|chevrolet|cadillac|camry|"
+        r"corolla|civic|fiesta|astra|polo|seat ibiza|citro[eë]n"
     ),
 }
 ENCOUNTER = _p(

@@ -95,11 +95,29 @@ def check(
         )
     meaning = [check_meaning(slots, episode, backend.route(program, route)) for episode in episodes]
     if all(meaning):
+        failures = min(meaning, key=len)
         raise MeansSomethingElse(
             f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
-            f"but none of {len(episodes)} drives shows what was said: {'; '.join(min(meaning, key=len))}"
+            f"but none of {len(episodes)} drives shows what was said: {'; '.join(failures)}",
+            blamed=_blamed(program, failures),
         )
     return Checked(episodes=tuple(episodes), meaning=tuple(meaning), rejected=tuple(rejected))
+
+
+def _blamed(program: ScenicProgram, failures: Sequence[str]) -> tuple[str, ...]:
+    """The snippets that fail together, by the first failure: an ego's way is its geometry's, a deed needs a start."""
+    if not program.snippet_ids:
+        return ()
+    behavior, geometry, spawn = program.snippet_ids
+    match failures[0].partition(":")[0]:
+        case "ego" | "control" | "place":
+            return (geometry,)
+        case "distance":
+            return (spawn,)
+        case "action":
+            return (behavior, spawn)
+        case _:
+            return (geometry, spawn)
 
 
 def _commonest(reasons: Sequence[str]) -> str:

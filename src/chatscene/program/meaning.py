@@ -16,7 +16,9 @@ from chatscene.program.deeds import ACTIONS, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.episode import Ending, Episode, Role, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Distance, Maneuver, Occluder, Place, Position, Side, Slots, includes
+from chatscene.terms.scenario import FAR, NEAR, Distance, Maneuver, Occluder, Place, Position, Side, Slots, includes
+
+IN_LANE = 1.75  # [m] from the ego's line
 
 OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
     Occluder.BUS_STOP: ("BusStop",),
@@ -122,13 +124,24 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
         failures.append("leader: no slow vehicle leads the ego")
     if slots.blocker and not any(_blocks(track, route) for track in _others(episode, Role.OCCLUDER)):
         failures.append("blocker: nothing is parked in the ego's lane")
-    if slots.distance is not None and not DISTANCES[slots.distance](float(np.hypot(seen.along[0], seen.across[0]))):
-        failures.append(
-            f"distance: said {slots.distance}, it starts {np.hypot(seen.along[0], seen.across[0]):.0f} m away"
-        )
+    if slots.distance is not None and not any(map(DISTANCES[slots.distance], away := _away(seen))):
+        failures.append(f"distance: said {slots.distance}, it is {', then '.join(f'{d:.0f}' for d in away)} m away")
     if slots.group and not any(_accompanies(other, track) for other in episode.adversaries[1:]):
         failures.append("group: the adversary is alone")
     return failures
+
+
+def _away(seen: Seen) -> tuple[float, ...]:
+    """How far [m] from the ego the adversary starts; of one that waits, also when it sets out and comes into the lane.
+
+    Who says that somebody stepped out just ahead speaks of the moment of the step.
+    """
+    apart = np.hypot(seen.track.x - seen.ego.x, seen.track.y - seen.ego.y)
+    moments = [0]
+    if seen.track.speed[0] < STANDING:
+        inside = (np.abs(seen.offset) < IN_LANE) & (seen.lead > 0.0)
+        moments += [int(np.argmax(event)) for event in (seen.track.speed > STANDING, inside) if event.any()]
+    return tuple(float(apart[moment]) for moment in moments)
 
 
 def _left_of_ego(seen: Seen, route: Route) -> float:
@@ -199,8 +212,8 @@ def _accompanies(other: Track, track: Track) -> bool:
 
 
 DISTANCES: dict[Distance, Callable[[float], bool]] = {
-    Distance.NEAR: lambda d: d <= 20.0,
-    Distance.FAR: lambda d: d >= 35.0,
+    Distance.NEAR: lambda d: d <= NEAR,
+    Distance.FAR: lambda d: d >= FAR,
 }
 
 POSITIONS: dict[Position, Callable[[Seen], bool]] = {

@@ -183,7 +183,7 @@ def _scenario(scenario: Row, *, alone: bool) -> str:
         f'{title}{_confidence(scenario)}<p class="slots">{slots}</p>'
         f"{f'<ul class=notes>{notes}</ul>' if notes else ''}"
         f'<p class="quiet">The bars show how near each snippet is to what was said, from 0 to 1.</p>'
-        f'<div class="cards">{cards}</div>{_ruled_out(scenario.get("ruled_out", []))}'
+        f'<div class="cards">{cards}</div>{_ruled_out(scenario)}'
     )
 
 
@@ -228,10 +228,13 @@ def _candidate(match: Row, chosen: bool) -> str:
     )
 
 
-def _ruled_out(ruled_out: Sequence[Row]) -> str:
-    if not ruled_out:
+def _ruled_out(scenario: Row) -> str:
+    """What scored better but cannot be joined, or was joined and did something else."""
+    found = [([out["snippet_id"]], out["reason"]) for out in scenario.get("ruled_out", [])]
+    found += [(one["snippet_ids"], one["reason"]) for one in scenario.get("tried", [])]
+    if not found:
         return ""
-    items = "".join(f"<li><code>{escape(out['snippet_id'])}</code> {escape(out['reason'])}</li>" for out in ruled_out)
+    items = "".join(f"<li><code>{escape(' with '.join(ids))}</code> {escape(reason)}</li>" for ids, reason in found)
     return f"<h3>Ruled out</h3><ul class=notes>{items}</ul>"
 
 

@@ -41,6 +41,7 @@ def _retrieval(retrieval: Retrieval) -> dict[str, Any]:
             for component in Component
         },
         "ruled_out": [{"snippet_id": out.snippet_id, "reason": out.reason} for out in retrieval.ruled_out],
+        "tried": [{"snippet_ids": list(one.snippet_ids), "reason": one.reason} for one in retrieval.tried],
     }
 
 

@@ -16,6 +16,7 @@ from chatscene.errors import RunError
 from chatscene.runs.atomic import TEMPORARY, read_json, sweep, write_bytes, write_json, writing
 from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, first_problem, settings_to_json
 from chatscene.settings import Settings
+from chatscene.terms.snippet import Tried
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,6 +207,16 @@ def read_explanation(run: Run) -> dict[str, Any]:
     """What was understood and why; empty if the run did not come that far."""
     path = run.file("explanation.json")
     return read_json(path) if path.is_file() else {}
+
+
+def read_tried(run: Run) -> tuple[Tried, ...]:
+    """The choices that were tried before the kept program was."""
+    scenarios = read_explanation(run).get("scenarios", [])
+    return tuple(
+        Tried(snippet_ids=tuple(one["snippet_ids"]), reason=one["reason"])
+        for scenario in scenarios
+        for one in scenario.get("tried", ())
+    )
 
 
 def write_drawing(run: Run, drawing: Mapping[str, Any]) -> None:

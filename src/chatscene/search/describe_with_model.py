@@ -196,7 +196,7 @@ class _Sieve:
             if scenario.base is None or self._base not in (None, scenario.base):
                 return Unserved(text, "base", f"it is read as {scenario.base or 'none of the eight'}")
             found = retrieve(scenario, self._library, self._embedder, self._settings)
-            bound(found.snippets, scenario.quantities)
+            bound(found.snippets, scenario)
         except (NothingFits, SettingsError) as error:
             return Unserved(text, "refused", printable(str(error), 300))
         behavior, geometry, spawn = (snippet.id for snippet in found.snippets)

@@ -14,13 +14,16 @@ from pathlib import Path
 from typing import Protocol
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import SettingsError, no_such
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError, no_such
+from chatscene.program.check import Checked, check
 from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.backend import Backend
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
-from chatscene.terms.snippet import Retrieval
+from chatscene.terms.snippet import Retrieval, Tried
+
+TRIES = 4  # how many choices climb the ladder before a sentence is refused
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,8 +58,8 @@ class Generator(Protocol):
         """
         ...
 
-    def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:
-        """The program of a scenario.
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
+        """The program of a scenario; another one than those that were tried.
 
         Raises:
             NothingFits: It cannot make one.
@@ -80,6 +83,47 @@ class Generator(Protocol):
     ) -> Iterator[Block]:
         """The blocks of one route that are still to be done; `collided` holds what collided in those that are."""
         ...
+
+
+def climb(
+    generator: Generator,
+    scenario: Scenario,
+    first: Written,
+    *,
+    settings: RetrievalSettings,
+    backend: Backend,
+    ego: EgoPolicy,
+) -> tuple[Written, Checked]:
+    """The best program of a scenario that climbs the validation ladder: where one shows something else, the next best.
+
+    Args:
+        generator: Who writes the programs.
+        scenario: What was said.
+        first: The best choice, not tried yet.
+        settings: Of the retrieval.
+        backend: Where to drive.
+        ego: Who drives.
+
+    Raises:
+        MeansSomethingElse: Neither the first choice nor the next ones show it; this is about the first.
+        ChatSceneError: The first choice fails in another way.
+    """
+    written, tried = first, list[Tried]()
+    refusal: MeansSomethingElse | None = None
+    while True:
+        try:
+            return written, check(written.program, scenario.slots, backend, ego)
+        except MeansSomethingElse as error:
+            refusal = refusal or error
+            tried.append(Tried(snippet_ids=error.blamed, reason=str(error)))
+            if len(tried) == TRIES or not error.blamed:
+                raise refusal from None
+        except ChatSceneError as error:
+            raise refusal or error from None
+        try:
+            written = generator.write(scenario, settings, tried)
+        except NothingFits:
+            raise refusal from None
 
 
 GENERATORS: dict[str, str] = {

@@ -14,6 +14,7 @@ from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSett
 from chatscene.simulate.backend import Backend
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import Tried
 
 _NAMED = "## program "  # how the text of such a run begins
 _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spawn="as programmed")
@@ -35,7 +36,7 @@ class OwnProgram:
         """The scenario of a program; nothing was said, so nothing is held against it."""
         return Scenario(id=_program(text).scenario_id, text=text, base=None, parts=_PARTS, slots=Slots())
 
-    def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:  # noqa: ARG002
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
         """The program itself."""
         return Written(program=_program(scenario.text), retrieval=None)
 

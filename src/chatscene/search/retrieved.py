@@ -22,6 +22,7 @@ from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import Tried
 
 
 class Retrieved:
@@ -37,10 +38,11 @@ class Retrieved:
         listed = next((base for base, texts in _benchmark_texts().items() if text in texts), None)
         return scenario if listed is None else replace(scenario, base=listed)
 
-    def write(self, scenario: Scenario, settings: RetrievalSettings) -> Written:
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
-        retrieval = retrieve(scenario, library_with(settings.library), load_embedder(settings.embedder), settings)
-        triple, notes = bound(retrieval.snippets, scenario.quantities)
+        library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+        retrieval = retrieve(scenario, library, embedder, settings, tried)
+        triple, notes = bound(retrieval.snippets, scenario)
         program = assemble(scenario, triple, retrieval.adversary)
         retrieval = replace(retrieval, notes=notes)
         return Written(program=program, retrieval=retrieval)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
-from chatscene.terms.scenario import Measure, Quantity
+from chatscene.terms.scenario import FAR, NEAR, Distance, Measure, Position, Quantity, Scenario
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
@@ -21,15 +22,17 @@ _NAMES = {
     Measure.TIME: "OPT_STOP_TIME",
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
 }
+_STARTS = {Distance.NEAR: (-NEAR, NEAR), Distance.FAR: (FAR, math.inf)}
+_WAITING = (Position.ROADSIDE, Position.FAR_CORNER, Position.KERB)  # until the ego comes near
 _FROM_EGO = re.compile(r"how far (?:ahead of|behind|along) the ego")  # other distances start elsewhere
 
 
-def bound(triple: Triple, quantities: Sequence[Quantity]) -> tuple[Triple, tuple[str, ...]]:
-    """Narrow the parameters that quantities speak of.
+def bound(triple: Triple, scenario: Scenario) -> tuple[Triple, tuple[str, ...]]:
+    """Narrow the parameters that quantities speak of, and those that make a start near or far.
 
     Args:
         triple: The snippets.
-        quantities: What was said.
+        scenario: What was said.
 
     Returns:
         The snippets, with code and header narrowed alike; and a note for each quantity that none of them can follow.
@@ -39,13 +42,36 @@ def bound(triple: Triple, quantities: Sequence[Quantity]) -> tuple[Triple, tuple
     """
     notes: list[str] = []
     parts = list(triple)
-    for quantity in quantities:
+    if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in scenario.quantities):
+        parts = [_begun(part, scenario.slots.distance) for part in parts]
+    for quantity in scenario.quantities:
         found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _speaks_of(quantity, p)]
         if not found:
             notes.append(f"{quantity.said!r} was heard, but nothing in these snippets can be set to it")
         for i, parameter in found:
             parts[i] = _narrowed(parts[i], parameter, quantity)
     return (parts[0], parts[1], parts[2]), tuple(notes)
+
+
+def distances(snippet: Snippet) -> frozenset[Distance]:
+    """How far from the ego a snippet can be told to let its adversary start, or set out if it waits at first."""
+    told = frozenset(distance for distance in Distance if _start(snippet, distance) is not None)
+    return told | {Distance.NEAR} if snippet.slots.position in _WAITING else told
+
+
+def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float, float] | None:
+    """The parameter that says how far from the ego the adversary starts, and the part of its range that is said."""
+    for parameter in snippet.parameters:
+        if parameter.name == _NAMES[Measure.DISTANCE] and _FROM_EGO.match(parameter.meaning):
+            low, high = max(parameter.low, _STARTS[distance][0]), min(parameter.high, _STARTS[distance][1])
+            return (parameter, low, high) if low < high else None
+    return None
+
+
+def _begun(part: Snippet, distance: Distance) -> Snippet:
+    """A snippet whose adversary starts near or far, if it can be told so."""
+    start = _start(part, distance)
+    return part if start is None else _set(part, *start)
 
 
 def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity]) -> int:
@@ -73,6 +99,11 @@ def _narrowed(part: Snippet, parameter: ParameterRange, quantity: Quantity) -> S
         )
     low = parameter.clip(quantity.value * (1 - SHARE))
     high = parameter.clip(quantity.value * (1 + SHARE))
+    return _set(part, parameter, low, high)
+
+
+def _set(part: Snippet, parameter: ParameterRange, low: float, high: float) -> Snippet:
+    """A snippet with a narrower range, in code and header alike."""
     narrowed = replace(parameter, low=round(low, 3), high=round(high, 3))
     line = re.compile(rf"^(param {parameter.name} = Range)\([^)]*\)", re.MULTILINE)
     return replace(

@@ -109,6 +109,12 @@ class Compatibility:
         fits = np.array([kind in s.adversaries for s in self.spawns])
         return self.mask & acts[:, None, None] & fits[None, None, :]
 
+    def with_all(self, ids: Sequence[str]) -> Mask:
+        """(B, G, S): triples that have all of some snippets."""
+        axes = (self.behaviors, self.geometries, self.spawns)
+        b, g, s = (np.array([part.id in ids for part in axis], np.intp) for axis in axes)
+        return b[:, None, None] + g[:, None] + s == len(ids)
+
 
 @lru_cache(maxsize=4)
 def compatibility(library: Library) -> Compatibility:

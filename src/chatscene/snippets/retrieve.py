@@ -7,6 +7,7 @@ an embedding hardly tells left from right (decisions 0006 and 0017).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from chatscene.agent.decompose import UNKNOWN
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.bind import out_of_reach
+from chatscene.snippets.bind import distances, out_of_reach
 from chatscene.snippets.compatibility import compatibility, incompatibility
 from chatscene.snippets.embedding import Embedder, Vectors
 from chatscene.snippets.library import Library
@@ -26,7 +27,7 @@ from chatscene.snippets.vector_index import VectorIndex, build_cached
 from chatscene.snippets.wording_index import WordingIndex, word_index
 from chatscene.snippets.wording_vectors import vectors_of
 from chatscene.terms.scenario import Action, AdversaryKind, Component, Distance, Place, Scenario, Side, Slots, includes
-from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet
+from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
 OF_COMPONENT: dict[Component, tuple[str, ...]] = {
     Component.BEHAVIOR: ("actions", "position", "control"),
@@ -46,7 +47,7 @@ BEYOND = 0.3  # … or where something is spoken of that no snippet has
 FAR_WORDING, NEAR_WORDING = 0.25, 0.6  # cosines of a behavior's wording that count as nothing and as all
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
 OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
-NARROWER = 0.85  # agreement of a place that is one kind of what was said
+NARROWER = 0.85  # agreement of a place that is one kind of what was said, of a distance that can be told
 CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
 AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
 PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
@@ -88,7 +89,11 @@ def nearest(
 
 
 def retrieve(
-    scenario: Scenario, library: Library, embedder: Embedder, settings: RetrievalSettings | None = None
+    scenario: Scenario,
+    library: Library,
+    embedder: Embedder,
+    settings: RetrievalSettings | None = None,
+    tried: Sequence[Tried] = (),
 ) -> Retrieval:
     """Choose the compatible triple that serves a scenario best.
 
@@ -97,13 +102,14 @@ def retrieve(
         library: What can be chosen.
         embedder: Measures wording.
         settings: How many candidates are named, and the confidence below which nothing is chosen.
+        tried: Choices that did not show what was said; they are not made again.
 
     Raises:
         NothingFits: No triple serves it well enough; the message names the nearest.
     """
     settings = settings or RetrievalSettings()
     likely = likelihoods(scenario.text, settings.library)
-    ranked, triple = _best(scenario, library, embedder, likely)
+    ranked, triple = _best(scenario, library, embedder, likely, tried)
     confidence = _confidence(scenario, triple, likely)
     if confidence < settings.refuse_below:
         raise NothingFits(_refusal(scenario, triple, confidence))
@@ -115,6 +121,7 @@ def retrieve(
         confidence=confidence,
         candidates={component: ranking.best(settings.candidates) for component, ranking in ranked.items()},
         ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary),
+        tried=tuple(tried),
     )
 
 
@@ -151,14 +158,16 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
 
 
 def _best(
-    scenario: Scenario, library: Library, embedder: Embedder, likely: Probabilities
+    scenario: Scenario, library: Library, embedder: Embedder, likely: Probabilities, tried: Sequence[Tried] = ()
 ) -> tuple[dict[Component, _Ranking], tuple[Match, ...]]:
-    """Every component ranked, and the compatible triple that scores highest."""
+    """Every component ranked, and the compatible triple that scores highest of those that were not tried."""
     joint = compatibility(library)
     ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
     allowed = joint.of_kind(scenario.slots.adversary)
     if not allowed.any():
         raise NothingFits(f"nothing in the library has a {scenario.slots.adversary} as adversary")
+    for one in tried:
+        allowed = allowed & ~joint.with_all(one.snippet_ids)
     scores = [ranked[component].score.astype(np.float32) for component in Component]
     total = scores[0][:, None, None] + (scores[1][:, None] + scores[2][None, :])[None]
     index = np.unravel_index(int(np.argmax(np.where(allowed, total, np.float32(-np.inf)))), allowed.shape)
@@ -241,9 +250,9 @@ class _Shelf:
         self.values: dict[str, list[Any]] = {}
         self.codes: dict[str, NDArray[np.intp]] = {}
         for name in sorted(names):
-            values = list(dict.fromkeys(getattr(s.slots, name) for s in snippets))
+            values = list(dict.fromkeys(_does(s, name) for s in snippets))
             self.values[name] = values
-            self.codes[name] = np.array([values.index(getattr(s.slots, name)) for s in snippets])
+            self.codes[name] = np.array([values.index(_does(s, name)) for s in snippets])
 
     @cached_property
     def index(self) -> VectorIndex:
@@ -338,16 +347,22 @@ def _beliefs(slots: Slots, likely: Probabilities) -> Beliefs:
 
 def _free(name: str, value: object) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
-    if value in (None, False):
+    if value in (None, False) or isinstance(value, frozenset):
         return 1.0
     return UNASKED if name in ADDED else UNASKED_VALUE
+
+
+def _does(snippet: Snippet, name: str) -> Any:
+    """What a snippet does of a slot; where it leaves a distance open, those that it can be told."""
+    value = getattr(snippet.slots, name)
+    return distances(snippet) if name == "distance" and value is None else value
 
 
 def _conflicts(said: Slots, snippet: Snippet, component: Component) -> list[str]:
     """The facts that a snippet contradicts, in words."""
     found: list[str] = []
     for slot in OF_COMPONENT[component]:
-        wanted, does = getattr(said, slot), getattr(snippet.slots, slot)
+        wanted, does = getattr(said, slot), _does(snippet, slot)
         if slot == "actions":
             turned = [turn for turn in TURNS if turn in wanted]
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
@@ -365,6 +380,8 @@ def _agreement(said: object, does: object) -> float:
     """How well a snippet does one fact, in [0, 1]."""
     if does is None:
         return 0.0 if said is True else OPEN if isinstance(said, (Side, Distance)) else UNSAID
+    if isinstance(does, frozenset):
+        return NARROWER if said in does else OPEN
     if said == does:
         return 1.0
     if isinstance(said, Place) and isinstance(does, Place):

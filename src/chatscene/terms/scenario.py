@@ -95,11 +95,14 @@ class Position(StrEnum):
     KERB = "kerb"  # a vehicle standing at the edge of the road, ahead
 
 
-class Distance(StrEnum):
-    """How far from the ego the adversary starts."""
+NEAR, FAR = 20.0, 35.0  # [m] at most, at least
 
-    NEAR = "near"  # 20 m at most
-    FAR = "far"  # 35 m at least
+
+class Distance(StrEnum):
+    """How far from the ego the adversary starts, or begins to move."""
+
+    NEAR = "near"
+    FAR = "far"
 
 
 class Occluder(StrEnum):

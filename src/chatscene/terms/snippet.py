@@ -96,6 +96,19 @@ class RuledOut:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Tried:
+    """A choice whose program ran, but whose drives did not show what was said.
+
+    Attributes:
+        snippet_ids: The snippets of it that do not show it together; no triple with all of them is chosen again.
+        reason: What was not shown.
+    """
+
+    snippet_ids: tuple[str, ...]
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Retrieval:
     """The compatible triple that was chosen, and the evidence.
 
@@ -107,6 +120,7 @@ class Retrieval:
         confidence: In [0, 1]; below the settings' threshold the answer is a refusal.
         candidates: The best few per component, best first.
         ruled_out: Better-scoring snippets that no compatible triple could use.
+        tried: Better choices whose drives did not show what was said.
         notes: Quantities that were heard but cannot be set in these snippets.
     """
 
@@ -117,6 +131,7 @@ class Retrieval:
     confidence: float
     candidates: dict[Component, tuple[Match, ...]]
     ruled_out: tuple[RuledOut, ...] = ()
+    tried: tuple[Tried, ...] = ()
     notes: tuple[str, ...] = ()
 
     @property
