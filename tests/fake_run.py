@@ -21,8 +21,8 @@ from chatscene.runs import (
     write_explanation,
     write_program,
 )
-from chatscene.search.explore import Block, collided_values
-from chatscene.search.refine import refine
+from chatscene.search.explore import Block, outcomes
+from chatscene.search.samplers.paper import refine
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
@@ -220,7 +220,7 @@ def blocks(count: int = 5, *, route: int = 0, scenes: int = 10, steps: int = 100
     hits: list[dict[str, float]] = []
     for number in range(count):
         done.append(block(number, refine(DECLARED, hits), route=route, scenes=scenes, steps=steps))
-        hits += collided_values(done[-1])
+        hits += [dict(outcome.values) for outcome in outcomes(done[-1]) if outcome.collided]
     return done
 
 

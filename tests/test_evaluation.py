@@ -23,10 +23,11 @@ from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_
 from chatscene.evaluation import carry_on, evaluate
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
-from chatscene.search.explore import Block
+from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import GENERATORS, Generator, load_generator
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.embedded import backend as embedded
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario
 
 TEXTS = (
@@ -203,7 +204,7 @@ class TestEveryGenerator:
         backend = generator.backend(resolve_map("town"), SETTINGS.simulation)
         ego = load_ego("rule-based")
 
-        def explore(collided: list[list[dict[str, float]]]) -> list[Block]:
+        def search(done: list[list[Outcome]]) -> list[Block]:
             return list(
                 generator.explore(
                     program,
@@ -212,13 +213,12 @@ class TestEveryGenerator:
                     backend=backend,
                     ego=ego,
                     settings=SETTINGS.search,
-                    collided=collided,
+                    done=done,
                 )
             )
 
-        whole = explore([])
-        hits = [dict(r.scene.values) for r in whole[0].ran if r.episode.collision is not None]
-        (rest,) = explore([hits])
+        whole = search([])
+        (rest,) = search([outcomes(whole[0])])
         assert len(whole) == 2
         assert [r.scene for r in rest.ran] == [r.scene for r in whole[1].ran]
 

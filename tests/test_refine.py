@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.program.sample import draw
-from chatscene.search.refine import refine
+from chatscene.search.samplers.paper import refine
 from chatscene.terms.snippet import ParameterRange
 
 SPEED = ParameterRange(name="OPT_ADV_SPEED", low=0.0, high=5.0, unit="m/s", meaning="How fast it walks.")

@@ -39,6 +39,7 @@ from chatscene.runs import (
     update,
     write_block,
 )
+from chatscene.search.explore import outcomes
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.episode import Episode
 from fake_run import DECLARED, SCENARIO, TEXT, blocks, drive, finished, scene, selection, started
@@ -135,9 +136,9 @@ def test_a_run_stopped_after_two_blocks_ends_like_one_that_was_not(tmp_path: Pat
     for block in done[:2]:
         write_block(stopped, block)
     again = open_run(tmp_path / "stopped")
-    collided = resume(again)[SCENARIO, 0]
-    assert collided == [[dict(r.scene.values) for r in b.ran if r.episode.collision] for b in done[:2]]
-    for block in done[len(collided) :]:
+    before = resume(again)[SCENARIO, 0]
+    assert before == [outcomes(block) for block in done[:2]]
+    for block in done[len(before) :]:
         write_block(again, block)
     for run in (whole, again):
         finish(run, selected=selection(done))

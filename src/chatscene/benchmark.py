@@ -22,6 +22,7 @@ from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
 from chatscene.pipeline import Progress, search
 from chatscene.runs.atomic import read_json, write_json, writing
 from chatscene.search.generator import load_generator
+from chatscene.search.sampler import load_sampler
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario
 from chatscene.workers import spread
@@ -29,10 +30,10 @@ from chatscene.workers import spread
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Budget:
-    """How much a generator may try.
+    """How much a generator may try, and how much is kept: the same for all.
 
     Attributes:
-        scenarios: Per base scenario.
+        scenarios: Per base scenario; a generator that has fewer tries, and keeps, as much more with each.
         search: Scenes, blocks, routes and how many are kept, per scenario.
     """
 
@@ -40,6 +41,7 @@ class Budget:
     search: SearchSettings
 
 
+REFERENCE = "reference"  # the budget that is each generator's own
 BUDGETS: dict[str, Budget] = {
     "paper": Budget(scenarios=5, search=SearchSettings(scenes=50, block=10, keep=2, routes=10)),
     "small": Budget(scenarios=2, search=SearchSettings(scenes=20, block=10, keep=2, routes=2)),
@@ -92,6 +94,7 @@ def benchmark(
     surrogate: str = "sac",
     map_name: str = "town",
     seed: int = 0,
+    sampler: str = "paper",
     avoidable_only: bool = False,
     jobs: int = 1,
     progress: Progress,
@@ -103,13 +106,12 @@ def benchmark(
         RunError: The folder holds something else, or a benchmark with other settings.
         MapError: The map serves none of the scenarios.
     """
-    if budget not in BUDGETS:
-        raise SettingsError(no_such("budget", budget, BUDGETS))
-    chosen = BUDGETS[budget]
-    settings = Settings(search=replace(chosen.search, seed=seed, avoidable_only=avoidable_only))
+    load_sampler(sampler)
+    scenarios, search = _share(generator, budget)
+    settings = Settings(search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler))
     setup = _Setup(generator=generator, settings=settings, map_name=map_name, surrogate=surrogate)
     record = _open(folder, {"generator": generator, "budget": budget, "egos": list(egos), **asdict(setup)})
-    tasks = _tasks(folder, generator, chosen.scenarios)
+    tasks = _tasks(folder, generator, scenarios)
 
     began = time.monotonic()
     refused: dict[str, str] = {}
@@ -132,6 +134,20 @@ def benchmark(
     return Benchmarked(
         folder=folder, evaluated=evaluated, refused=refused, counts=record["counts"], seconds=record["seconds"]
     )
+
+
+def _share(generator: str, budget: str) -> tuple[int, SearchSettings]:
+    """How many scenarios a generator has per base scenario within a budget, and how much it tries with each."""
+    source = load_generator(generator)
+    texts = max(len(source.texts(base)) for base in BaseScenario)
+    if budget == REFERENCE:
+        return texts, source.reference
+    if budget not in BUDGETS:
+        raise SettingsError(no_such("budget", budget, (*BUDGETS, REFERENCE)))
+    whole = BUDGETS[budget]
+    scenarios = min(max(texts, 1), whole.scenarios)
+    scenes, keep = (whole.scenarios * number // scenarios for number in (whole.search.scenes, whole.search.keep))
+    return scenarios, replace(whole.search, scenes=scenes, keep=keep)
 
 
 def _spent(folder: Path, record: dict[str, Any], phase: str, seconds: float) -> dict[str, Any]:

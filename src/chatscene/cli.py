@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
+from chatscene.cli_finetune import finetune
 from chatscene.cli_library import JSON, READING, Reading, console, library, progress
 from chatscene.cli_proposal import COMMANDS, describe
+from chatscene.cli_reproduce import reproduce
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 
 if TYPE_CHECKING:
@@ -23,6 +25,13 @@ if TYPE_CHECKING:
 
 MAP = click.option(
     "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
+)
+
+SAMPLER = click.option(
+    "--sampler",
+    default="paper",
+    show_default=True,
+    help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, quality-diversity.",
 )
 
 
@@ -73,6 +82,7 @@ def main() -> None:
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@SAMPLER
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -96,6 +106,7 @@ def run(
     routes: int,
     seed: int,
     avoidable: bool,
+    sampler: str,
     out: Path | None,
     jobs: int | None,
     as_json: bool,
@@ -113,7 +124,7 @@ def run(
     from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 
     settings = Settings(
-        search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable),
+        search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler),
         retrieval=RetrievalSettings(**reading),
     )
     for name, one in _texts(text, program).items():
@@ -187,11 +198,17 @@ def evaluate(
 
 @main.command()
 @click.option("--generator", default="chatscene", show_default=True, help="Who makes the scenes.")
-@click.option("--budget", default="small", show_default=True, help="'paper': 20,000 simulations; 'small': minutes.")
+@click.option(
+    "--budget",
+    default="small",
+    show_default=True,
+    help="'paper': 20,000 simulations; 'small': minutes; 'reference': as the reference lets each generator try.",
+)
 @click.option("--ego", "egos", multiple=True, help="Who is measured; repeat.  [default: sac, ppo, td3]")
 @click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
 @MAP
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@SAMPLER
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
@@ -203,6 +220,7 @@ def benchmark(
     surrogate: str,
     map_name: str,
     avoidable: bool,
+    sampler: str,
     seed: int,
     out: Path,
     jobs: int,
@@ -213,6 +231,7 @@ def benchmark(
     \b
     chatscene benchmark --budget small --out runs/benchmark
     chatscene benchmark --budget paper --jobs 2 --out runs/paper
+    chatscene benchmark --generator advsim --budget paper --jobs 2 --out runs/advsim
     """
     from chatscene import benchmark as benchmarks
     from chatscene import evaluation
@@ -225,6 +244,7 @@ def benchmark(
         surrogate=surrogate,
         map_name=map_name,
         avoidable_only=avoidable,
+        sampler=sampler,
         seed=seed,
         jobs=jobs,
         progress=progress(),
@@ -354,6 +374,8 @@ for command in COMMANDS:
     library.add_command(command)
 main.add_command(library)
 main.add_command(describe)
+main.add_command(finetune)
+main.add_command(reproduce)
 
 
 @main.group("map")

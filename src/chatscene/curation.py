@@ -25,7 +25,7 @@ from chatscene.workers import spread
 
 FITTING = "fitting"  # the packaged sentences that the reader may learn from
 KEPT_BACK = 8  # … but for those of one behavior in so many, on which the patterns are weighed against it
-OFTENER = 3  # times a sentence written by hand is seen for one composed
+OFTENER = 2  # times a sentence written by hand is seen for one composed
 _Trial = tuple[tuple[str, str, str], AdversaryKind] | None  # None: who is alike
 
 

@@ -25,6 +25,7 @@ from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
 from chatscene.search.generator import climb, load_generator
 from chatscene.search.retrieved import Retrieved
+from chatscene.search.sampler import load_sampler
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.backend import Backend
@@ -129,6 +130,7 @@ def run(
     load_generator(generator).read(text, settings.retrieval)  # an empty text leaves no folder behind
     resolve_map(map_name)
     load_ego(ego_name)
+    load_sampler(settings.search.sampler)
     kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
     return _carry_on(kept, jobs, progress or _silent)
 
@@ -218,7 +220,9 @@ def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
     return {
         s.scene_id: s.fill_in
         for candidates in jobs.values()
-        for s in select(candidates, count=settings.keep, avoidable_only=settings.avoidable_only)
+        for s in select(
+            candidates, count=settings.keep, selection=settings.selection, avoidable_only=settings.avoidable_only
+        )
     }
 
 

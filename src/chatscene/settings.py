@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from chatscene.errors import SettingsError
+from chatscene.errors import SettingsError, no_such
 
+SELECTIONS = ("worst", "last")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -20,6 +21,9 @@ class SearchSettings:
         avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
+        selection: ``worst``: scenes that collided first, of these the lowest scores (paper); ``last``: where the search
+            ended, whatever came of it (how the reference ships its baselines).
+        sampler: Who says where to look next, one of `chatscene.search.sampler.SAMPLERS` (paper: its own rule).
         seed: Everything random derives from it.
     """
 
@@ -29,12 +33,16 @@ class SearchSettings:
     avoidable_only: bool = False
     routes: int = 1
     tries: int = 100
+    selection: str = "worst"
+    sampler: str = "paper"
     seed: int = 0
 
     def __post_init__(self) -> None:
         for name in ("scenes", "block", "keep", "routes", "tries"):
             if getattr(self, name) < 1:
                 raise SettingsError(f"{name} must be at least 1, not {getattr(self, name)}")
+        if self.selection not in SELECTIONS:
+            raise SettingsError(no_such("selection", self.selection, SELECTIONS))
         if self.seed < 0:
             raise SettingsError(f"seed must not be negative, not {self.seed}")
 

@@ -1,6 +1,6 @@
 """Spread the blocks of a run over processes.
 
-A block needs the collisions of the blocks before it on the same route, and nothing else; so routes run side by
+A block needs what came of the blocks before it on the same route, and nothing else; so routes run side by
 side, and any number of processes gives the same blocks.
 """
 
@@ -19,17 +19,17 @@ from typing import Any, TypeVar
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import RunError
 from chatscene.runs import Run, write_block
-from chatscene.search.explore import collided_values
+from chatscene.search.explore import outcomes
 from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.backend import Backend
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
 
 Setup = TypeVar("Setup")
 Task = TypeVar("Task")
 Result = TypeVar("Result")
-Values = list[dict[str, float]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,8 +68,8 @@ class _Worker:
         self._generator = load_generator(work.generator)
         self._backend: Backend = self._generator.backend(work.map_path, work.settings.simulation)
 
-    def run_block(self, route: int, collided: list[Values]) -> Values:
-        """Run and keep the next block of a route; what collided in it."""
+    def run_block(self, route: int, done: list[list[Outcome]]) -> list[Outcome]:
+        """Run and keep the next block of a route; what came of it."""
         work = self._work
         block = next(
             self._generator.explore(
@@ -79,19 +79,21 @@ class _Worker:
                 backend=self._backend,
                 ego=self._ego,
                 settings=work.settings.search,
-                collided=collided,
+                done=done,
             )
         )
         write_block(Run(work.folder), block)
-        return collided_values(block)
+        return outcomes(block)
 
 
-def run_blocks(work: Work, done: Mapping[int, list[Values]], *, jobs: int, on_block: Callable[[int], None]) -> None:
+def run_blocks(
+    work: Work, done: Mapping[int, list[list[Outcome]]], *, jobs: int, on_block: Callable[[int], None]
+) -> None:
     """Run every block that is not done yet, and keep each in the run folder.
 
     Args:
         work: The run.
-        done: For each route, what collided in each block that is done.
+        done: For each route, what came of each block that is done.
         jobs: How many processes; 1 runs in this one.
         on_block: Told after each block how many were run.
 
@@ -120,7 +122,7 @@ def run_blocks(work: Work, done: Mapping[int, list[Values]], *, jobs: int, on_bl
 
 def _in_processes(
     work: Work,
-    history: dict[int, list[Values]],
+    history: dict[int, list[list[Outcome]]],
     routes: list[int],
     jobs: int,
     on_block: Callable[[int], None],
@@ -130,7 +132,7 @@ def _in_processes(
         jobs, mp_context=get_context("spawn"), initializer=_start_worker, initargs=(work,)
     ) as pool:
 
-        def submit(route: int) -> Future[Values]:
+        def submit(route: int) -> Future[list[Outcome]]:
             return pool.submit(_run_block, route, history[route])
 
         pending = {submit(route): route for route in routes}
@@ -156,8 +158,8 @@ def _start_worker(work: Work) -> None:
     _worker.append(_Worker(work))
 
 
-def _run_block(route: int, collided: list[Values]) -> Values:
-    return _worker[0].run_block(route, collided)
+def _run_block(route: int, done: list[list[Outcome]]) -> list[Outcome]:
+    return _worker[0].run_block(route, done)
 
 
 def spread(

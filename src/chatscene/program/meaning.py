@@ -16,7 +16,19 @@ from chatscene.program.deeds import ACTIONS, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.episode import Ending, Episode, Role, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import FAR, NEAR, Distance, Maneuver, Occluder, Place, Position, Side, Slots, includes
+from chatscene.terms.scenario import (
+    FAR,
+    NEAR,
+    WAITING,
+    Distance,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Side,
+    Slots,
+    includes,
+)
 
 IN_LANE = 1.75  # [m] from the ego's line
 
@@ -124,21 +136,23 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
         failures.append("leader: no slow vehicle leads the ego")
     if slots.blocker and not any(_blocks(track, route) for track in _others(episode, Role.OCCLUDER)):
         failures.append("blocker: nothing is parked in the ego's lane")
-    if slots.distance is not None and not any(map(DISTANCES[slots.distance], away := _away(seen))):
+    if slots.distance is not None and not any(
+        map(DISTANCES[slots.distance], away := _away(seen, waits=slots.position in WAITING))
+    ):
         failures.append(f"distance: said {slots.distance}, it is {', then '.join(f'{d:.0f}' for d in away)} m away")
     if slots.group and not any(_accompanies(other, track) for other in episode.adversaries[1:]):
         failures.append("group: the adversary is alone")
     return failures
 
 
-def _away(seen: Seen) -> tuple[float, ...]:
-    """How far [m] from the ego the adversary starts; of one that waits, also when it sets out and comes into the lane.
+def _away(seen: Seen, *, waits: bool) -> tuple[float, ...]:
+    """How far [m] from the ego the adversary starts; where it waits, also when it sets out and comes into the lane.
 
     Who says that somebody stepped out just ahead speaks of the moment of the step.
     """
     apart = np.hypot(seen.track.x - seen.ego.x, seen.track.y - seen.ego.y)
     moments = [0]
-    if seen.track.speed[0] < STANDING:
+    if waits and seen.track.speed[0] < STANDING:
         inside = (np.abs(seen.offset) < IN_LANE) & (seen.lead > 0.0)
         moments += [int(np.argmax(event)) for event in (seen.track.speed > STANDING, inside) if event.any()]
     return tuple(float(apart[moment]) for moment in moments)

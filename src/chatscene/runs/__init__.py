@@ -8,7 +8,7 @@
     rows = read_scenes(run)                     # to select from
     finish(run, selected={"…/scene-017": False})
 
-    run = open_run(folder); collided = resume(run)          # after a kill
+    run = open_run(folder); done = resume(run)              # after a kill
     episode = read_episode(run, "…/scene-017")              # exactly as simulated
 
 `docs/run-folder.md` lists the files and their columns.

@@ -42,6 +42,7 @@ from chatscene.runs.tables import (
     write_table,
 )
 from chatscene.terms.episode import Episode, Role, Track
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected
 from chatscene.terms.snippet import ParameterRange
 
@@ -170,7 +171,7 @@ def _read_part(path: Path) -> Part:
         ) from error
 
 
-def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
+def resume(run: Run) -> dict[tuple[str, int], list[list[Outcome]]]:
     """Make an unfinished run ready to go on, and say what is done.
 
     Half-written files of killed processes are removed and the status is ``running`` again. If every block is
@@ -178,8 +179,8 @@ def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
     `read_record` for the status next.
 
     Returns:
-        By scenario and route: for each block done, from block 0 without a gap, the parameter values of the
-        scenes that collided, in order; what `chatscene.search.explore.explore` takes as ``collided``.
+        By scenario and route: for each block done, from block 0 without a gap, what came of its scenes, in order;
+        what `chatscene.search.explore.explore` takes as ``done``.
     """
     sweep(run.path)
     if read_record(run).status is Status.DONE:
@@ -189,11 +190,21 @@ def resume(run: Run) -> dict[tuple[str, int], list[list[dict[str, float]]]]:
         return {}
     update(run, status=Status.RUNNING)
     groups = groupby(read_parts(run), key=lambda part: (part.scenario_id, part.route))
-    return {job: [_collided(p) for n, p in enumerate(parts) if p.block == n] for job, parts in groups}
+    return {job: [_outcomes(p) for n, p in enumerate(parts) if p.block == n] for job, parts in groups}
 
 
-def _collided(part: Part) -> list[dict[str, float]]:
-    return [dict(scene.values) for scene in part.scenes if scene.collision]
+def _outcomes(part: Part) -> list[Outcome]:
+    return [
+        Outcome(
+            values=dict(scene.values),
+            collided=bool(scene.collision),
+            distance=scene.criticality["distance"],
+            impact_speed=scene.impact_speed or 0.0,
+            completion=scene.route_completion or 0.0,
+        )
+        for scene in part.scenes
+        if scene.reason is None
+    ]
 
 
 def finish(

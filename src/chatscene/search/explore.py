@@ -1,4 +1,4 @@
-"""Steps 5 and 6 of 9: blocks of scenes, each drawn from ranges moved by what collided before.
+"""Steps 5 and 6 of 9: blocks of scenes, each where a sampler looks next, knowing what came of those before.
 
 Paper: section 3.3, steps iv and v, and section 4.2. A job is one scenario on one route; jobs are independent, so
 that any number of processes gives the same scenes.
@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.evaluate.drive import Ran, drive
-from chatscene.program.sample import draw, scene_seed
-from chatscene.search.refine import refine
+from chatscene.program.sample import scene_seed
+from chatscene.search.sampler import Proposal, load_sampler
 from chatscene.settings import SearchSettings
 from chatscene.simulate.backend import Backend
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -49,7 +50,7 @@ def explore(
     backend: Backend,
     ego: EgoPolicy,
     settings: SearchSettings,
-    collided: Sequence[Sequence[dict[str, float]]] = (),
+    done: Sequence[Sequence[Outcome]] = (),
 ) -> Iterator[Block]:
     """Search one route, block by block.
 
@@ -59,36 +60,38 @@ def explore(
         route: Index of the route.
         backend: Where to drive.
         ego: The surrogate ego.
-        settings: Scenes, block size, seed.
-        collided: For each block already done, the values of its scenes that collided; the search goes on after
-            them exactly as if it had not stopped.
+        settings: Scenes, block size, sampler, seed.
+        done: What came of each block already done; the search goes on after them exactly as if it had not stopped.
 
     Yields:
         The blocks still to be done.
     """
-    hits = [values for block in collided for values in block]
-    for number in range(len(collided), -(-settings.scenes // settings.block)):
-        ranges = refine(program.parameters, hits)
-        first = number * settings.block
-        block = _run_block(
-            program,
-            slots,
-            [
-                _Slot(program.scenario_id, route, number, index)
-                for index in range(first, min(first + settings.block, settings.scenes))
-            ],
-            ranges,
-            backend,
-            ego,
-            settings,
-        )
-        hits += collided_values(block)
+    sampler = load_sampler(settings.sampler)
+    history = list(done)
+    for number in range(len(done), -(-settings.scenes // settings.block)):
+        places = [
+            _Slot(program.scenario_id, route, number, index)
+            for index in range(number * settings.block, min((number + 1) * settings.block, settings.scenes))
+        ]
+        seed = scene_seed(settings.seed, f"{program.scenario_id}/route-{route:02d}/block-{number:03d}")
+        proposal = sampler.propose(program.parameters, history, count=len(places), seed=seed)
+        block = _run_block(program, slots, places, proposal, backend, ego, settings)
+        history.append(outcomes(block))
         yield block
 
 
-def collided_values(block: Block) -> list[dict[str, float]]:
-    """The values of the scenes of a block in which the ego collided, in order."""
-    return [dict(ran.scene.values) for ran in block.ran if ran.episode.collision is not None]
+def outcomes(block: Block) -> list[Outcome]:
+    """What came of the scenes of a block, in order."""
+    return [
+        Outcome(
+            values=dict(ran.scene.values),
+            collided=ran.episode.collision is not None,
+            distance=ran.criticality.distance,
+            impact_speed=ran.criticality.impact_speed or 0.0,
+            completion=float(ran.episode.route_completion),
+        )
+        for ran in block.ran
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +108,7 @@ def _run_block(
     program: ScenicProgram,
     slots: Slots,
     places: Sequence[_Slot],
-    ranges: tuple[ParameterRange, ...],
+    proposal: Proposal,
     backend: Backend,
     ego: EgoPolicy,
     settings: SearchSettings,
@@ -113,7 +116,7 @@ def _run_block(
     ran: list[Ran] = []
     rejected: list[Rejected] = []
     for place in places:
-        for scene in _draws(place, ranges, settings):
+        for scene in _draws(place, proposal, settings):
             outcome = drive(program, slots, scene, backend=backend, ego=ego)
             if isinstance(outcome, Ran):
                 ran.append(outcome)
@@ -123,13 +126,13 @@ def _run_block(
         scenario_id=program.scenario_id,
         route=places[0].route,
         number=places[0].block,
-        ranges=ranges,
+        ranges=proposal.ranges,
         ran=tuple(ran),
         rejected=tuple(rejected),
     )
 
 
-def _draws(place: _Slot, ranges: tuple[ParameterRange, ...], settings: SearchSettings) -> Iterator[Scene]:
+def _draws(place: _Slot, proposal: Proposal, settings: SearchSettings) -> Iterator[Scene]:
     """Scenes to try for one place: the first, then as many again as may be needed until one can be placed."""
     stem = f"{place.scenario_id}/route-{place.route:02d}/scene-{place.index:03d}"
     for attempt in range(settings.tries):
@@ -141,5 +144,5 @@ def _draws(place: _Slot, ranges: tuple[ParameterRange, ...], settings: SearchSet
             route=place.route,
             block=place.block,
             seed=seed,
-            values=draw(ranges, seed=seed),
+            values=proposal.draw(seed),
         )

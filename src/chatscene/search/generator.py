@@ -19,6 +19,7 @@ from chatscene.program.check import Checked, check
 from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.backend import Backend
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval, Tried
@@ -44,7 +45,13 @@ class Generator(Protocol):
 
     Determinism: the same text, settings and seed give the same scenes, whatever ran before and however often the
     search was interrupted.
+
+    Attributes:
+        reference: How much the reference lets it try per scenario, and what it keeps (`docs/baselines.md`).
     """
+
+    @property
+    def reference(self) -> SearchSettings: ...  # noqa: D102
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
         """The scenarios it searches with for a base scenario, in order of preference; perhaps none."""
@@ -79,9 +86,9 @@ class Generator(Protocol):
         backend: Backend,
         ego: EgoPolicy,
         settings: SearchSettings,
-        collided: Sequence[Sequence[dict[str, float]]],
+        done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
-        """The blocks of one route that are still to be done; `collided` holds what collided in those that are."""
+        """The blocks of one route that are still to be done; `done` holds what came of those that are."""
         ...
 
 
@@ -128,6 +135,10 @@ def climb(
 
 GENERATORS: dict[str, str] = {
     "chatscene": "chatscene.search.retrieved:Retrieved",
+    "learning-to-collide": "chatscene.search.baselines.learning_to_collide:LearningToCollide",
+    "advsim": "chatscene.search.baselines.advsim:AdvSim",
+    "adversarial-trajectory": "chatscene.search.baselines.adversarial_trajectory:AdversarialTrajectory",
+    "carla-scenario-generator": "chatscene.search.baselines.scenario_runner:ScenarioRunner",
     "program": "chatscene.search.own_program:OwnProgram",
 }
 

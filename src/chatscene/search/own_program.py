@@ -12,6 +12,7 @@ from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
 from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.backend import Backend
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
@@ -27,6 +28,8 @@ def text_of(own: ForeignProgram) -> str:
 
 class OwnProgram:
     """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract."""
+
+    reference = SearchSettings()
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:  # noqa: ARG002
         """None: a program of one's own belongs to no base scenario."""
@@ -53,10 +56,10 @@ class OwnProgram:
         backend: Backend,
         ego: EgoPolicy,
         settings: SearchSettings,
-        collided: Sequence[Sequence[dict[str, float]]],
+        done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
-        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, collided=collided)
+        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, done=done)
 
 
 def _program(text: str) -> ScenicProgram:

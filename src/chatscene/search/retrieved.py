@@ -20,6 +20,7 @@ from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
@@ -27,6 +28,8 @@ from chatscene.terms.snippet import Tried
 
 class Retrieved:
     """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
+
+    reference = SearchSettings(scenes=50, block=10, keep=2, routes=10)
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
         """Five sentences, in our words, for the situations of the paper's five."""
@@ -60,10 +63,10 @@ class Retrieved:
         backend: Backend,
         ego: EgoPolicy,
         settings: SearchSettings,
-        collided: Sequence[Sequence[dict[str, float]]],
+        done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
-        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, collided=collided)
+        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, done=done)
 
 
 @cache

@@ -41,12 +41,15 @@ class Selected:
     fill_in: bool
 
 
-def select(candidates: Iterable[Candidate], *, count: int, avoidable_only: bool = False) -> tuple[Selected, ...]:
+def select(
+    candidates: Iterable[Candidate], *, count: int, selection: str = "worst", avoidable_only: bool = False
+) -> tuple[Selected, ...]:
     """Scenes that collided first, lowest overall score first; if too few, the lowest-scoring others fill up.
 
     Args:
-        candidates: The scenes of one scenario on one route.
+        candidates: The scenes of one scenario on one route, in the order in which they were driven.
         count: How many to keep, at least 1.
+        selection: ``last`` keeps the last ones instead, whatever came of them.
         avoidable_only: Never keep a collision that a careful driver would not have avoided.
 
     Returns:
@@ -57,7 +60,10 @@ def select(candidates: Iterable[Candidate], *, count: int, avoidable_only: bool 
     """
     if count < 1:
         raise SettingsError(f"at least one scene must be kept, not {count}")
-    allowed = (c for c in candidates if not (avoidable_only and c.avoidable is False))
-    best = sorted(allowed, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
+    allowed = [c for c in candidates if not (avoidable_only and c.avoidable is False)]
+    if selection == "worst":
+        best = sorted(allowed, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
+    else:
+        best = allowed[-count:]
     kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))

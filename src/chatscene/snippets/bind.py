@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
-from chatscene.terms.scenario import FAR, NEAR, Distance, Measure, Position, Quantity, Scenario
+from chatscene.terms.scenario import FAR, NEAR, WAITING, Distance, Measure, Quantity, Scenario
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
@@ -23,7 +23,6 @@ _NAMES = {
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
 }
 _STARTS = {Distance.NEAR: (-NEAR, NEAR), Distance.FAR: (FAR, math.inf)}
-_WAITING = (Position.ROADSIDE, Position.FAR_CORNER, Position.KERB)  # until the ego comes near
 _FROM_EGO = re.compile(r"how far (?:ahead of|behind|along) the ego")  # other distances start elsewhere
 
 
@@ -56,7 +55,7 @@ def bound(triple: Triple, scenario: Scenario) -> tuple[Triple, tuple[str, ...]]:
 def distances(snippet: Snippet) -> frozenset[Distance]:
     """How far from the ego a snippet can be told to let its adversary start, or set out if it waits at first."""
     told = frozenset(distance for distance in Distance if _start(snippet, distance) is not None)
-    return told | {Distance.NEAR} if snippet.slots.position in _WAITING else told
+    return told | {Distance.NEAR} if snippet.slots.position in WAITING else told
 
 
 def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float, float] | None:

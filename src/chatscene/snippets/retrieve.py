@@ -42,7 +42,7 @@ ADDED = ("occluder", "leader", "blocker", "control", "group", "distance", "lanes
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
 NO_ACTION = 0.45  # confidence left where nothing the adversary does was understood
 NO_ADVERSARY = 0.3  # … or who it is
-GUESSED = 0.4  # … or where no word says outright who it is or what it does
+GUESSED = 0.35  # … or where no word says outright who it is or what it does
 BEYOND = 0.3  # … or where something is spoken of that no snippet has
 FAR_WORDING, NEAR_WORDING = 0.25, 0.6  # cosines of a behavior's wording that count as nothing and as all
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
@@ -152,8 +152,9 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
                 slots = replace(slots, actions=value) if known >= POSSIBLE or heard else slots
             elif said is not None and _agreement(said, value) == 0.0:
                 unsure = likely.slots[name].get(as_class(said), 0.0) < SURE
-                possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE or getattr(rules, name) == value
-                slots = replace(slots, **{name: value}) if unsure and possible else slots
+                possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE
+                read = getattr(rules, name) == value  # then words and library are two against one
+                slots = replace(slots, **{name: value}) if read or (unsure and possible) else slots
     return slots
 
 

@@ -95,11 +95,12 @@ class Position(StrEnum):
     KERB = "kerb"  # a vehicle standing at the edge of the road, ahead
 
 
+WAITING = (Position.ROADSIDE, Position.FAR_CORNER, Position.KERB)  # beside the road, until the ego comes near
 NEAR, FAR = 20.0, 35.0  # [m] at most, at least
 
 
 class Distance(StrEnum):
-    """How far from the ego the adversary starts, or begins to move."""
+    """How far from the ego the adversary starts; where it waits, also where it sets out and comes into the lane."""
 
     NEAR = "near"
     FAR = "far"

@@ -24,6 +24,22 @@
 #:   "Unexpected speed peak of neighbouring vehicle with immediate subsequent loss of velocity",
 #:   "BIKER floors it... then INSTANT REGRET (brakes)",
 #:   "The bus spurted, then checked itself.",
+#:   "Pickup puts its foot down, next thing it goes for the middle pedal.",
+#:   "Target: strong positive longitudinal acceleration, then strong negative. End of event.",
+#:   "The motorbike went vroom and then it went eeek and got slow.",
+#:   "Why would a lorry sprint and then rein itself in straight away?",
+#:   "HGV BOLTS, THEN CLAMPS ITS WHEELS",
+#:   "I want a scene where the hatchback tears off with a burst of power and a couple of seconds on uses its brakes.",
+#:   "Witness stated that the Transit surged as though late for something, and that its stop lamps lit up a heartbeat later as it lost way.",
+#:   "Please to observe: the coach first takes up much speed, all at once, and directly afterwards it is braking.",
+#:   "V2 was stated by its operator to have increased speed rapidly before he slowed it by heavy pedal application; no reason was given.",
+#:   "All units, silver saloon on the ring road, keeps pace, then floors it, now he's hauling it in again.",
+#:   "Notice the scooter, he winds it on as if the lights were about to change and then kills that speed with both levers.",
+#:   "I was minding my own business behind the wheel of my old Volvo when the minibus took off like a scalded cat. Hardly had I tutted about it than up went his rear end and he was braking for nothing I could see.",
+#:   "The brake phase seemed to come out of nowhere, but on the replay you notice what went before it: two seconds earlier the truck had pulled hard, gained maybe fifteen km/h on us, and only then did the driver press the brake.",
+#:   "In my thirty years on the artics I've seen some daft things. This tanker had been plodding along, then suddenly it had the horses out and was pulling like mad, and before I'd finished swearing the air brakes were hissing and it was dropping its speed.",
+#:   "Scenario intent: check that our prediction does not extrapolate the spurt of the other motorcycle. At the trigger distance it ramps up its velocity at the configured throttle for a short interval, and then it ramps it down with the configured brake pressure.",
+#:   "Monsieur, I think he wanted to make the green light. The bus, he launches himself with all his motor, we hear it roar, and then he gives up this idea and one sees the red lamps and he becomes slow.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Rapid unchecked approach of following vehicle toward ego rear; no deceleration.",
 #:   "SPEEDING CAR FILLS REAR CAMERA IN 2 SECONDS - NEVER LIFTS!!",
 #:   "A motorbike torpedoed toward our tail.",
+#:   "Ambulance gaining on you from astern, full chat, not backing off, over.",
+#:   "Can we have a motorbike storm up on our rear without ever checking its speed?",
+#:   "Grandad, the man behind is whooshing at us and he isn't braking!",
+#:   "Saloon, coming from the back with 100, foot stays on the gas",
+#:   "Overspeed follower; closing; brake lamps stay dark throughout.",
+#:   "I was pottering home from chapel when I noticed a pair of headlamps growing ever so large in my mirror, and dear me, they didn't slow one bit.",
+#:   "I want a scene in which the hatchback at our rear piles on the speed and keeps piling it on, as if the road ahead of it were empty.",
+#:   "According to the dash-cam, the gap to the trailing coupé was eaten up within three seconds, because its driver kept the throttle pinned and did nothing about the car before him.",
+#:   "When the robotaxi's rear radar flagged it, the police car was already doing double our speed; at no moment did it moderate its pace on our account.",
+#:   "Im Rückspiegel, how you say, in the mirror I see a car that shoots nearer and nearer, and the driver makes nothing to become slower.",
+#:   "Test 14: following vehicle gains on the subject vehicle under heavy acceleration and holds the throttle open regardless of the remaining distance.",
+#:   "I drive forty-four tonnes, so I don't get rattled easily. But last night on the dual carriageway a motorbike came screaming up towards my trailer doors as though it had a rocket strapped to it, and the fella on it wasn't shutting the throttle for me or for anybody.",
+#:   "The complainant states that she was proceeding at the limit along Marine Parade when she became aware of a loud engine. A silver estate was overhauling her from the rear at something like twice her pace, and she saw no dip of the bonnet, nothing that would suggest its driver meant to ease up.",
+#:   "So on the podcast today, a listener's story. She's in the left lane, sunny day, minding her business, and a fire engine comes barrelling up from way back there, and the thing about it is it just keeps coming at that same mad rate, like her little Fiat wasn't there at all.",
+#:   "For the rear-threat scenario let the follower hang back at first, then pour on power and close on the AV at a velocity far above ours. It must not respond to us in any way: no lift-off, no braking, as if the person at the wheel had nodded off.",
+#:   "My instructor told me to glance at the mirror every few seconds, and that's how I caught it. Some lad in a hot hatch was eating up the road at my back, and instead of easing to match my learner's pace he only got quicker.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

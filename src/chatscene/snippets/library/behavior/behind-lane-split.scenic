@@ -24,6 +24,22 @@
 #:   "In-lane passing by powered two-wheeler from the rear with subsequent deceleration ahead of own vehicle",
 #:   "BIKER FILTERS PAST AND INSTANTLY REGRETS NOTHING - brake check!",
 #:   "The motorcycle wriggles by inside our lane and clamps down ahead.",
+#:   "Moped forces its way past us without leaving our lane, then stamps on the brake.",
+#:   "Overtaken inside my own lane by a Vespa that promptly slowed up ahead.",
+#:   "Biker brakes under our bumper right after wedging himself between us and the dashes.",
+#:   "Zwischen-durch motorbike: same lane as me, past me, brake light in my face.",
+#:   "Have a motorcycle share our lane to get by, slot in ahead, decelerate.",
+#:   "I want a scene where a motorbike comes up from behind, slips through the narrow strip left in the ego's own lane, settles in front of it and hits the brake.",
+#:   "According to the claimant, a motorcyclist rode alongside within the same marked lane, drew in ahead of the insured vehicle and abruptly reduced his speed.",
+#:   "Ticket 4471: PTW tracked at 0.4 m lateral distance while going by in our lane, then centred itself before us and decelerated at 5 m/s²; planner reacted late.",
+#:   "Never trust the gap at your side, because that's where a bike will come through, line up in front of your bonnet and suddenly knock his speed off.",
+#:   "Mummy, the motorbike went by so close I could have touched him, in the same lane as us, and then he went in front and braked!",
+#:   "In the reconstruction the two-wheeler gains on the AV, passes it with less than half a metre of clearance inside the lane, moves to the middle ahead and slows hard.",
+#:   "I was in the queue on the ring road, doing perhaps forty, when a big touring bike came up behind. Instead of going round he forced himself between my door and the lane marking, pulled in before me and grabbed his front brake. My wife screamed.",
+#:   "Dash cam, 17:42. You can hear the engine on the left before you see anything. The rider never touches the other lane, he just squeezes up along our flank, noses in ahead of the bumper and then his brake light is on and we're nearly in his panniers.",
+#:   "The motorcycle had been following the robotaxi for some time. Without a lane change it wormed its way alongside, gained the space in front and there scrubbed off most of its speed, which left the robotaxi no choice but an emergency stop.",
+#:   "With forty tonnes I don't see much down the side. First thing I knew, this dispatch rider was coming up between me and the kerb, in my lane mind you, then he popped across my front and braked. I stood on everything I had.",
+#:   "Simulate a lane-splitter, please. Our car keeps to its lane at city speed; the motorcycle approaches from the rear, uses the leftover width of that very lane to get by, shifts back to the centre in front of us and applies its brakes sharply.",
 #: ]
 #: adversaries = ["motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Retaliatory braking by former follower subsequent to passing and return to ego lane.",
 #:   "ROAD RAGER PASSES ME JUST TO BRAKE CHECK ME",
 #:   "The biker behind leapfrogged us and then clamped his brakes.",
+#:   "Hatchback off my rear bumper: round me, in ahead, brake lights.",
+#:   "Trailing rider passes ego, rejoins our lane, then sheds speed hard.",
+#:   "Have the car behind us get past, move back over and slow sharply.",
+#:   "First he's in my mirror, then in my windscreen, then braking.",
+#:   "El coche de atrás me pass, he enters again in front, he frenar.",
+#:   "The motorcyclist who had been riding at the robotaxi's back wheel moved out, got by it, resumed the lane ahead and shed most of his speed.",
+#:   "Somebody sitting in my rear-view mirror lost patience, went out and past, filtered back in front of me and hauled the car down to a crawl for spite.",
+#:   "I want a scene in which the saloon following the AV leaves the lane, gets ahead, comes back over and brakes with the AV now behind it.",
+#:   "My lorry fills the lane, so the cabbie on my tail had to go right round it, and when he was home in front he anchored up.",
+#:   "V2, initially the trailing unit, steered out to the adjacent lane, passed V1, resumed the original lane as the leader and applied the service brakes.",
+#:   "Positions get swapped: our follower goes out and past us, becomes our leader by sliding back into the lane, and promptly has its brakes on.",
+#:   "I was driving home from choir practice with a taxi close behind me. He drew out, came by on the other lane, settled back into mine and then, for no reason I could see, put his brakes on so that I nearly stood on my nose.",
+#:   "According to the insured, the other party had been following for several minutes. It then moved out, went past her, resumed her lane a little way ahead and was brought down almost to a standstill by heavy braking, with an empty road before it.",
+#:   "Prior to the event the target trails the VUT by 10 m. It changes to the free lane, gains a lead over the VUT, changes back into the lane of the VUT once clear, and is then decelerated to below 1 m/s.",
+#:   "Mum says the motorbike was cross because we were slow. It was at the back of us, then it zoomed round the side, then it got in front of us again, and then its red light came on and Mum shouted.",
+#:   "The cam only looks forward so you can't see him at first, he's behind me. Then the black coupe comes into the picture from the left, slides over into my lane, you think that's it, and there go the brake lights, hard.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]

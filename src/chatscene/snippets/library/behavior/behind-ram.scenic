@@ -24,6 +24,22 @@
 #:   "Deliberate rear impact by pursuing vehicle following a period of insufficient separation",
 #:   "ROAD RAGE: pickup stalks cammer then PLOUGHS into the back",
 #:   "The truck behind presses up and batters us forward.",
+#:   "Glued to my tailgate, then he gunned it right into me.",
+#:   "Simulate a bumper-riding coach that finally powers into the ego's rear.",
+#:   "Mummy, the lorry came really really close and then zoomed into our bum!",
+#:   "shunted by close folower who speeded up on me",
+#:   "Ambulance practically in our boot, next thing it put its foot down. Crunch.",
+#:   "I want a scene where a pickup drives an arm's length from the ego's rear, then opens the throttle and drives right through that remaining arm's length.",
+#:   "My rear hatch was crushed because the motorist at my back, who had left no room to begin with, stepped on the gas instead of dropping off.",
+#:   "For a kilometre there was hardly a hand's breadth between the cab and the robotaxi, after which the cab surged and buckled the robotaxi's rear panel.",
+#:   "The German behind me has hung on my stossstange all the time and then he gave full gas, so he drove me in the back.",
+#:   "Test 14: following target at minimal headway; on trigger, target applies throttle and contacts the rear face of the subject vehicle without changing lane.",
+#:   "How did the towbar get bent? A fire engine was filling my mirror, nose to tail, and instead of easing away it put on power.",
+#:   "What I noticed first was that I could no longer see his headlights, so close was he. Then the engine behind me roared, and before I had understood it the motorbike's front wheel had been driven into my number plate.",
+#:   "V2, a box truck, had been trailing V1 with less than half a second of headway. Its recorder shows pedal application rising to one hundred per cent immediately before its front end met V1's back end. No evasive action was taken by either driver.",
+#:   "You know that feeling when somebody's reading your bumper stickers with a magnifying glass? That was the SUV at my back. I held my speed, he got cross, hoofed it, and the next I knew my head hit the rest.",
+#:   "When you reach my age you don't like being crowded, and this young man in his saloon simply would not leave me any space. I suppose he lost his temper, for he revved up and ran himself into the back of my little Fiesta.",
+#:   "The riders of the tour bus told officers that it had been driving on top of the small hatchback for several minutes. Their driver then leaned on the pedal, and the bus gained on the last metre there was and bulldozed the hatchback's rear in.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Insufficient headway from following vehicle, ending in a passing manoeuvre.",
 #:   "IMPATIENT TAILGATER CAN'T WAIT, GOES ROUND",
 #:   "A motorcycle nuzzled our rear bumper, then leapt past.",
+#:   "Follows us nose to tail, then switches lanes and leaves us behind.",
+#:   "rides our bumper for abit before slinging himself past",
+#:   "Scooter hugging our tail finally goes around us.",
+#:   "CLOSE-FOLLOWING SUV LOSES PATIENCE AND PASSES CAMERA CAR",
+#:   "Target: gap under 3 m behind ego, subsequently overtakes.",
+#:   "All I could see in the mirror was his grille, that's how near he was, until he veered to the outside and pulled ahead of us.",
+#:   "Simulate a saloon that sits far too close to the back of the robotaxi for several seconds and afterwards goes past it via the next lane.",
+#:   "Before passing the subject vehicle on the left, the pickup had been driving almost inside its boot, according to the passenger on the rear seat.",
+#:   "Why must he come up to within a hand's width of my number plate when he is going to overtake me anyway, as he then did?",
+#:   "The motorbike came so close to our back window that I could see the man's face, and then it went round us and drove away, said the girl.",
+#:   "The behind car is not keeping any distance from the autonomous car, it pushes, and when it has enough of pushing it makes an overtaking.",
+#:   "I was doing the limit along the bypass when a white van closed right up on me and stayed there, so near that his headlights vanished below my rear screen. In the end he'd had enough, nosed into the other lane and drove by.",
+#:   "V2 had been travelling behind V1 with a separation estimated at one to two metres. Its driver, who stated that he was late for a shift, then steered into the adjoining lane, drew level with V1 and continued past it without contact.",
+#:   "Give me a scene in which the AV is harried from the rear: a hatchback sticks to it with hardly any headway, as though on a tow rope, for quite some time. After that the hatchback leaves the lane and completes a pass.",
+#:   "My grandson was driving and kept glancing up at the mirror, because a young man on a motorcycle was practically sitting in our luggage. It made me dreadfully nervous. Then with a great snarl he steered around us and away he went up the road.",
+#:   "The dash cam at the back shows it best, lads: a taxi so tight on us that you can read the badge, for about ten seconds. Then it slides out of frame on one side and turns up in the front camera, having gone by.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]

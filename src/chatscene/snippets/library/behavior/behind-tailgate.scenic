@@ -24,6 +24,22 @@
 #:   "Insufficient following distance of rear traffic, persistent",
 #:   "Ambulance REFUSES to back off my bumper (rear view)",
 #:   "The motorbike leeched onto our tail.",
+#:   "Two feet off our back end, that coach, mile after mile.",
+#:   "Simulate a bully in the rear-view mirror who never drops back.",
+#:   "Cab following nose to tail, refuses to leave a gap.",
+#:   "Mum, why is that police car nearly touching us from behind?",
+#:   "Biker practically sitting on my boot lid for the entire ride",
+#:   "Headway of the trailing HGV to the robotaxi was measured at under half a second, and it was held constant throughout the run.",
+#:   "My instructor always said two seconds; the estate behind me was allowing perhaps a fifth of one, and kept it that way.",
+#:   "For my test I need a rear vehicle which is hanging at the AV without safety distance and simply goes on like this.",
+#:   "\"He was so close I couldn't make out his number plate,\" the pensioner said of the pickup that shadowed her through the village.",
+#:   "Why does the guy behind think that sitting on my exhaust pipe will make the thirty limit go away?",
+#:   "Control, we have got a minibus trailing that saloon with no daylight between them, and he's content to stay put there.",
+#:   "I was doing a steady forty with the baby in the back when a transit came up and settled itself a yard off my rear screen. It stayed there the whole way down the dual carriageway, and I dared not touch the pedal.",
+#:   "V1 was proceeding within the posted limit. V2, a pickup, was traveling immediately to the rear of V1 with virtually no separation, and witnesses stated this spacing did not change over a distance of approximately one mile.",
+#:   "Look in your mirror: see how big that lorry is? He ought to be a good way back, and instead he's crowding you. He won't ease off either, so we leave more room in front and keep calm.",
+#:   "Rain was drumming on the roof and the headlamps of the thing filled the car with white light. However she drove, it clung on behind, a hand's breadth away, patient as a dog at heel.",
+#:   "Honestly, chat, look at the back camera. This school bus has its nose pretty much inside our trunk, we're at the limit, there's nowhere for me to go, and he just keeps pushing up on us like that, block after block.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory"]

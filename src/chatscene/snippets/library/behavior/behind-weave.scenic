@@ -24,6 +24,22 @@
 #:   "Close-following vehicle with alternating lateral displacement in search of a passing opportunity",
 #:   "IMPATIENT BIKER CAN'T PICK A SIDE, dances behind me for miles",
 #:   "The car at our tail jinks to and fro.",
+#:   "Idiot glued to my boot, poking out left, then right, won't settle",
+#:   "Make the follower crowd the AV and slalom restlessly, itching to overtake.",
+#:   "Traffic 51, you've a hatchback on your bumper, wandering side to side, wants by.",
+#:   "Close-up in rear stop swaying stop driver evidently seeks to overtake stop",
+#:   "Mummy, that car's nearly touching us and it keeps wiggling!",
+#:   "I want a scene where a saloon rides inches off the ego's rear and swings back and forth, eager to slip by.",
+#:   "For about half a mile the motorcycle kept almost no distance from my tailgate, showing up first in the offside mirror and then in the nearside one.",
+#:   "V2 was trailing V1 at less than one car length and made repeated lateral excursions in both directions, apparently searching for an opportunity to go around.",
+#:   "An ambulance sits on the robotaxi's heels, grille filling the rear camera, edging out to either side by turns because it can't squeeze through.",
+#:   "Don't be rattled by the chap at your back who's nearly in your boot; he's bobbing from one side to the other hoping for a gap, just hold your line.",
+#:   "The auto behind is sticking on me and drives in snake lines, always pushing, he searches the hole for overtaking.",
+#:   "I was doing a steady fifty when a black coupé came right up to my number plate. It never fell back; it just kept lurching toward the verge and then toward the centre line, the driver craning his neck to see a way round me.",
+#:   "My client felt hounded. The other driver hung so near that his headlamps vanished beneath her rear window, and all the while he tacked left and right like a man trying to see past a tall hat at the theatre.",
+#:   "Ticket 4471: rear-chaser scenario. Agent locks on at a very small gap, holds it for some seconds, then starts a sinusoidal motion behind us as if probing both flanks for a pass. It stays to our rear throughout; our planner must not panic-brake.",
+#:   "At my age you don't like being hurried. This young man on a motorcycle was so near that I could hear his engine over my wireless, and he kept drifting out one side and then the other, fidgeting to go by.",
+#:   "The clip shows what pushing looks like: the SUV is practically on the tow bar, and its nose appears on the left, ducks in, appears on the right, ducks in again. You can tell how desperately he wants in front.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Incomplete lateral intrusion from adjacent lane with stationary overhang",
 #:   "Police car gets STUCK between two lanes right beside me",
 #:   "The estate car wedged its snout into our lane and froze.",
+#:   "Astride the lane divider, front wheels on our side: that's where the saloon quit.",
+#:   "He got one wheel over, then two, then nothing: stationary on the paint.",
+#:   "Van next lane: 50% encroachment, v=0, stays.",
+#:   "Half a fire engine in my lane, and it isn't going anywhere.",
+#:   "Let the SUV angle partway over our marking and halt right there.",
+#:   "The rapid response car slanted its bumper across the dashes towards me and pulled up like that, with its back half still where it came from.",
+#:   "In statement the lady said the white hatchback came over only by its bonnet, then it was standing, one half with her, one half there.",
+#:   "Target vehicle shall drift laterally from the neighbouring lane until its front overlaps the VUT lane by half its width, then brake to rest without completing the change.",
+#:   "Why has the cab stuck its front corner into the robotaxi's strip and come to a dead halt instead of carrying on over?",
+#:   "The car next us want come in, only put the head inside, then it don't move anymore, body is on two lanes.",
+#:   "Unit 2 was found at rest across the broken white line, its forward portion obstructing Unit 1's lane, having steered partly over from the lane adjacent.",
+#:   "Picture the scene: three lanes, everyone rolling, and a lad in a Fiesta to our left starts easing over. He gets as far as his headlights and front wing in our lane, loses his bottle, brakes, and sits there on the line with his tail sticking out behind.",
+#:   "I am eighty-one and I do not see as well as I did, but I saw that ambulance. It tipped its nose into my part of the road, just the front half of it, mind, and then it stood quite still upon the white line.",
+#:   "Bug 4417: planner believes the neighbour will finish its merge. It doesn't. The sedan yaws towards us, its front axle crosses the marker, it brakes to zero and holds at an angle, so about half our corridor is gone while the other half stays drivable.",
+#:   "She'd been watching the estate in the corner of her eye. It turned its wheels towards her, pushed its long snout over the boundary, and then, as though someone had cut a string, it stopped where it was, neither in her lane nor out of it.",
+#:   "we were coming up to the services and this merc on the right tries to squeeze in front of some lorry in our lane, gets his front end across the line, runs out of road and brakes. so now hes parked diagonal over both lanes",
 #: ]
 #: adversaries = ["car", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

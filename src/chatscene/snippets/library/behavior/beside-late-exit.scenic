@@ -24,6 +24,22 @@
 #:   "Eleventh-hour departure to the right across ego's front by vehicle from adjacent lane.",
 #:   "TRUCK ALMOST MISSES EXIT, CROSSES MY NOSE TO MAKE IT",
 #:   "The car alongside lunged for the right-hand exit under our nose.",
+#:   "HGV on my left whips across my bonnet for the right-hand off-ramp",
+#:   "Simulate a neighbour who sweeps through our lane into a right-hand side road.",
+#:   "Fire engine, lane 2, crosses ahead of us late, gone right.",
+#:   "Mummy, that lorry zoomed past our front to go down the little road on the right!",
+#:   "Right-hand exit nearly overshot, bike carves over in front of Vehicle 1.",
+#:   "The tipper was keeping level with me in the outside lane; then, with the turning all but gone, it barged over ahead of me and vanished down it to the right.",
+#:   "Because the cab driver woke up to his junction far too late, he had to traverse the ego's lane inches from its bumper before peeling off the road on the right-hand side.",
+#:   "Manoeuvre under test: vehicle in the left adjacent lane cuts laterally through the corridor ahead of the ego at short range and departs the carriageway on the right.",
+#:   "The car on my left, she passes in front of me at the very last second, tac, and takes the small street at right.",
+#:   "It was gone off to the right before I'd even found the horn, that motorbike, having come over from the lane beside me and missed my headlamp by a hair.",
+#:   "Please make the ambulance run next to us until the hospital entrance is almost behind it, then have it veer over our bows and dive in there on the right.",
+#:   "I represent the owner of the blue Astra. She tells us that a van which had been driving alongside, on her left, abruptly came over through her lane just yards in front, and without remaining there went straight off into a retail park on the right. She braked and spilt her coffee.",
+#:   "You know when you can see somebody reading the signs and doing the sums? Woman in a people carrier, one lane over, looks up, sees it's her turn-off on the right, and bang, she's gone over my nose and off the main road altogether. No indicator, naturally.",
+#:   "At 08:42 the subject vehicle was in the right lane at 50 km/h with a delivery truck slightly ahead in the neighbouring left lane. At the final moment the truck crossed the subject's lane at minimal clearance and quit the road by the driveway on the right.",
+#:   "Dispatcher, I've had a near miss at the garden centre. Fellow in a pickup beside me left it till he was practically past the gate, then swung over through my lane right off my front wing and shot in there, to the right. I've got a partial plate.",
+#:   "Here in India we are used to it, but still I got one shock. The lorry was going side by side with me, nicely, then at the last possible moment he came slanting over before my bumper and went off the highway towards right, into the petrol bunk.",
 #: ]
 #: adversaries = ["car", "motorcycle", "truck", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute", "leftLane"]

@@ -24,6 +24,22 @@
 #:   "Prolonged parallel running by adjacent vehicle, ending in a sudden gain of speed and departure ahead",
 #:   "BMW matches my speed then VANISHES",
 #:   "The rider shadows our flank and then rockets clear.",
+#:   "Coach glued to our flank at equal speed, then it powers off forward.",
+#:   "Let the motorbike shadow us alongside, after which it boots it.",
+#:   "From neck and neck to a disappearing tail light: that was the Audi.",
+#:   "Same velocity next to the AV, and after some seconds strong acceleration.",
+#:   "An ambulance held station at our side before it opened the taps.",
+#:   "For about half a mile the pickup ran beside me at precisely my speed, and then, for no reason I could see, it charged off up its own lane.",
+#:   "The target shall remain alongside the VUT with zero relative velocity and, on reaching the trigger point, apply wide-open throttle in its own lane.",
+#:   "Witness recalls a silver saloon travelling level with the subject vehicle, neither gaining nor losing, until its driver floored it and the car shot away in front.",
+#:   "You'll often get one who sits in the next lane copying your speed; don't race him when he finally puts the hammer down and disappears up the road.",
+#:   "Please create a truck in the neighbour lane that mirrors our speed for a while and then picks up pace strongly, still in its lane, going out ahead of us.",
+#:   "control to four-two, the suspect motorcycle was holding level with the bus lane unit, now he's wound it on and is away up the road ahead",
+#:   "Every time I eased off, so did he; when I sped up a bit, he did as well. It went on like that, mirror to mirror, along the whole embankment, until the lad in the hatchback dropped two gears and tore off into the distance.",
+#:   "Vehicle 1 and Vehicle 2 were proceeding in adjoining lanes at matching speeds. Vehicle 2, a delivery van, had been level with the driver's door of Vehicle 1 for approximately ten seconds when its operator suddenly increased speed and drew far ahead, remaining in lane.",
+#:   "I am seventy-nine and I don't like company when I drive. This bus stayed right there beside my window, going exactly as fast as I went, for what felt like an age. Then its engine roared and off it flew, leaving me on my own again, thank goodness.",
+#:   "The interesting bit for prediction is the second phase. In phase one the neighbouring car simply copies our velocity and stays at our side, so the tracker gets lazy; in phase two it puts in full power and sprints off along its lane.",
+#:   "Your honour, the police car drove next to my client as if tied to him by a string. Only when both had passed the petrol station did its driver hit the accelerator and leave my client behind, and not once did it leave its own lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

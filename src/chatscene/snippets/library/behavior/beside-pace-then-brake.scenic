@@ -24,6 +24,22 @@
 #:   "Abreast running at equal speed followed by abrupt deceleration of the adjacent vehicle",
 #:   "Fire truck keeps level with me, then PANIC BRAKES one lane over",
 #:   "The van twinned our speed, then dropped like a stone behind its own brake lights.",
+#:   "The cab shadows our speed next door, then its nose dips.",
+#:   "Side by side we roll, until the coach brakes violently in its lane.",
+#:   "It goes equal quick beside me, then makes a full braking there.",
+#:   "Ambulance abeam of ego, speeds matched, then harsh decel, own lane kept.",
+#:   "Why did the bike riding level with me suddenly clamp on its brakes?",
+#:   "The HGV in the neighbouring lane held exactly our forty miles an hour for a good while before its tyres began to smoke under braking.",
+#:   "Let a van run alongside the ego at the same velocity, and some metres before the event make it brake hard without leaving its own lane.",
+#:   "For a stretch the police car was glued to our side window, doing what we did; then its driver hit the brakes where he was.",
+#:   "We had been keeping step with a pickup on our left for a whole song when it braked so fiercely that it was behind us at once.",
+#:   "Driver B stated he was maintaining the same speed as the car at his side when he had to brake heavily; he remained in his marked lane throughout.",
+#:   "Watch the scooter at your shoulder, he's been exactly as fast as you; there, he's grabbed a fistful of brake, dead straight, in his own lane.",
+#:   "I drive an artic and I know what it is to sit level with somebody. This fire engine had been holding station at my cab door since the roundabout, neither gaining nor losing, and then he braked as hard as that thing can, in his own lane.",
+#:   "In the paired-lane test the target bus is synchronised with the subject vehicle's speed, front ends offset by a few metres. On reaching the trigger point it is subjected to full braking while its lateral position in the neighbouring lane is maintained.",
+#:   "My daughter was waving at the people in the bus since it wasn't getting any faster or slower than us. All at once they jerked forward in their seats; the driver had braked like mad, and he never came over towards us at all.",
+#:   "It is reported that the hatchback had been travelling parallel with the claimant's vehicle at a matching speed for some 300 metres. Its brake lamps then came on and it lost speed very rapidly, without deviating from the lane that it occupied.",
+#:   "So we're on the dual carriageway, and this motorcyclist in the next lane has picked the same speed as us, you could've passed him a sandwich. Then his front end dives, he's braking for all he's worth, still bang in the centre of his own lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Sustained parallel running followed by lateral intrusion into ego lane.",
 #:   "RIDES NEXT TO ME THEN TRIES TO TAKE MY LANE",
 #:   "The truck shadowed our flank and then muscled into our lane.",
+#:   "Rides abreast of us, then barges across into our lane.",
+#:   "He hung at my wing mirror, then moved over on me.",
+#:   "Let the lorry mirror the ego's speed before wedging into its lane.",
+#:   "Level with me for ages... then he wanted MY bit of tarmac",
+#:   "Coach alongside, equal speed, subsequently crowding into subject's lane.",
+#:   "The police bike had kept exactly in step with us along the whole frontage, and then its rider nudged across the dashes into where we were.",
+#:   "Adjacent target matches the longitudinal velocity of the vehicle under test for a defined dwell, then initiates a lateral manoeuvre into the VUT's lane at close range.",
+#:   "See how that van has been glued to your side window? He doesn't know you exist, and here he comes, over the line into your space.",
+#:   "Our cyclist's mirror-cam, no, sorry, our dash cam shows it: the hatchback sits shoulder to shoulder with us, then tips across the marking onto us.",
+#:   "Monsieur was rolling beside me at the same rhythm during maybe ten seconds and after he has pushed himself in my corridor without the indicator.",
+#:   "I lost my front wing because the bus, having travelled wheel to wheel with me since the lights, took it into its head to claim the lane I was in.",
+#:   "It was eerie, that ambulance. Whatever I did with my foot it did too, so that its door stayed beside my door like a picture on a wall; and then, quite calmly, it came sideways and there was no longer any lane left for me.",
+#:   "Bug from yesterday's run. NPC truck holds zero relative speed next to the ego for a second or two, nose slightly proud of ours, then slides across the divider and occupies our lane. Planner had assumed it would stay on its own side as nothing had changed before.",
+#:   "On approach the other driver neither dropped behind nor drew away from Vehicle 1. They were side against side. According to Witness B, the pickup then closed in from the neighbouring lane until Vehicle 1 had to give ground, although there was plainly no gap for it.",
+#:   "Podcast guest: so there's this motorbike tucked in next to me, same pace to the decimal, and I'm thinking he'll go any moment. He doesn't. He just shuffles over, inch by inch, till he's in the lane I'm driving in.",
+#:   "Cab alongside us like a Siamese twin for the whole straight, then it tilts over the line and elbows us out of our own lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

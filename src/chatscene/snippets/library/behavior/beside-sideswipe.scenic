@@ -24,6 +24,22 @@
 #:   "Abrupt lateral incursion into own vehicle's flank by abreast-running neighbour",
 #:   "TRUCK TRIES TO SHOVE ME OFF THE ROAD (side slam)",
 #:   "The van alongside barges us in the ribs.",
+#:   "Van cruising right next to us, then wham, lurches into our side.",
+#:   "Door to door we go, until the SUV flings itself sideways at us.",
+#:   "He matched my speed alongside only to fling his bike at me.",
+#:   "Neighbour in the next lane, equal pace, sudden jink toward the AV.",
+#:   "Make the pickup hold station abreast of the ego and then lash out sideways.",
+#:   "Two lanes, same speed, mirrors nearly kissing: then the horsebox beside me took a violent swing in my direction.",
+#:   "The ambulance was exactly next to us for a while, and without any reason it makes a strong jump to our side.",
+#:   "After travelling for several seconds in parallel with the subject vehicle, the adjacent truck shall execute one abrupt steering input toward it.",
+#:   "You'll have a bus level with your shoulder; watch him, because he may suddenly heave across at you like this one just did.",
+#:   "I remember the cab's passenger looking over at me as they rolled along at my elbow, and next thing their wing was coming for mine.",
+#:   "What is the driver of that hatchback thinking, shadowing us door handle to door handle and then hurling it in our direction?",
+#:   "On the motorway a blue coupé settled in next door and went exactly as fast as I did, for a minute or more. Then the man wrenched the wheel in my direction as though he meant to flatten me against the barrier.",
+#:   "The claimant states that the lorry had been keeping pace at her nearside. Its tractor unit then came at her without any signal, scraping paint from both doors, and she is certain it had neither been passing nor merging.",
+#:   "Ticket 4471: actor sits abreast with a zero speed difference in the neighbouring lane. At the trigger it should veer violently at our flank, once, and we want to see whether the planner gives way sideways or freezes.",
+#:   "We were riding in the taxi without driver, my wife and me, and a motorcycle was accompanying us at the side window always. Suddenly he threw himself over toward our door and my wife was screaming.",
+#:   "A fire engine had been running wheel to wheel with us, siren off, all quite friendly. Whether he fainted or dodged something I can't say, but he all at once came slewing at my doors.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Repeated two-lane oscillation of a vehicle ahead; recurrent re-entry into own lane",
 #:   "Cop car zigzagging across BOTH lanes in front of me?!",
 #:   "The hot hatch braided the two lanes together ahead of us.",
+#:   "ahead of us he keeps swaping lanes ours next ours next",
+#:   "Police bike zigzags the full width of both lanes before the AV.",
+#:   "Make the hatchback switch lanes back and forth in front of us.",
+#:   "Target slaloms over ego lane and neighbouring lane, several cycles.",
+#:   "WATCH this muppet use two lanes like cones on a training ground",
+#:   "The red car went in our lane and then in the other one and then in ours again, it was drawing wiggly lines, daddy said.",
+#:   "From the lane beside the vehicle under test, the adversary moves over ahead of it, returns, and repeats the pattern in long sweeps across both lanes.",
+#:   "The witness recalls an ambulance in front of him drifting from one lane clean into the other and back more times than he could count.",
+#:   "Imagine a waiter dodging tables: that is how the motorcyclist before us took the two lanes, tilting over to one, tilting over to the other.",
+#:   "Please can somebody tell the taxi in front that he may only have one of the two lanes, he is wandering across both of them end to end.",
+#:   "In front of the robotaxi this cabriolet is making curves from the right lane to the left lane and again to the right lane, without a stop.",
+#:   "I saw him from the cab a long way off, a little sports thing sweeping out of his own lane, right through mine, then out again and in again. It wasn't one lane change, it was ten of them, one after the other, ahead of my bonnet.",
+#:   "Unit 2, initially in the lane adjacent to Unit 1, entered the lane ahead of Unit 1 and left it again at least four times. Its path was described by two independent witnesses as a series of wide bends reaching from one lane edge to the far one.",
+#:   "To test the prediction module we need an actor that never settles: it crosses the dividing line toward us, swings back, crosses once more, and so forth, always a few car lengths in front. Call it a slalom with the two lanes as the piste.",
+#:   "Now, I would not try to get by that motorcycle yet. You see him lean over into our lane, then over into the next, then to us again? As long as he's carving those big waves in front of you, neither lane is free.",
+#:   "Honestly I thought he was warming up his tyres like they do behind the safety car. Big lazy swerves, all the way over to my side of the line, all the way back to the other, for half a mile, and me right behind watching.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane"]

@@ -24,6 +24,22 @@
 #:   "Left turn from neighbouring lane conflicting with ego's straight path.",
 #:   "WRONG LANE LEFT TURN RIGHT ACROSS MY HOOD",
 #:   "The motorbike alongside scythed left past our front.",
+#:   "He was next to me and took a left over my nose!",
+#:   "Simulate a lorry hanging a left from the neighbouring lane, through the ego's path.",
+#:   "Cab alongside, no business turning left from there, went across our bows anyway.",
+#:   "Bloke in the outer lane turned left right in front of us",
+#:   "Adjacent-lane left-turner sweeps over the trajectory of the subject vehicle.",
+#:   "Both vehicles were travelling in parallel until the van to our right made a left-hand turn, sweeping over our lane just in front of the bumper.",
+#:   "Let the pickup travel on the ego's right and then have it peel off to the left so that it shaves past the ego's front end.",
+#:   "A fire engine took its left turn out of the lane beside the robotaxi, putting its whole length across the way the robotaxi was going.",
+#:   "Why would anybody drive on my right-hand side and then steer to the left-hand road, passing crosswise before my bonnet?",
+#:   "The motorcycle had left our right flank and was already disappearing into the side road on the left, having sliced over our lane with a metre or two to spare.",
+#:   "Driver of the lorry was in lane next to mine, then he take the left street and his trailer pass across my front.",
+#:   "The accident happened because the other party noticed his exit too late. He was running level with us in the next lane over, and instead of carrying on he hauled it to the left, right over our lane, to reach the side street.",
+#:   "Scenario description: the target vehicle travels in the same direction as the VUT, in the lane to its right. At the trigger point it executes a left turn, whereby it passes transversely in front of the VUT and leaves the roadway on the far side.",
+#:   "You know when your sat nav shouts too late? I reckon that's what did it. The woman in the Fiesta to my right suddenly went for the left-hand road, never mind that I was sitting in the lane she had to cross.",
+#:   "Keep an eye on vehicles level with you, especially ones slowing a bit as if hunting for an address. This van on our right has just chucked a left through your lane, and had you been daydreaming you would have gone into his door.",
+#:   "I drive an artic for a living, and what I saw from the cab was plain stupid. A motorbike on the car's right flank banked over to the left and shot across its front wheels into the side road.",
 #: ]
 #: adversaries = ["car", "motorcycle", "truck", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute", "rightLane"]

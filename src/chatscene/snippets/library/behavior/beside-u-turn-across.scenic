@@ -24,6 +24,22 @@
 #:   "About-face manoeuvre by adjacent-lane vehicle intersecting own lane",
 #:   "IDIOT MAKES UEY FROM THE WRONG LANE - nearly T-boned",
 #:   "The motorcycle in the neighbouring lane loops back across our nose.",
+#:   "From the next lane it wheels right about, sweeping over ours.",
+#:   "180° turn by adjacent-lane SUV; its arc cuts our lane.",
+#:   "Patrol car alongside: about-face through our path, now heading back.",
+#:   "The motorbike beside Mummy turned all the way round in front of us.",
+#:   "Did he really reverse direction from lane two, across your nose?",
+#:   "Simulate a saloon driving in the lane next to the ego that swings through a half-circle over the ego's lane to go back where it came from.",
+#:   "Cab came round full circle from the kerbside lane, over the front of the robotaxi, and made off in the direction opposite to both.",
+#:   "The claimant's lane was traversed by the insured, who, driving parallel to him, elected to turn his vehicle about and return whence he came.",
+#:   "He drives near me in the other line, then he gives the volante everything and turns to go back, passing before my bumper.",
+#:   "I was filtering on my push bike when the hatchback on my left swung itself about-face, right over the lane I was in.",
+#:   "V2 was in the adjacent lane travelling the same way; it commenced turning, its path crossed V1's lane, and it ended up facing opposite.",
+#:   "Here's one for the podcast. We're side by side with this police motorcycle, all nice and calm, his radio squawks, and he hooks it over the front of us in one big curve till he's looking at where he's been, and off he goes that way.",
+#:   "Well, officer, the sat nav must have told him to turn around. He was in the lane on my right, a touch in front, and he hauled that Audi round over my lane, the whole hundred and eighty degrees, and I ended up looking at his passenger door.",
+#:   "The manoeuvring vehicle starts in the lane neighbouring that of the subject vehicle and moves in the same direction. At the trigger it follows a tight arc of about half a circle, whose first part intersects the subject's lane, and departs with inverted heading.",
+#:   "By the time the AV's brakes had bitten, the ambulance was already showing it first its flank and then its windscreen: it had spun about out of the lane next door, clean through ours, since the call it had been sent on was behind it.",
+#:   "Pupils always watch what's in front, but look over your shoulder now. That moped keeping you company on the outside has seen his mate on the pavement back there, so round he comes, over your lane, all the way about, and away in the other direction.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute", "rightLane"]

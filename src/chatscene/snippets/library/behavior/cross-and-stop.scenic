@@ -24,6 +24,22 @@
 #:   "Sudden pedestrian incursion with subsequent stationary occupation of the lane",
 #:   "CYCLIST RIDES OUT AND JUST STOPS IN MY WAY",
 #:   "The walker bursts out and roots himself before us.",
+#:   "Out of nowhere an old man crosses, then stands still before us.",
+#:   "Jogger crosses without warning, halts dead in front of the ego.",
+#:   "Scooter crosses our road on a whim and pulls up right there.",
+#:   "La dame traverses very sudden and she stops just before my bonnet.",
+#:   "Make a pedestrian abruptly cross and come to a stop before the AV.",
+#:   "Without so much as a glance a cyclist set off over the road and applied his brakes squarely ahead of us, where he remained.",
+#:   "What I saw was a lady with a pram set off over the carriageway from one second to the next and pull up in front of that car.",
+#:   "The moped target traverses the lane from the nearside at an unannounced moment and is brought to rest on the VUT's centreline.",
+#:   "Kid on a bike shot over from the pavement side, then he just stopped with his wheel pointing at the other kerb and me bearing down on him.",
+#:   "Granddad was on the footpath one moment; the next he had started across our street, and halfway, before the taxi's grille, he would not go one step more.",
+#:   "She stood motionless in the headlights of the tram-yellow taxi, having a heartbeat earlier quit the pavement to get over the street.",
+#:   "I was doing no more than twenty past the chemist's. A woman who had been chatting on the pavement turned on her heel and made to cross, and when she was right in front of my car she stopped, and there she stayed, looking at me.",
+#:   "V1 was proceeding straight. A non-motorist moved from the roadside on a perpendicular path without any prior indication, reached the lane of V1 and ceased moving. Witnesses agree that he was standing upright when V1 arrived and had not gone any farther.",
+#:   "For the robustness set we need a sudden crosser which doesn't clear. It waits at the side until the ego is near, cuts across at right angles, then velocity zero inside the ego lane and it holds there until the run has ended.",
+#:   "You ask what the motorcyclist did. He came over from the left all of a sudden, as if to reach the petrol station opposite, and then he brought his machine to a stop exactly in our way, both feet down, and looked the other way.",
+#:   "There was this boy, sir, he was standing near the tea stall only. Suddenly he started crossing, no looking, nothing, and when he came in front of my car he stopped there itself, like somebody switched him off.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

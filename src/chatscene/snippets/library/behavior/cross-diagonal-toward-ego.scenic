@@ -24,6 +24,22 @@
 #:   "Oblique pedestrian crossing with component opposed to vehicle travel; frontal approach",
 #:   "Guy crosses at an angle STRAIGHT AT my car",
 #:   "The walker slanted over the road to meet us.",
+#:   "Bloke cutting over the road cornerwise, walking up to meet us.",
+#:   "Jogger takes the long diagonal across, coming my way face first.",
+#:   "Make the kid cross on a slant aimed back at the ego.",
+#:   "Ped crossing aslant, facing V1, range decreasing by both axes.",
+#:   "The lady walked across our street sideways-ish toward the car, grandad.",
+#:   "Instead of the shortest way over, the old man chose an oblique one that brought him nearer to our bonnet with every pace, his eyes on us.",
+#:   "Why would you go over the road skewed like that, into the traffic's face, getting closer to the car as you do it?",
+#:   "The pedestrian dummy is moved from kerb to kerb on a line inclined some thirty degrees against the direction of the approaching test vehicle, chest toward it.",
+#:   "She was already halfway across when I understood she was not going square: she walked cornerwise, looking at my windscreen, and so shortened the distance.",
+#:   "He is making the crossing, but inclined, na, not straight, and the incline is to our side, so he is coming over and coming near, both.",
+#:   "Pedestrian on the carriageway by the chemist's, traversing on a bias and advancing on oncoming cars, reports the caller, looking straight into the headlamps.",
+#:   "The robotaxi's log has the woman with the pram entering from the footway and drawing a slanted line over both lanes. Because the slant pointed back up the road to us, she arrived at our lane much closer than the geometry of a straight crossing predicts.",
+#:   "I was in no hurry, thank heavens. A gentleman with a newspaper left the pavement some way up and came over, but not directly; he bore down toward me while he crossed, so that we were looking each other in the face all the way.",
+#:   "Your Honour, the deceased did not turn her back on the defendant's car. She went from one side of the road to the other on a skewed course whose direction was against the traffic, with her face to it, and the distance melted accordingly.",
+#:   "On a bicycle you learn to read feet, and his were pointing wrong: half to the far side, half to us. So he traversed the road like a bishop on a chessboard, heading for the very car I was riding behind, seeing it perfectly well.",
+#:   "In the third clip a teenager comes over from the opposite kerb. He does not take the perpendicular way but an inclined one, up the street toward the subject vehicle, and he looks at it throughout, so distance falls lengthwise and sideways together.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

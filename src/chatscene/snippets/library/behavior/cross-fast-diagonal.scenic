@@ -24,6 +24,22 @@
 #:   "High-speed pedestrian crossing on oblique trajectory.",
 #:   "GUY SPRINTS ACROSS ROAD DIAGONALLY, DOESN'T LOOK",
 #:   "A runner slashed cornerwise across the street.",
+#:   "Teenager bombing over the road slantways, hood up.",
+#:   "Jogger at full speed cuts over the street obliquely.",
+#:   "Have somebody race across at an angle, flat out.",
+#:   "Lady legging it slantwise through traffic, lane to far corner.",
+#:   "Subject fled over both lanes obliquely at top speed.",
+#:   "A kid with a football under his arm came haring over, not the short way but aiming for the ice-cream van further along.",
+#:   "The woman was running how you run from a dog, and she made a crooked line over the whole avenue in front of my car.",
+#:   "V1's camera recorded the pedestrian traversing the lane at a dead run on a heading some forty-five degrees off perpendicular.",
+#:   "Did you see that man shoot over the street on the cross, heels flying, as if the shortest way did not interest him?",
+#:   "For scenario 12 the walker shall be replaced by a sprinter, whose track over the carriageway forms an acute angle with it.",
+#:   "From the cab I saw him go like a hare, kerb to kerb, but skewed, so he was in front of me twice as long.",
+#:   "It was pouring and a fellow with a newspaper over his head came belting over the road. He didn't take the straight way, he bore off toward the tube entrance down the street, so our two paths met for ages.",
+#:   "Officer, she never looked. She flew off the pavement as fast as her legs would carry her and took the carriageway on the slant, heading for the tram shelter, and my car had to stop very hard.",
+#:   "Now this one is nasty for the tracker. The pedestrian bolts, around six metres per second, and the line she takes over the road is angled along it, so the predicted exit point keeps sliding away from you.",
+#:   "The boy is chased by his friends in the play. He runs very quick over the street and he goes like the line from one corner of a box to the other one, and the robot car must see him.",
+#:   "From the saddle I watched a suited man launch himself over the road, tie over his shoulder. Rather than going square he slanted away up the street at a gallop, towards the closing doors of a bank.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Momentary indecision of crossing person in lane, followed by completion of crossing",
 #:   "PEDESTRIAN LAGS MID-CROSSING then reconnects",
 #:   "The man stepping over falters and then proceeds.",
+#:   "Walks out, freezes for a second before us, walks on over.",
+#:   "Moped crossing, stalls with doubt in our lane, then clears it.",
+#:   "Jogger halts in mid-lane, unsure, then finishes going across.",
+#:   "Ped X-ing, brief stop in lane, continued other side.",
+#:   "The deer-in-headlights moment: kid crosses, locks up, crosses on.",
+#:   "A woman with a pram left the pavement, came to a halt in front of our bonnet as if wondering, then pushed on to the opposite kerb.",
+#:   "The pedestrian target shall interrupt its crossing inside the VUT's lane for a short interval and subsequently resume in the original direction.",
+#:   "Let the old man come over the road, lose his nerve when he's right in the AV's lane, and after a moment keep walking to the other side.",
+#:   "Midway she remained standing and looked at me, I looked at her, nobody knew what to do, and then she did walk the rest of the way.",
+#:   "Caller says a lad pushing a bike across the road stood still for a second right in his lane before making his way to the far pavement.",
+#:   "The person is crossing, inside of our lane he is stopping because he does not know if the car will brake, then he is going to end.",
+#:   "I was coming down past the church when an elderly gentleman started across from the left. Right in line with my car he pulled himself up and looked both ways, clearly wondering if he had time. Then he made up his mind and carried on to the other kerb.",
+#:   "The cyclist had already come half the distance when she caught sight of us and put her feet on the ground, not knowing whether to trust our brakes. A breath later she pushed off again and disappeared between the parked cars on the opposite side.",
+#:   "According to the transcript, the witness set out over the carriageway, ceased walking once within the lane of the subject vehicle because she doubted whether it had seen her, and after an interval of perhaps one second proceeded the remaining distance to the other footway.",
+#:   "See this lady here, she's committed to crossing, so you ease off. But look, now she has planted herself in our lane, she's doubtful about you. Don't wave, don't hoot, just hold back; there, she's walking again and she's nearly across.",
+#:   "The interesting thing about this clip is the pause. The man doesn't turn round and he doesn't run; he gets into our lane, his feet stop, you can see him weigh it up, and then he simply completes the trip over to the bus stop.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Uninterrupted pedestrian crossing movement in ego path.",
 #:   "PEDESTRIAN WALKS OVER ROAD LIKE IT'S HIS LIVING ROOM",
 #:   "A cyclist traversed the street ahead of us.",
+#:   "Kid on a bike comes straight over the road, no stopping.",
+#:   "He crosses, plain and simple, kerb to kerb in one go.",
+#:   "Simulate a jogger who crosses our street without a break.",
+#:   "Old gentleman made his way to the opposite pavement without halting once.",
+#:   "Moped traverses the road before us and keeps right on rolling.",
+#:   "A woman pushing a pram leaves the left-hand pavement, passes in front of the ego at a constant walk and reaches the right-hand one without interruption.",
+#:   "As I was coming down Mill Lane a schoolboy walked out and went clean over to the other side, and he didn't slow or stop at any point.",
+#:   "The dummy is propelled perpendicular to the lane from the nearside to the farside, maintaining its speed of 5 km/h throughout; no stop within the path of the VUT.",
+#:   "I want somebody to step off the kerb and get to the opposite side in one uninterrupted movement, straight across, while our robotaxi is approaching.",
+#:   "Die Frau, sorry, the lady, she goes from the right side to the left side of the street, always the same tempo, and does not stand still for us.",
+#:   "Because he was wearing headphones, the student simply carried on to the other kerb at the pace at which he had started, cutting our path at a right angle.",
+#:   "It was getting dark and the wipers were on. From between the market stalls a man in a grey coat set out for the opposite pavement; he walked neither fast nor slow, he didn't look up and he didn't pause until he was there.",
+#:   "Pedestrian 1 entered the roadway mid-block from the west kerb. He continued due east on a line square to the street, his gait unchanged, and was clear of the far edge when V1 came to a halt. He told officers he never noticed the car.",
+#:   "Funny thing, I've cycled across that road at the same place for twenty years. That day too I rolled off the cycle path, straight over in front of this self-driving thing, and up the dropped kerb opposite, no foot down, nothing. It coped all right.",
+#:   "ok so small clip from the mornig commute, girl with a yellow umbrella comes off the kerb by the bakery walks straight over in front of me like its nothing, doesnt stop doesnt hurry and goes into the tube station oposite",
+#:   "When the AV is thirty metres away, let a person begin to walk from one edge of the road to the other. The motion should be uniform and at right angles to the traffic, with no halt anywhere on the way, until the opposite edge has been reached.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Momentary incursion into ego lane with immediate withdrawal to lane of origin.",
 #:   "CHANGES LANE... NOPE, CHANGES BACK",
 #:   "The motorcycle dipped into our lane and ricocheted home.",
+#:   "Over into ours, and over into his again, in one breath.",
+#:   "Bus joins our lane, un-joins it immediately.",
+#:   "Hello goodbye: scooter visits my lane for one second",
+#:   "Let the lorry swap into my lane and instantly revert.",
+#:   "Has the pickup honestly come across just to leave again?",
+#:   "The fire engine slid in front of the robotaxi, saw the lane was no quicker, and in the same movement steered home to its own.",
+#:   "Unit 2 transitioned laterally into the path of Unit 1, then without delay transitioned the other way, regaining the lane in which it had been travelling.",
+#:   "I want that a motorcycle from the neighbour lane comes before the ego and directly, without staying, changes again to the lane where it was.",
+#:   "He was back in his own lane before I'd even lifted off; a moment earlier the hatchback had jumped across in front of me.",
+#:   "The artic's tractor and trailer both swung across ahead of us, someone must have yelled at him, and the whole lot swung away whence it came.",
+#:   "Two lane changes in quick succession by the same van, the first into the subject vehicle's lane, the second undoing it: that's the test.",
+#:   "Dear Sirs, I was proceeding along the dual carriageway when a coach moved over from the nearside lane and put itself before me. It did not remain. No sooner was it in than the driver steered to the left once more and resumed his previous lane.",
+#:   "Ticket reopened. The tracker creates a new lead vehicle when the sedan crosses into our lane, which is right, but the sedan bounces straight out to the lane it came from and our ACC goes on braking for it several seconds after it has gone.",
+#:   "When I was teaching my nephew, there was this ambulance next to us, no siren or anything. It hops in ahead of him, he panics, and I say relax, look, he's already leaving, because by then its wheel was turned and it was sliding back to its old place.",
+#:   "The biker must've spotted a gap in front of my cab and gone for it, then realised there was a tailback further along. He'd hardly got his wheels in my lane before he flicked the bike the other way and rejoined the lane he'd just left.",
+#:   "It happened so quick I thought I dreamt it: white van on the left, white van in front, white van on the left again. Took my lane and gave it back in about the time it takes to say so, an my tea was all over the seat.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

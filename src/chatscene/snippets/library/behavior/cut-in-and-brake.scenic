@@ -24,6 +24,22 @@
 #:   "Close-range lane entry by neighbouring vehicle with immediate harsh deceleration",
 #:   "INSURANCE SCAM? Swoops in and BRAKE CHECKS me",
 #:   "The van wedges itself ahead of us and bites down on its discs.",
+#:   "Bus muscles in ahead of us and its brake lights blaze. Nasty.",
+#:   "Trickster on a moped: slots in under your nose, yanks the lever.",
+#:   "Let a truck change lane tight before the ego, then retard hard.",
+#:   "He come in my lane, no space, and then pum, full brake.",
+#:   "The AV's lane was taken by a coupé which then promptly stood on it",
+#:   "The vehicle alongside slid over into the sliver of room before my bonnet and, before I could so much as swear, was scrubbing off its speed.",
+#:   "A claim is made in respect of damage to crockery in transit, the neighbouring pickup having pushed in close ahead and then shed most of its speed in an instant.",
+#:   "Why would anybody wriggle in between me and the car in front, with a whole empty road to choose from, and then go hard for the middle pedal?",
+#:   "Sequence: (1) truck in adjacent lane encroaches and completes lane change at 5 m headway; (2) upon centring in lane, it sheds speed at 6 m/s².",
+#:   "\"She changed into our lane right at our bumper and then everything lit up red in front of me,\" the coach passenger recalled, still trembling, in her statement.",
+#:   "If someone dives into your safety gap like that bike's just done, drop back, because look, they very often anchor up straight afterwards, exactly as he's doing.",
+#:   "My grandson was driving me to the clinic. A big lorry that had been keeping us company in the other lane suddenly decided it wanted ours, came in so close I could have touched it, and then would you believe it put its brakes on with a great hiss.",
+#:   "Posting this for anyone who thinks gaps are safe. I leave two car lengths, guy in a white BMW next to me treats it as an invitation, cuts into it with no signal and then immediately hauls his speed down like he's spotted a camera. ABS saved my bacon.",
+#:   "The robotaxi was cruising in the left lane when a motorcycle from the neighbouring lane tucked itself in at roughly three metres. Barely had it settled in front when its rider squeezed hard, and the closing speed jumped from nothing to something our system classed as critical.",
+#:   "In the lorry you see it coming a mile off. He creeps up next to the tractor unit, looks in his mirror, shoves across with a whisker to spare, and then, I suppose because his mate's turning was coming up, he's digging his heels in and I'm braking thirty-eight tonnes.",
+#:   "We had a vehicle at our side, a city bus, the whole way down the hill. It moved over right before our nose, in one quick motion, and straight after that it braked with such force that I saw the standing passengers being flung forward.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Lane intrusion ahead with persistent low residual speed",
 #:   "Truck squeezes in, then goes SLOWER THAN WALKING",
 #:   "The motorbike muscled in and loitered along.",
+#:   "Coach nudges into our lane and we're down to walking pace behind it.",
+#:   "Lane change in front of VUT, thereafter rolling at 8 km/h.",
+#:   "Van took the gap before us only to mope along like treacle.",
+#:   "From the next lane a fire engine moves over and goes dead slow.",
+#:   "Now following at a snail's speed: the cab that had just barged in.",
+#:   "A lorry from the lane beside you pulls across in front of your bonnet, and from then on it grinds along so slowly that the speedo hardly moves.",
+#:   "Insured states that the third party, until then in the adjacent lane, filtered in immediately ahead and then persisted at little more than walking speed.",
+#:   "Please let the neighbouring minibus switch to the ego's lane shortly before it and from there on roll forward at about 2 m/s, without ever standing still.",
+#:   "I was stuck doing four miles an hour because a hatchback which had been running level with me had helped itself to the space in front.",
+#:   "She indicates, she moves across in front of us, fine, and you'd expect her to keep up with traffic, but no, she dribbles along with everyone piling up behind.",
+#:   "Monsieur comes from the lane at side, puts himself before my capot, and after he advances like a turtle, I cannot explain why.",
+#:   "We were side by side past the garden centre, me and this horsebox. All of a sudden it shifted over into my lane, right at my nose, and from there to the roundabout it went no faster than my grandmother walks. It never did stop, it merely crept.",
+#:   "The HGV occupied the lane to the right of the AV. At the marked position it shifted left into the AV's lane with a gap of six metres and continued at a very low residual speed, so that the AV was obliged to follow at a crawl.",
+#:   "Title says it all, but for context: motorbike beside me, loads of room, chooses my lane, plonks himself just ahead of my front wheels and then putters along as if he was looking for a house number. Followed him like that for half a mile.",
+#:   "My daughter said he must be lost. He had been in the other lane, next to us, and then the big taxi came over in front of our car and went ever so slowly, rolling along with his hazard lights off, and I could only trundle after.",
+#:   "Test case: slow plug after a lane change. The actor starts in the adjacent lane; it merges ahead of the subject vehicle with little margin and then keeps to a speed far below the limit for the rest of the run. No standstill is wanted.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

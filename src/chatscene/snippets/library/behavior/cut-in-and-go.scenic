@@ -24,6 +24,22 @@
 #:   "Forced merge ahead of ego under acceleration, with opening gap thereafter.",
 #:   "CUTS ME OFF AND DISAPPEARS",
 #:   "The ambulance barrelled in ahead and streaked off.",
+#:   "Gets on the gas, takes the gap before us, keeps going faster.",
+#:   "Fire engine surges, shoves in ahead of ego, draws off. No braking.",
+#:   "It make more speed, press itself in front of me and disappear.",
+#:   "Our neighbour speeds up, bags the space before our nose and leaves.",
+#:   "Coupe guns past my wing, squeezes in, waves goodbye.",
+#:   "A courier's van in the lane beside mine picked up speed, made me give it room at the front and then ran away from me.",
+#:   "Simulate a bus which, from the next lane, puts on speed, pushes over into the slot ahead of the ego and then increases its lead.",
+#:   "The artic on our left opened up, bore down on the bit of road in front of our bonnet until it was his, and roared on.",
+#:   "Beside you a motorcyclist winds on the throttle; he'll nick the space ahead of you, and as he isn't slowing you needn't brake, he's only going away.",
+#:   "The claimant had to yield when the other party sped up, intruded on the space before her vehicle and departed with undiminished acceleration.",
+#:   "With a blip of the siren the patrol car gathered pace next to us, barged over in front, and a few seconds later we couldn't read its plate any more.",
+#:   "I'd left a decent gap, as you should. Up the inside comes a pickup with its foot to the boards, makes that gap his own with about a coat of paint to spare, and then he just keeps on pulling until he's well down the road.",
+#:   "The adversary starts level in the adjacent lane and is given throttle. It encroaches upon the ego's lane with little clearance to the ego's front, completes the change, and goes on accelerating so that the headway grows again; it is never braked.",
+#:   "My instructor told me to let him have it. The SUV beside us was building up speed, it wanted the piece of road I was heading for, it simply took it, and by the time I had got my breath back it was two hundred yards off.",
+#:   "A coach driver who was late for the ferry put on speed next to a family's car on the A20, wedged fifty seats into the room ahead of it and drove off ever faster, leaving the family shaken but with nothing to brake for.",
+#:   "He told police he feared a collision as the ambulance, which had been travelling level with him, accelerated and nosed across into his lane with hardly a foot between them. It did not dawdle there, he added: it drew away from him straight afterwards.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Lane occupation by merging vehicle after gradual loss of speed to rest",
 #:   "He merges in front... then just DIES there",
 #:   "The coach sidles into our lane and settles there.",
+#:   "Slots in ahead of the AV, fades out, stays put.",
+#:   "coach nosed acros into our lane, dawdled to nothing, didnt budge",
+#:   "Have the cab merge before us, glide to rest and remain.",
+#:   "He came in front, slowly slowly no more moving, blocked.",
+#:   "Veh 2 entered lane, gentle decel to nil, remains stationary.",
+#:   "An ambulance worked its way over from the next lane into the space before me, let its speed drain away and then simply occupied the road.",
+#:   "Once the hatchback was in front of you, having changed lanes to get there, it ran itself down softly and you were left looking at its boot.",
+#:   "The artic indicated, came across ahead of our car, and without any sharp braking whatever lost its speed till the wheels ceased turning, and there it stood.",
+#:   "I want a motorbike that changes into the ego's lane just ahead, trundles down to zero without drama, and stands there as an obstacle.",
+#:   "Pupil, what do you do when somebody takes the gap ahead of you, eases up until he's not moving at all, and then makes no move to go?",
+#:   "Sir, my lane was plugged by a pickup, which had first crossed over to it before my bonnet and then gradually gone to sleep on the spot.",
+#:   "The recording starts with the van abreast of us in the other lane. It eases over into our space, and you expect it to carry on, but it loses way bit by bit until it is standing, hazards on, and that is where it was when we gave up.",
+#:   "There was nothing violent about it, I must tell you. The little saloon put itself before me, and I watched the gap shrink as it grew slower and slower, as if it had used up its last drop; and at the end it was at rest and I was stuck.",
+#:   "A parcel van had come to a stand in the lane of Vehicle 1, about fifteen metres ahead. Seconds earlier it had been in the lane next to it, from where the driver changed over and permitted the van to run out gently to a full stop.",
+#:   "my bus is late bc of this taxi: shifts across in front of us from the lane next door, drops its speed nice and soft, then it's stopped, then it's just there. No reason, no passenger, nobody gets out. We wait behind it like idiots",
+#:   "Dispatch, we've got a bus sitting in lane two for no reason I can see. Caller says it came across from lane one just ahead of her, took its speed off nice and easy until it was at nothing, and it's been a roadblock ever since.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Lane intrusion ahead followed by unstable lateral motion within the lane",
 #:   "Van cuts me off then starts WOBBLING everywhere",
 #:   "The scooter hopped in before us and shimmied.",
+#:   "Moves over right ahead of us and then can't keep straight.",
+#:   "Pickup squeezes in before the AV and wanders lane edge to lane edge.",
+#:   "He barges in front, then tacks like a sailing boat.",
+#:   "Taxi takes our gap and starts zigzagging before our bonnet.",
+#:   "I want a motorbike that slots in ahead, then swings from side to side.",
+#:   "The minibus forced its way into the space before my bonnet, and from then on it lurched left, right, left, never settling.",
+#:   "Having changed lane closely ahead of the ego, the target continues with a repeated side-to-side motion within that lane.",
+#:   "First the lorry is coming into my lane near before me, and after he swims from one line to the other line.",
+#:   "Why would anybody nip into a gap that small and then spend the next half mile rolling about in it like a drunken sailor?",
+#:   "Dispatch, silver saloon just jumped in ahead of a cab, he's all over the lane now, left, right, might be intoxicated.",
+#:   "So this ambulance shoves in ahead of us, okay, and then it's wiggling its tail the whole time, we cannot get past.",
+#:   "I left a proper gap, as one does, and a lad in a hot hatch swooped into it. Then for the fun of it he kept swinging the nose to one side and the other, so that I didn't know where to look.",
+#:   "V2 merged into the space immediately preceding V1. Following the merge V2 was seen to oscillate between the lane markings on at least four occasions, and its driver later admitted to having been awake for thirty hours.",
+#:   "Hold back here. That coach has just come over into your lane right in front, and see how he's drifting to the line, back, over to the other line? Somebody's tired, so don't you dare squeeze by.",
+#:   "The scooter slid into the narrow room before their radiator with a centimetre to spare. There it began a kind of dance, leaning one way and then the other, a red tail lamp swinging to and fro in the dusk.",
+#:   "A caravan outfit pulled over from the next lane, tight in front of us. The thing set to snaking straight away, wagging across the lane like a dog's tail, while my wife held on to the door handle.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Close merge, transient braking and rapid departure of adversary.",
 #:   "CUTS IN, BRAKE CHECKS, FLEES",
 #:   "The motorcycle knifed in, pecked at its brake and bolted.",
+#:   "nips in dabs the anchors clears off at speed",
+#:   "Ambulance squeezes in ahead of us, brakes briefly, hurtles onward.",
+#:   "Tanker moved over on me, braked once, then powered away.",
+#:   "ROAD RAGE: he dives in, brake-checks me and guns it",
+#:   "Lane intrusion in front, single brake impulse, brisk departure of target.",
+#:   "Simulate a pickup that forces itself in front of the AV, gives one sharp squeeze on the brake and straight afterwards hares off down the road.",
+#:   "The coach came over into our lane from the side, its brake lights blinked on for about a second, and then it gathered way and left us standing.",
+#:   "What my husband calls a punishment brake: he pushed in before us, stood on the pedal a moment and was gone in a cloud of diesel.",
+#:   "The motorbike is entering before the test vehicle, it makes a little brake, only to frighten, and after it escapes with big acceleration.",
+#:   "V2 merged immediately ahead of V1, decelerated hard for less than one second and left the scene under strong acceleration, its plate unreadable on the video.",
+#:   "By the time I'd finished swearing he was a dot on the horizon, having first carved me up and then jabbed his brake at me.",
+#:   "The silver estate was next to me, and I think he objected to my speed. He swung over so that his rear bumper was just ahead of mine, hit the brakes hard enough for my seat belt to lock, and then simply put his foot flat and left.",
+#:   "Insured was proceeding normally when a third-party minibus moved across into the insured's lane with little room. The third party then braked for no apparent reason, momentarily, and thereupon accelerated away. The insured avoided a collision and noted part of the registration number.",
+#:   "Watch what the biker does at 0:42. He filters across to our side of the line just in front of the bonnet, taps the rear brake so the light flares, we nose-dive, and before the horn even sounds he has opened it up and vanished.",
+#:   "The behaviour has three phases. First the adjacent truck takes the lane of the vehicle under test at short range; next it applies its service brake for a short time, without standing still; finally it releases and picks up speed until out of the relevant area.",
+#:   "I say to you, in my country also we have such drivers. This taxi comes from the side lane in front of my nose, he brakes so I must brake, like a lesson for me, and then he presses everything and flies away.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

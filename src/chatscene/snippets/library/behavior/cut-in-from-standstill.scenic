@@ -24,6 +24,22 @@
 #:   "Entry into own lane from rest by queued vehicle of the neighbouring lane after waiting",
 #:   "QUEUE ESCAPEE pops out from standstill right in front of me",
 #:   "The halted truck bides its time and then peels off the jam into our lane.",
+#:   "Stationary neighbour loses patience and jumps in ahead of us from nought.",
+#:   "Lorry stops one lane over, sits there, then lunges out before you.",
+#:   "Parked up in the next line of cars, then wham, out he comes",
+#:   "Scooter pulls up in its lane, bides a while, then swings in front.",
+#:   "In the neighbour lane he stops, makes little pause, then drives out before us.",
+#:   "Let the ambulance halt in the lane beside the ego's, stay put for a few moments and then break out of the line ahead of it.",
+#:   "The minicab had come to rest ahead in the next lane, seemingly content, until it poked out of the tailback before us.",
+#:   "V2 ceased moving in the lane adjacent to that of V1, dwelt there, and subsequently set off at an angle into V1's lane immediately in front.",
+#:   "That motorbike in the other lane has pulled up behind the queue; give him a second and, there, he's setting off straight into your lane.",
+#:   "Nobody expects it: a van that has been standing nose to tail in the other lane for some time abandons its spot and slides over ahead of our car.",
+#:   "The test truck shall decelerate to zero in the neighbouring lane, hold position until the subject vehicle is close, and then launch into the latter's lane.",
+#:   "I noticed the pickup ahead in the lane to my left because it was braking for the jam. It stood there long enough for me to forget about it, and when I was a few lengths off, the driver swung out into my lane.",
+#:   "The queue beside us wasn't going anywhere and you could see he knew it. He'd stopped with the rest of them, drummed on the wheel for a bit, and just as the robotaxi came up he heaved himself out of the line into our way.",
+#:   "As a trucker I see this at every roadworks. Somebody halts in the shut lane, has a think about it, and then, when you're nearly level and fully loaded, he pulls across from a dead stand and expects you to find the brakes.",
+#:   "The police car had been slowing in the other lane and finally stood still with its hazard lights ticking. She took it for a breakdown; but after a pause the front wheels turned, and it rolled out into the lane in front of her.",
+#:   "Request for the simulator: one lane over and somewhat ahead, a car comes to a standstill because its lane is jammed. It remains there until we are nearly on it. Then it leaves the line and gets in front of us, starting from zero.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

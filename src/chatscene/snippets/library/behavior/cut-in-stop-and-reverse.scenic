@@ -24,6 +24,22 @@
 #:   "Lane intrusion, standstill and rearward motion toward own vehicle; staged-collision scenario",
 #:   "INSURANCE SCAM: truck blocks me then backs into my car",
 #:   "The sedan butted in, planted itself and rammed backwards.",
+#:   "Barges in ahead, pulls up, then comes backwards into us.",
+#:   "Lane change in front of VUT, standstill, rearward travel into VUT.",
+#:   "Van: in front, dead stop, reversing lights, crunch.",
+#:   "The bus got in our way and stopped and came at us bottom first.",
+#:   "Who swerves in front of you, halts, then rams you in reverse gear?",
+#:   "Let the ambulance slip over from the next lane, come to rest with its back doors at our bumper, and then drive rearwards at us.",
+#:   "The front damage arose when the insured's adversary, having changed into her lane and brought his lorry to a stand, set it moving backwards.",
+#:   "Reversing alarm beeping, the dustcart rolled back onto the AV, which it had moments before boxed in by changing lanes and halting.",
+#:   "He enters my lane with force, he puts the car at zero, and then with marcha atrás he comes to hit my front.",
+#:   "Be advised, caller reports a grey SUV pulled across her, stood there, and has now backed at her deliberately, possible staged accident.",
+#:   "Three steps for the adversary: take the ego's lane from the side, brake down to nothing just ahead, then roll tail-first at the ego.",
+#:   "I know what a swoop-and-squat is, I've driven a cab since 1988, but this was new. Passat whips over in front of me and anchors up, fine, I stop in time, no bump, so what does he do? Finds reverse and gives me one on the radiator.",
+#:   "According to the narrative, V2 entered V1's lane from the left, slowed until it was no longer moving, and after a brief pause accelerated rearward. V1's driver sounded the horn to no effect, and the tow bar of V2 penetrated the grille of V1.",
+#:   "It seems the coach driver had spotted his stop too late. He veered in from the lane beside the robotaxi, brought that great thing to a stand, and then, without so much as a glance in his mirrors, shunted it backwards with the robotaxi right behind him.",
+#:   "Court heard how the defendant would select lone drivers, steer his hatchback into their lane a few metres ahead, halt it completely, and then throw it into reverse so that it looked as if they had hit him from behind.",
+#:   "What I felt first was annoyance, because the police car had taken my lane and then come to a stop for no reason. The annoyance turned to fear when its white lamps came on and the boot began to grow in my windscreen.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Sudden occupation of forward gap by adjacent vehicle, speed maintained",
 #:   "Motorbike STEALS my gap and just keeps riding",
 #:   "The coupe pounced into our lane and pressed on.",
+#:   "White van helped himself to my braking distance and pushed on.",
+#:   "Neighbour swaps into the ego's lane at tiny headway, then carries on at speed.",
+#:   "A coach just swept across the line ahead of us and kept on motoring",
+#:   "Moto filtered in from next lane ahead of me, no slow, only continue.",
+#:   "Have a saloon swerve in ahead of the robotaxi and simply travel on.",
+#:   "I was minding my own business when a people carrier muscled its way over from the next lane, landed a few feet off my bumper and kept going at normal pace.",
+#:   "The offender came over from lane two, took the slot directly in front of us without warning and proceeded on his journey as though we were not there.",
+#:   "Please let a motorcycle hop across the lane marking into the space before the AV's bumper at the last moment, after which it rides on steadily without slowing.",
+#:   "V2 encroached into the lane of V1 at an insufficient distance and thereafter remained ahead of it, travelling at undiminished speed down the same lane.",
+#:   "Why do lorries think an indicator flash gives them the right? This one shoved across, filled my windscreen, and rumbled away ahead of me.",
+#:   "Señor, the car from the side lane, he puts himself in front of my nose with no warning, and after this he continues normal, very calm.",
+#:   "Nobody got hurt, thank goodness, but my coffee went everywhere. A silver estate came over from the neighbouring lane with barely a hand's breadth to spare, and off it cruised down our lane as if the rest of us were scenery.",
+#:   "The manoeuvre to be tested is a short-headway intrusion. The target, initially running level in the adjoining lane, transfers abruptly into the lane of the subject vehicle and then continues at its set speed; at no time does it decelerate after entry.",
+#:   "I ride in every day and I left what I thought was a sensible gap to the traffic ahead. A cab in the other lane regarded it as an invitation, darted over in front of my wheel and went merrily onward.",
+#:   "By the time Grandad had finished saying that it would never fit, the bus had fitted. It had simply come across out of its own lane and was trundling along ahead of us with its adverts in our faces.",
+#:   "What the recording shows is quite ordinary rudeness. The hatchback is beside us, then without any signal it is in our lane, close enough to read the dealer's sticker, and from there it just drives on with the flow.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

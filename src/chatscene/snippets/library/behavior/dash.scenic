@@ -24,6 +24,22 @@
 #:   "Sudden running crossing by pedestrian from roadside.",
 #:   "KID BOLTS ACROSS STREET - TOO CLOSE",
 #:   "A girl rocketed over the road on foot.",
+#:   "Girl hurtling from verge to verge, flat-out, never breaking stride.",
+#:   "Foot-race over the highway: jogger sprinting right through your path",
+#:   "Have somebody pelt over the street before the AV, start to finish.",
+#:   "Il court, he runs like a crazy from one trottoir to other.",
+#:   "Pedestrian, running, kerb to kerb, no pause. Nearside to offside.",
+#:   "The old soldier surprised us all: seeing the bus on the far side about to leave, he took off and galloped over the whole street without once slackening.",
+#:   "I'd barely noticed the woman with the shopping bags before she was off at full tilt, and before I'd touched the pedal she had reached the far pavement.",
+#:   "He'd got to the opposite kerb by the time I stopped shaking, having come out at a flat run and kept it up all the way over.",
+#:   "A pupil late for school hurled himself over the carriageway at top speed yesterday, passing just in front of a robotaxi and disappearing through the gates on the other side.",
+#:   "For VRU case 7 the dummy shall be released from standstill, reach 3 m/s within one metre and maintain that speed until it has cleared the far lane.",
+#:   "Watch that teenager with the headphones, she's not going to wait, is she? There, off like a greyhound, and she's run clean across to the other side.",
+#:   "I was cycling behind the driverless car, so I had a perfect view of it. A man in a suit, briefcase flapping, broke from between the planters and raced over the road as fast as his legs would carry him, and he was on the far side before the car had finished reacting.",
+#:   "Vehicle 1 was travelling north at approximately 28 mph. The pedestrian, who had been standing on the west sidewalk, took off running on an eastbound path through the travel lanes and maintained that run until she was safely upon the east sidewalk. No contact occurred.",
+#:   "It was like when we play tag. The big boy said \"catch me\" and he ran super fast over the whole road, right in front of Daddy's car, and he didn't stop till he was at the ice cream shop, and Daddy said a word.",
+#:   "I want the system to meet a person in a real hurry. They wait at the roadside, and once we're close they set off like a sprinter from the blocks and rush over the entire carriageway to the other side, neither slowing in our lane nor thinking better of it.",
+#:   "You must understand, in my city the people they cross how they want. This time one fellow with a helmet in hand suddenly went full speed running over the road just ahead of my car, and he finished the crossing also running, not looking once.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Skewed crossing trajectory of vulnerable road user with extended exposure in the lane",
 #:   "JAYWALKER TAKES THE HYPOTENUSE",
 #:   "The cyclist angles across the street.",
+#:   "Jogger goes over the road slantwise, gaining ground along it too.",
+#:   "Make the cyclist traverse our street obliquely, not square.",
+#:   "At a slant, up the road and over, goes the paper boy.",
+#:   "Ped track crosses lane at 40° instead of 90°, constant walk.",
+#:   "No right angles for granny: she crosses on the bias.",
+#:   "A man with a rucksack left the bus stop and headed for the pub on a slanting line, so that he was travelling down the street while crossing it.",
+#:   "Instead of taking the shortest way to the other kerb, the child walked a long oblique line over the carriageway ahead of our car.",
+#:   "The VRU path shall form an acute angle with the lane direction, so the target advances along the road during the entire crossing.",
+#:   "I need a scenario with a pedestrian whose way over the street is skewed: he aims for a doorway further along and walks directly to it across the tarmac.",
+#:   "Mister is not crossing straight, he is crossing slant-wise towards the temple gate, that is why he was for long time before my auto.",
+#:   "What makes it awkward is the angle; she doesn't step straight over, she drifts across and forward together, from this lamp post to that one down there.",
+#:   "The postbox stood some way up on the opposite side, and that was where he was bound. He saw no need to walk up first and then over. He struck out across the road in one slanting line, with the traffic coming on at his shoulder.",
+#:   "Pedestrian 2 departed the north sidewalk and walked on a southeasterly heading, that is, oblique to the travel lanes, reaching the south curb about fifty feet farther along. Because of that heading she was in the lane of Vehicle 1 for longer than a perpendicular crossing would take.",
+#:   "Riding home I usually cut from the end of the cycle track to the opposite bike rack. It's a diagonal, I know, you go along the road as much as over it, and the robotaxi behind me had to wait until I was off its lane.",
+#:   "This is the clip where the lad can't be bothered with corners. Watch his feet: he comes off the pavement and goes across at an angle, same direction as the cars more or less, and he gets to the other side three shopfronts further on.",
+#:   "I say, officer, he went the way a ferry goes over a river, carried down while he was going over. From the chemist's on one side to the butcher's on the other, which is not opposite at all, and my lane was right in between.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Abrupt high-acceleration departure of stationary emergency vehicle from the roadside into own lane",
 #:   "Parked POLICE CAR blasts off right in front of me",
 #:   "The ambulance catapulted off the kerb into our lane and away.",
+#:   "Kerbside fire tender bursts into our lane and is off at speed.",
+#:   "Ambulance, stationary at roadside, full power into ego lane, rapidly away.",
+#:   "Das Polizeiauto stands on the border, then shoots in my lane, racing away.",
+#:   "Parked cop car slingshots into my lane and he's GONE",
+#:   "Let a police van waiting by the pavement take off flat out along our lane.",
+#:   "The ambulance crew had been idling by the kerb; on the alarm they lunged into the traffic lane ahead of the robotaxi and hurtled off.",
+#:   "Attention all units, car 7 has left the kerb hard, he's in the running lane in front of a civilian and going up through the gears.",
+#:   "A fire appliance that had been stood outside the school came off the edge of the road with everything it had and went haring down our lane.",
+#:   "The stationary police vehicle departs the kerb under full throttle, occupies the VUT's lane and draws away from the VUT at high speed.",
+#:   "There was a big red fire engine sleeping by the pavement, and then it woke up and jumped in front of us and went whoosh all the way down.",
+#:   "What does the AV do if an ambulance at rest along the kerb suddenly enters its lane with maximum acceleration and goes speeding off down it?",
+#:   "I noticed the traffic officer's car only because it stood half under a tree at the side. Before I had drawn level it was in my lane, wheels spinning, and it went away from me so fast that I could hardly see which way it had gone.",
+#:   "At 14:06 the emergency vehicle was stationary next to the kerb. Upon receipt of a call its driver entered the lane of the approaching Vehicle 1 at full acceleration and continued along it at a speed considerably above that of the surrounding traffic.",
+#:   "They always park up by the kebab shop, the ambulance lot, having their tea. I'm trundling along with twelve tonnes on, the blues come on, and it's straight off the kerb into my lane with its foot hard down and away up the hill like a jet.",
+#:   "Nothing about the police car by the kerb suggested haste; its driver seemed to be asleep. Then the tyres shrieked, it hurled itself into the lane in front of her, and its tail lamps shrank down the avenue quicker than she would have believed possible.",
+#:   "Ticket 481: actor = fire truck, initial state parked at the kerb on the ego's side. Trigger when the ego is close: steer into the ego's lane, throttle at 100 %, no slowing afterwards, let it run up to its top speed and vanish ahead.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "High-speed passing by responding emergency vehicle in adjacent lane.",
 #:   "FIRE TRUCK FLIES PAST ON A CALL",
 #:   "A police car streaked by in the lane alongside, siren wailing.",
+#:   "Paramedics tore by on the neighbouring lane, siren howling.",
+#:   "patrol car on a shout blazes past us one lane across wow",
+#:   "Send a fire engine flying past the ego in the adjacent lane.",
+#:   "NEE-NAW NEE-NAW it went zooming past daddy's car in its own lane!",
+#:   "EV overtook subject at speed, parallel lane, warning equipment on.",
+#:   "With its horns going, the rescue truck came up along the lane beside the robotaxi and left it standing, bound for some fire or other.",
+#:   "You heard it before you saw it: a police car in the lane to your side, doing twice your speed, up alongside and away ahead of you.",
+#:   "The vehicle under test is to be passed in the parallel lane by an ambulance on duty whose speed exceeds the VUT's by at least 40 km/h.",
+#:   "In my country also we make place for the doctor's car, but here it came so rapid on the next track that already it was in front.",
+#:   "Unit 4 responding, I'm level with a civilian saloon, now clear of him, staying in the outside lane and making good speed to the incident.",
+#:   "An ambulance on its way to a casualty swept by at a tremendous lick, keeping to the lane alongside mine the whole time, and was soon a dot.",
+#:   "I am eighty-one and my hearing is poor, so what I noticed were the blue reflections on my dashboard. Then something big and red thundered by in the lane next to me, off to a fire I imagine, and my small car rocked in its wind.",
+#:   "Repro steps: ego cruises, fire apparatus with active siren approaches from the rear in the adjacent lane and passes at very high closing speed. It never enters our lane and does not deviate. Expected: no panic braking by the stack, just yield space and let it pass.",
+#:   "The patrol car was answering a call for assistance and therefore driving with lights and siren. It drew level with Vehicle 1 in the lane beside it, went by at about 130 km/h, and had vanished round the bend before the driver of Vehicle 1 could react.",
+#:   "We lorry drivers see them coming in the big mirror, little blue sparks growing. This one was an ambulance in the lane next to ours, absolutely motoring; it passed the cab like a bullet train, and off it went to whoever was waiting for it.",
+#:   "There was a moment's confusion in the mirrors, then order: the engine kept to the lane alongside ours, its crew buckling helmets in the windows as they shot by on the way to the blaze. We were doing fifty and might as well have been parked.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

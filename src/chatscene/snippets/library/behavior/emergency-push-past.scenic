@@ -24,6 +24,22 @@
 #:   "High-speed passing of own vehicle by priority vehicle after closing to minimal rear separation",
 #:   "AMBULANCE GIVES ME ONE SECOND then blows by",
 #:   "The police van crowds our tail, jumps out and hurtles by.",
+#:   "Cop car crowds my rear, jinks out, gone like a shot.",
+#:   "Ambulance right up behind, moves out, flashes by flat out.",
+#:   "Let a fire engine breathe down our neck, then swing out and roar past.",
+#:   "Blue lights on our tail, out he darts and away past us.",
+#:   "Police bike hugs the ego's back, sidesteps, screams by.",
+#:   "The paramedic car sat an arm's length behind for a second or two, ducked into the neighbouring lane and tore past us.",
+#:   "The firemen came so near that I saw only red in the mirror, after they changed on the other side and flew along me.",
+#:   "An appliance on call reduced its following distance to almost nothing, left the lane and overtook the subject vehicle with full power.",
+#:   "Did the ambulance driver not first press up against your back, and only then pull out and rush by you at great speed?",
+#:   "Suddenly there's a huge siren at my back window, he's touching me nearly, then whoosh, round the outside and miles ahead.",
+#:   "Rear priority vehicle: closes to two metres, dwells, lane change, full throttle, past the VUT before it finds a gap to yield.",
+#:   "I was slow to move over, I admit it. The rapid-response car came right up to my tow bar, wailing, hung there for a breath, and then veered out and shot by me like I was parked.",
+#:   "You'll hear the siren before you see it. It'll come up so close behind you that you can read nothing but the grille; keep straight, because it's going to step out into the other lane and hurtle on ahead.",
+#:   "There was a rush of blue over the ceiling of the cab. The police car hung for a heartbeat a metre from our rear, shouldered out of the lane, and went howling by, with the wind of it rocking us.",
+#:   "V1 was being followed at minimal distance by a marked fire-department unit with lights activated. The unit then departed the lane to the left and went by V1 under hard acceleration, continuing toward an alarm downtown.",
+#:   "We in the tram stop saw it. The ambulance is pushing the little white robot car, so to say, with one metre only, then it goes to the outside and overtakes with a terrible speed.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]

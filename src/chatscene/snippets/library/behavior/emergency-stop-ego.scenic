@@ -24,6 +24,22 @@
 #:   "Enforced stop: emergency vehicle passes, moves in ahead and obstructs the lane at standstill",
 #:   "COPS overtake and BOX ME IN at the front",
 #:   "The patrol car rounded us and barricaded the lane.",
+#:   "Blue lights come past, slot in ahead and stop us.",
+#:   "Fire tender goes round us, pulls over our bows, parks there.",
+#:   "PULLED OVER: police van passes, dives in, halts in front",
+#:   "Let the squad car get by, move in and wall off our lane.",
+#:   "Patrol unit overtook, took my lane, braked to nought; I was stuck.",
+#:   "The police car came from behind and went past, then it got in front of our car and stopped, so Mummy had to stop as well.",
+#:   "An ambulance with its lights going drew ahead of the robotaxi on the outside, came across into its lane and stood there so nothing could move.",
+#:   "Emergency target: passes the VUT in the adjacent lane, enters the VUT's lane, brakes to rest and remains there as an obstruction.",
+#:   "Control, we are past the grey Audi and in front of it now, we've brought our vehicle to a standstill in his lane, he's hemmed in.",
+#:   "The policemen have overtaken me, then they have put themselves before my car and have braked until zero, so the road was closed for me.",
+#:   "Our way was barred by the same patrol car that seconds before had gone flying by and cut across to our side of the marking.",
+#:   "I saw the blue flashes in the mirror and thought they were after somebody else, so I kept going. They swept along my side, angled in front of my bonnet and braked until both of us were standing, with their back doors a yard from my bumper.",
+#:   "Vehicle 2, a marked patrol car, accelerated along the lane to the left of Vehicle 1 until it was ahead. It then entered Vehicle 1's lane, applied its brakes and halted, leaving Vehicle 1 no option but to stop behind it, as was the officer's intention.",
+#:   "We want to see whether the AV understands a traffic stop. Have the police vehicle approach from the rear in the next lane, go beyond the AV, merge close in front and decelerate down to a full stop, staying put as a roadblock.",
+#:   "The fire engine went by me like thunder on the dual carriageway, and before I'd got my breath back it had swung over into my lane and pulled up short. It stayed there too, right across where I wanted to be, with the crew jumping out.",
+#:   "He had half hoped that the wail behind him was meant for another. But the cruiser glided alongside, left him behind, leaned into his lane and sank to a halt on its front springs, and the road ahead was shut like a gate.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advLane", "egoRoute"]

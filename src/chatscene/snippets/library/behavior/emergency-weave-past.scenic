@@ -24,6 +24,22 @@
 #:   "Serpentine passing of ego by emergency vehicle on active response.",
 #:   "AMBULANCE SLALOMS PAST ME IN TRAFFIC",
 #:   "The siren-blaring patrol car snaked around us.",
+#:   "Fire crew zigzagged by us, all lights going",
+#:   "Police motorcycle, sirens on, wriggles through and leaves us behind.",
+#:   "Have an ambulance overtake the ego on a snaking course.",
+#:   "The nee-naw car went wibbly wobbly all the way past our car!",
+#:   "Blue-light unit passes SV in slalom fashion, next lane.",
+#:   "From behind came a paramedic's car, beacons flashing, lurching left and right in the neighbouring lane, and in that manner it got ahead of us.",
+#:   "Test case: the emergency vehicle draws alongside from the rear and goes by the vehicle under test on a sinusoidal track, without ever settling on a straight course.",
+#:   "I heard the siren and there was this rescue van tacking its way up to us and then on ahead, never two seconds on one line.",
+#:   "When a patrol car wriggles up past you like that, swinging one way and then the other, hold steady and let it find its way.",
+#:   "La police elle me double, but not in straight, she makes some zigzags next to my car until she is before me.",
+#:   "The court will see an ambulance meandering quickly from one edge of its lane to the other as it draws level with the taxi and leaves it behind.",
+#:   "The noise came first, then the lights in every window. The appliance was bigger than I expected and it was not driving straight at all; it swung out, swung in, swung out again, and like that it worked its way by my little Micra.",
+#:   "I was on my bicycle at the kerb, so I saw it properly. The squad car came up beside the grey SUV, rocking from side to side like a skier between the gates, and it was ahead of it and gone before the driver had even looked round.",
+#:   "For our perception stack the nasty bit is the lateral motion. An emergency vehicle approaches from the rear in the adjoining lane, and while it overtakes the AV it sweeps rhythmically to either side, so the tracker keeps predicting a cut-in that never happens.",
+#:   "Ever see a fire truck do the cha-cha? This one did, right next to us, one step left and one step right with the air horn blaring, and when the dance was done it was in front and we were looking at its ladder.",
+#:   "V2, an ambulance with warning devices active, came up in the lane next to V1. It followed a serpentine course through the traffic and in doing so passed V1, the occupants of which reported being startled by its swaying.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advLane"]

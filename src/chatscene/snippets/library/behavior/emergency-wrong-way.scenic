@@ -24,6 +24,22 @@
 #:   "Head-on approach of responding emergency vehicle in own lane with belated evasion",
 #:   "COP CAR PLAYS CHICKEN WITH ME in my lane",
 #:   "The fire truck barrels at us against the flow and flinches aside at the death.",
+#:   "Ambulance, our lane, opposite direction, flat out; ducks away with nothing to spare.",
+#:   "Priority vehicle, contraflow in ego lane, high speed, vacates at TTC minimum.",
+#:   "Nee-naw coming right at us on our side, then whoosh, it moved!",
+#:   "Would you have trusted that fire engine, charging you head-on, to shift eventually?",
+#:   "Police car occupies our side, charges, clears off only at the brink.",
+#:   "Let an ambulance with blues on race head-on along the ego's own lane and slip across to its proper half just before the two would touch.",
+#:   "The fire appliance had filled the wrong half of the carriageway and was storming my way; it relinquished it when I could read the number plate.",
+#:   "I see Polizei with big tempo on my track coming to me, and in the latest possible moment it goes over to its own side.",
+#:   "Unit 2, an ambulance running Code 3, was northbound in the southbound lane at high velocity and cleared it only an instant before contact with Unit 1.",
+#:   "Fire truck responding, opposing our traffic in our lane and not lifting; it will get out of the way, but later than you'd like.",
+#:   "Never trust them to be on their side; see, that ambulance is belting up yours towards us and will only tuck in when he's on your bonnet.",
+#:   "My wife screamed. There was a fire engine, a big red one, coming at us down our side of the road like a train because the other side was jammed solid, and it only veered off into a space when I could see the driver's moustache.",
+#:   "Test case EV-12. Emergency vehicle approaches in the direction opposite to that of the vehicle under test and, against the rule, in the latter's lane. Speed is kept high throughout. The lane is released by a lateral movement at the smallest distance the protocol allows.",
+#:   "You tell yourself they're professionals. Even so, when a patrol car is doing seventy on your half of the bypass with its grille aimed at yours, and it stays there, and stays there, and leaves you only when there's barely a car's length left, your hands shake for an hour.",
+#:   "Dash-cam from Leeds this week: what you'll see is an ambulance on a shout that has taken the oncoming lane, which is the cammer's lane, and is absolutely shifting. Keep your eyes on the gap, because it doesn't return to the correct side until there's practically none.",
+#:   "He'd gone round the queue, sir, that's how he came to be on our side with his siren howling. He was going hell for leather directly at the AV and I was sure he'd never budge, and then, right at the end, he nipped across to where he belonged.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Aborted crossing intention; road user arrests before lane boundary, spurious hazard",
 #:   "Fake-out! Pedestrian charges the road and stops at the line",
 #:   "The biker bluffed a crossing and balked at the brink.",
+#:   "Scooter, mock charge at the road, anchored on the kerb line.",
+#:   "Please simulate a pedestrian who threatens to step out but brakes himself at the edge.",
+#:   "Psych! Boy sprints for the street, toes on the gutter, doesn't go.",
+#:   "Bike fella dummied me, pulled both levers right on the verge.",
+#:   "El chico, he makes like he will pass, stops hard before the road.",
+#:   "A woman with a pram came at the road with such resolve that I stood on my brakes, only for her to haul herself back at the gutter.",
+#:   "Bluff test: the powered two-wheeler moves towards the path of the VUT at 10 km/h and is arrested 0.5 m short of the carriageway boundary.",
+#:   "I must have aged ten years when that moped rolled out of the alley as though for the far side and then dug in its front tyre at the kerbstone.",
+#:   "Was it not the case that the cyclist gave every appearance of coming over, and yet his wheel came to a dead halt on the shoulder, outside the lane?",
+#:   "Nothing happened in the end, because the jogger, who had looked certain to go over, threw out his arms and checked himself with his toecaps at the edging stones.",
+#:   "Here's a prankster on a dirt bike. He aims it at your lane, gives it a rev, and then grabs the brake so he's left teetering on the brink, grinning.",
+#:   "The robotaxi slowed needlessly, and I'll tell you why. A youth by the bus shelter set off towards the road with his head down like a man committed to crossing, and then stuck his heels in at the drain cover. He was never actually in our lane.",
+#:   "I am seventy-nine and my nerves are not what they were. A young lady on a bicycle shot down the garden path straight for the road, and I was sure she was coming over, but she clamped on her brakes and drew up sharply with her front tyre still on the grass.",
+#:   "Ticket 2291: the predictor assigned 0.94 crossing probability to a motorcyclist. He approached the road perpendicular to us from a farm track, clearly selling a crossing, then decelerated violently and held at the edge line. Ego emergency-braked for a manoeuvre that was not carried out.",
+#:   "Dad says some kids do it for a dare. One ran right up to the road, pretending he'd go to the other side, and when we all yelled he skidded to a halt on the last bit of pavement and just laughed at us.",
+#:   "I would like the ego to be tricked. Let a pushbike come quickly out of the park, heading for the lane at right angles as if nothing would stop it, and then have its rider brake so abruptly that it stands at the border of the road, outside our path.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

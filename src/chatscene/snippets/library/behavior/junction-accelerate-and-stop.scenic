@@ -24,6 +24,22 @@
 #:   "Competitive junction entry with hard acceleration, then standstill in conflict area",
 #:   "Bus BEATS me to the intersection then parks in it",
 #:   "The bike dashed in first and then rooted itself to the spot.",
+#:   "Bus sprints into the crossroads ahead of us, then plants itself.",
+#:   "he floors it to beat me over then whoa frozen mid junction",
+#:   "Let the cab surge in before the ego and freeze there.",
+#:   "Motorbike: burst of speed, junction first, abrupt standstill inside it.",
+#:   "The silly man rushed to be first and then he stopped inside!",
+#:   "Although I would have been there sooner, the saloon put on a spurt, took the junction before me and came to an instant standstill in it.",
+#:   "At the trigger the target goes from a modest approach to hard throttle, reaches the conflict area prior to the VUT, and brakes to zero inside.",
+#:   "What on earth is the point of racing somebody to the box if you're only going to nail the brakes the second you're in it?",
+#:   "The coach stood lifeless across the middle of the junction, which it had won a moment earlier by a violent burst of power at our expense.",
+#:   "He has made quick quick to arrive in the Kreuzung before my car, and directly in it he has made a full stop, nobody knows for what.",
+#:   "Your examiner's favourite: the hatchback that suddenly goes for it, gets into the junction ahead of you, then loses its nerve and stands stock-still.",
+#:   "The motorcyclist wound on the power as we both neared the intersection, so that he was inside it while our AV was still short of the line. There he grabbed both brakes, and bike and rider remained on the spot, square across our path.",
+#:   "I have delivered in this town for thirty years and seen all sorts. This SUV picked up speed like a scalded cat just to get onto the crossroads in front of my wagon, and no sooner was it there than it pulled up dead and stayed.",
+#:   "Video title aside, look at the timing. At two seconds the pickup ambles; at three it lunges forward, because he wants to be in there before the cammer; at five he's in the junction with the wheels locked, and then he's simply a wall.",
+#:   "It had been, thought Clara, a sort of duel for the empty intersection. The little van leapt, and won it by a length; and then, as though victory had frightened it, it stopped with a jolt in the very centre and would not stir.",
+#:   "The crossing coach was first seen at moderate pace. On perceiving the robotaxi it accelerated strongly and gained the intersection ahead of it, whereupon the driver executed an emergency stop. The robotaxi therefore met a stationary body in its path with little notice.",
 #: ]
 #: adversaries = ["car", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

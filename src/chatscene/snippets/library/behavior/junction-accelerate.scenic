@@ -24,6 +24,22 @@
 #:   "Unexpected speed increase of vehicle at intersection entry",
 #:   "SUV SUDDENLY FLOORS IT INTO THE JUNCTION",
 #:   "The truck spurts into the crossroads.",
+#:   "Crossing lorry opens the taps and is in the junction.",
+#:   "Where it might have waited, the hatchback picks up speed and enters.",
+#:   "V2: abrupt throttle application at the mouth of the crossroads; enters.",
+#:   "Il accélère d'un coup, and already he is inside the crossing.",
+#:   "Instead of giving way the scooter gets a move on, into the junction.",
+#:   "At the last yards before the crossroads the taxi, which had been coasting, had its accelerator pressed hard and was carried on into the junction.",
+#:   "The bus driver admitted having quickened sharply on the approach so as to be in the intersection ahead of us, without lifting off at any point.",
+#:   "I want the other car to approach at its usual pace and then, once we are near, give it full power into the intersection.",
+#:   "You could hear the motorcycle's note go up an octave and in it shot, in among the crossing traffic, still gathering way.",
+#:   "Did anybody expect that SUV to put a spurt on like that? One sudden shove of speed and it was over the line and in the crossing.",
+#:   "Dash cam, Tuesday: artic nearing crossroads at walking pace until he plants his right boot, then forty tonnes of him is in the middle.",
+#:   "As the pupil you must never rely on the other one waiting. See that van? He was ambling along, he has seen us, and now he has opened her up and he's driving into the junction as fast as it will pick up.",
+#:   "The subject vehicle had a clear view of the pickup coming from the other road. It was going steadily and then, a few lengths short of the intersection, its speed rose sharply, and it was still rising when the pickup was inside the intersection.",
+#:   "My husband said it would stop, I said it wouldn't, and I was right. The little car sort of squatted down at the back, the way they do when somebody stamps on the accelerator, and it came whizzing into the crossroads and never slackened.",
+#:   "Conflict vehicle behaviour: nominal approach along its own trajectory, then a step in the accelerator demand once the distance of the test vehicle to the meeting point falls below threshold. The throttle remains applied through the junction; neither a brake nor a stop phase follows.",
+#:   "Honestly I thought the coach was letting me go, he'd been so leisurely about it. Next thing there's a cloud of diesel out of the back and he's charging the intersection, and he kept building up speed the whole way in.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

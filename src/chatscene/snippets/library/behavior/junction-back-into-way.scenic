@@ -24,6 +24,22 @@
 #:   "Backward re-entry into ego path by vehicle that had cleared the intersection.",
 #:   "TRUCK MISSES TURN, REVERSES BACK INTO INTERSECTION IN FRONT OF ME",
 #:   "The van cleared the junction, halted and moonwalked into our way.",
+#:   "Clears the crossroads, pulls up short, comes backwards at us.",
+#:   "Bus went over the crossing, stopped hard, then reversed before our nose.",
+#:   "Beyond the junction he anchors up and rolls rearwards in front of the AV.",
+#:   "I'd like a van overshooting the crossroads, halting, and backing across my path.",
+#:   "Missed turning: lorry through the junction, full stop, astern into our route.",
+#:   "Already on the far side, the removal truck came to an abrupt standstill, selected reverse and pushed its tailgate into my line of travel.",
+#:   "The post van was past the crossing already, no problem, but then it made a strong stop and drove with the back into my way.",
+#:   "Once the other vehicle has left the junction it shall be braked to zero and then moved rearwards until it obstructs the subject vehicle.",
+#:   "Thought he was out of the way, didn't you? Well, he's pulled up over there and he's reversing slap into your path.",
+#:   "How could I have expected that a coach which was done with the intersection would jam on its brakes and come back tail end foremost?",
+#:   "The thing blocking us got there in reverse: it had driven clean over the crossroads, and stamped to a halt on the other side.",
+#:   "I waited for the taxi to go over, and over it went. But it seems his fare lived in the road behind, because he skidded to a stop past the crossing and backed up without a glance, right where I was heading.",
+#:   "According to the witness at the bakery, V2 had entirely traversed the intersection. It then braked to rest, its backup lamps came on, and it traveled rearward into the space that V1 was about to occupy.",
+#:   "The planner drops the crossing truck as soon as it's through, and that's the bug. Please have it brake to nothing just after the junction and then return in reverse gear onto our trajectory, so that the track must be revived.",
+#:   "Grandad saw it better than me. The furniture lorry had got all the way over when the mate shouted something; it stood with a hiss of air brakes, and then it came shuffling backwards, bleeping, until our way was shut.",
+#:   "We are in the taxi, the minibus passes by the crossing in front, good. Then the driver is remembering something, he makes full brake till he stands, and he comes in reverse exactly where we want to go.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

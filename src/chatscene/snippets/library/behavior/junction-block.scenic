@@ -24,6 +24,22 @@
 #:   "Persistent obstruction of conflict area by stationary crossing vehicle",
 #:   "ENTITLED DRIVER CLOGS THE WHOLE INTERSECTION",
 #:   "The coach dams up the crossroads.",
+#:   "An artic enters the crossroads, halts and simply won't clear.",
+#:   "Crossing bus comes to a stand mid-box; route obstructed.",
+#:   "Crossing motorbike rides into the junction and plants itself there for good.",
+#:   "Have a van occupy the middle of the intersection and remain.",
+#:   "YELLOW BOX? What yellow box? Cab stops on it and stays",
+#:   "A fire engine came out of the side road as far as the centre of the crossing and that's where it stood, in everybody's way.",
+#:   "theres no getting over the crossroads cos the lorry from the right drove in behind the queue and is now stood plumb in the middle",
+#:   "The crossing vehicle shall proceed into the conflict zone, brake to rest there and stay, so that the path of the VUT is occupied.",
+#:   "He could see full well his exit was choked, but in he went regardless, and now he's planted on the hatching and nobody can cross.",
+#:   "The bus from left has gone inside the junction and is not coming out, it is only standing there like a wall before our car.",
+#:   "Mum, the big truck drove to the middle where the roads meet and it isn't going anywhere, so how do we get through?",
+#:   "It was at the lights by the station. A delivery van coming from the side street pulled forward onto the junction, braked, and then it did not budge again, neither forwards nor back, although half the town was sounding its horn at him.",
+#:   "The collision risk arises because V2, a crossing tractor-trailer, advanced into the intersection when there was no space beyond it. It came to a halt athwart the through lanes and remained stationary for the rest of the recording, with its trailer closing off V1's path.",
+#:   "Ticket 3312: planner doesn't know what to do with a blocked junction. Repro: a cross-traffic SUV drives up to the meeting point of the two paths, stops on it and keeps standing for ever. No creeping on, no backing out. Ego should wait.",
+#:   "You mustn't enter till you can leave, that's the rule of the box. That coach there has broken it: he's come in from the side, he's had to stop in the centre, and there he stays, so we can't go anywhere until he's shifted.",
+#:   "The old crossroads had seen many things, but seldom an ambulance come in at a fair lick from the mill road, pull up in the very heart of it and stand. The crew stayed in their seats, and the traffic on our side piled up before its flank.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Unexpected hard deceleration of crossing traffic inside the intersection",
 #:   "Motorcycle brake-stomps IN the intersection",
 #:   "The lorry nosedived on its brakes amid the crossroads.",
+#:   "Cab rolls onto the crossroads, next second all four wheels are locked.",
+#:   "Into the junction, then bang, full anchors. Nobody knew why.",
+#:   "Have the lorry emergency-brake once it's inside the intersection.",
+#:   "The coach was inside the crossing already, and there it braked so strong!",
+#:   "Crossing bike chops its speed savagely mid-intersection.",
+#:   "We expected the hatchback to carry on through the crossroads, but the moment it was in, its tail lifted and its speed simply collapsed.",
+#:   "Set up a side-road saloon which drives into the intersection at normal pace and there, without any cue, demands maximum deceleration.",
+#:   "The other motorist proceeded past the give-way line and, having got inside the junction, applied his brakes with great violence for no cause I could see.",
+#:   "Halfway through his paper round the boy saw a van sail onto the crossing and then practically stand on its nose.",
+#:   "If you watch the SUV, it's committed, it's in the box, and only then does the driver panic and hit the pedal as hard as she can.",
+#:   "V2 passed the intersection entry at 45 km/h; skid marks beginning in the centre of the conflict zone show an abrupt application of the brakes.",
+#:   "I had judged that he'd be over and away before I got there. Then his brake lights blazed in the very middle of the crossroads and all that speed was gone, and my judgement wasn't worth a penny.",
+#:   "From the cab of my wagon I could see the whole junction. The little Peugeot came in from the side street quite sensibly, and once its wheels were over the line she must have seen a ghost, because she stamped on the brake for all she was worth.",
+#:   "The purpose of this case is to check prediction. The agent approaches the intersection, enters it as if it would pass straight through, and then commands a sudden strong deceleration inside it, invalidating the constant-velocity assumption at the worst moment.",
+#:   "I told the officer that the motorcyclist had only himself to blame. Nobody had forced him into the crossing, and nobody made him grab a fistful of front brake when he was there, with the tyre howling and the back wheel in the air.",
+#:   "Lesson of the day: never trust that a bus which is going will go on going. It drove into the intersection in a nice steady way, and then some passenger must have shouted, for the driver threw out the anchors right there.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

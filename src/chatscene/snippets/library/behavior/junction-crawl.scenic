@@ -24,6 +24,22 @@
 #:   "Multi-lane obstruction by very-low-speed intersection transit.",
 #:   "SLOWEST TRUCK EVER TAKES UP WHOLE INTERSECTION",
 #:   "The truck oozed over the crossroads, corking every lane.",
+#:   "Tractor-trailer dawdling over the junction, three lanes shut behind his bulk.",
+#:   "Cyclist trickles over the crossroads, nobody in any lane gets by.",
+#:   "Crossing target: continuous creep through junction, several lanes occupied.",
+#:   "Have you ever seen a bus need forty seconds for one intersection?",
+#:   "Let the van dribble through the junction, never halting, hogging the lanes.",
+#:   "The road train needed an eternity for those few metres, a barely moving wall of tarpaulin from one side of the crossroads to the other.",
+#:   "Simulate a pickup that goes over the intersection at barely more than a standstill, always rolling, so that no lane stays free.",
+#:   "An old gentleman on a bicycle pedalled so feebly through the junction that the traffic in all the lanes had to be patient with him.",
+#:   "Radio to base: low loader on the crossroads, moving but only just, he's across the lot, tell the 42 it'll be late.",
+#:   "Unit 2's progress over the intersection was described as glacial; it did not stop, and its length kept two through lanes and the turn lane closed.",
+#:   "It goes with the velocity of a snail, this coach, over the whole carrefour, and all the tracks are closed by him.",
+#:   "Forty-ton crane, see, with instructions not to go over four mile an hour on account of its load. So its driver took it over the crossroads dead steady, never stopped once, and aye, every lane was tied up while he did it, mine too.",
+#:   "We waited, and it came on; we waited, and still it came on. The minibus, with its elderly passengers nodding behind the glass, drifted across the junction no faster than a man strolls, and while it drifted there was no lane one could have used.",
+#:   "I put the indicator off again because there was no point. A learner was taking her hatchback through the crossroads at about the pace of a shopping trolley, rolling evenly without a pause, and what with her spread over two lanes and more, none of us had anywhere to go.",
+#:   "Planner issue: the subject vehicle predicts that the crossing truck clears the conflict zone in four seconds, yet it keeps plodding through the box at roughly 1 m/s the whole way. Expected: wait behind the line, because its body covers all our lanes for twenty seconds.",
+#:   "Honestly I nearly got out and pushed him. Moped, L plates, engine whining, doing maybe five kay over the intersection and smack in the middle of it, so neither lane could squeeze around. He kept moving all the time, I'll give him that, only so unbelieveably slow.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

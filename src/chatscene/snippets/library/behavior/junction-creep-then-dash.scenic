@@ -24,6 +24,22 @@
 #:   "Tentative intersection entry of crossing vehicle followed by rapid clearance",
 #:   "CREEP... CREEP... ZOOM! Nearly got him",
 #:   "The truck tiptoes into the crossing and then bolts.",
+#:   "Pickup peeking out at the crossroads, peeking, then whoosh, straight over.",
+#:   "Ambulance: dead-slow entry to the junction, then rapid clearance to far side.",
+#:   "I want a rider who sidles into the junction and then blasts over.",
+#:   "Zuerst it feels forward into the crossing, after this it sprints over.",
+#:   "a bit out, a bit more out, then WHAM floored it across",
+#:   "From the side street a lorry stuck its cab out foot by foot, and just when I'd made up my mind to go, it thundered over ahead of me.",
+#:   "What are we to make of a driver who slinks into the intersection like a burglar and then leaves it on the other side like a getaway car?",
+#:   "The SUV finished its crossing at a furious rate, although it had begun it at barely a trickle, its bumper nudging out past the hedge.",
+#:   "Phase one: target advances into the intersection at 1 m/s. Phase two: target applies full throttle and vacates the conflict zone on the opposite side.",
+#:   "Let him poke about in the mouth of the junction, he can't see yet. Hang on, he's made his mind up now, he's belting over.",
+#:   "V2 protruded gradually into the intersection from a side road before its operator abruptly gave it full power and shot through to the opposite leg.",
+#:   "I was on my bicycle, so I read front wheels. This taxi's were turning ever so slowly as it stole past the give-way line into the crossroads, and I thought he'd seen me; then the engine barked and he'd scooted over to the other side in a blink.",
+#:   "My client maintains that the fire engine was almost stationary when its cab emerged into the junction. It then, in a complete change of manner, was driven across with great haste, so that the distance which had seemed ample to her was ample no longer.",
+#:   "Dash-cam from a reader in Leeds: hatchback comes from the left, the bonnet slides into view, a bit more bonnet, a bit more, painfully timid. And then it's as though somebody's stung the driver, because he simply hurls the thing over the crossroads before the camera car gets there.",
+#:   "The ego approaches an ordinary crossroads. A motorcyclist from the cross street should first dribble into it, feet almost down, to see round the parked lorries, and once we are near he should crack the throttle and streak to the far side.",
+#:   "Sir, the tempo truck from side road was coming inch, inch, inch only into the junction, so I thought he is giving me way. When I reached near, the driver pressed full race and rushed it to the opposite road.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Perpendicular crossing traffic at constant speed; no turning, no stopping",
 #:   "Cyclist rolls straight across the intersection in front of me",
 #:   "The pickup bisected our route at the crossroads.",
+#:   "Pickup comes out of the left arm and carries straight on through.",
+#:   "Crossing bus passes ahead of the AV, side road to side road.",
+#:   "Cross-street scooter goes right through the box before we reach it.",
+#:   "The lorry sliced the junction in two, straight ahead, under our nose.",
+#:   "Want: bike from the side, dead straight over the crossroads, even speed.",
+#:   "As the subject vehicle nears the junction, a cement mixer on the intersecting road moves through it without turning and leaves by the opposite exit.",
+#:   "My passenger shouted because a taxi was emerging from Church Street, and it kept right on into Church Street on the other side, clean across our path.",
+#:   "The crossing object enters the conflict zone at a constant 30 km/h, maintains its heading and exits on the far arm ahead of the VUT.",
+#:   "Have a coach approach on the transverse road and drive over the intersection in a straight line so that it gets there ahead of our robotaxi.",
+#:   "Der Radfahrer kommt, I mean the cyclist is coming on the crossing street and he traverses the junction before my car, always straight.",
+#:   "You've got a motorbike on the road that cuts ours; he's not turning, he'll be through the middle and out over there before you're at the line.",
+#:   "We were on the main street, about to go into the junction, when this bread van turned up on the road that crosses it. It didn't turn left and it didn't turn right, it just drove on through the middle ahead of us and into the road opposite.",
+#:   "V2 was northbound on 5th Avenue and V1 was westbound on Pine. V2 entered the intersection first and kept its heading at approximately 25 mph, occupying the space immediately ahead of V1 before departing over the north leg.",
+#:   "I was on my bicycle, and my route goes from the allotments on one side of the main road to the school on the other. So I rode across the junction, in one line and without rushing, and the driverless car coming along the main road got me broadside in its cameras.",
+#:   "\"There goes the brewery lorry,\" said my uncle, and there it went indeed, out of the lane on our right, through the crossing before our very radiator and into the lane on our left, as straight as a ruled line and at a sober speed.",
+#:   "Scenario request: perpendicular paths at a four-way. The other party, a saloon, sits on the intersecting road and traverses the junction with steady speed and no steering, timed so that it passes just ahead of the ego's front bumper.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Turn-in ahead of own vehicle at intersection with full braking to rest",
 #:   "TURNS IN FRONT OF ME THEN SLAMS TO ZERO",
 #:   "The van hooks into our lane and halts with a jerk.",
+#:   "Swings out of the side street before us, hard stop, immobile.",
+#:   "SUV whips in off the cross road then anchors up completely.",
+#:   "Have a pickup join from the side arm and stop violently.",
+#:   "side road van took our lane stamped the brake n stood there",
+#:   "Fire engine turned in ahead, heavy braking, now stationary, over.",
+#:   "We were nearly at the crossroads when a lorry came off the other street into our lane and instantly braked with everything it had until it stood.",
+#:   "From the intersecting road the target steers into the lane ahead of the vehicle under test, then applies maximum deceleration and remains at rest.",
+#:   "Imagine: somebody pops out of the turning, he's now where you wanted to be, and straight away he's hammering the brake and going nowhere.",
+#:   "My airbag went off because the cab which had just curled out of the junction into my lane did an emergency stop and remained there.",
+#:   "The motorcycle comes from the transversal street, it enters itself before me in my file, and there it brakes very strong and doesn't move any more.",
+#:   "Robotaxi rear camera no use here; front camera shows a police car hook in from the crossing street, dip its nose under braking and settle motionless.",
+#:   "Failed case in the junction family: the NPC car on the cross arm turns into the ego's lane with a small gap, completes the turn, and then brakes at its limit down to v=0 in front of us. No drive-off afterwards. Ego braked late by 0.4 s.",
+#:   "He had no business coming out at all, in my opinion. The young man brought his van out of the side street directly before me, straightened up, and then the tyres screeched and there it was, at a dead stand in my lane, with me skidding up to it.",
+#:   "Vehicle 2 was at a standstill in the lane of Vehicle 1 when struck. It had got there from the crossing road only a second or two earlier, cutting Vehicle 1 off in the turn, and skid marks of eleven metres prove how heavily it was braked.",
+#:   "I was cycling behind the silver estate, so I had a good seat. Out of the cross street comes a big motorbike, round into the estate's lane with hardly room to spare, and before anyone can breathe its rider has clamped on everything and stands with both boots down.",
+#:   "A motorist complained of a tipper which cut round the corner into her lane at the lights in Mill Road. \"I thought, fine, go, but then he braked so sharply that his tail lifted, and he came to a stop just yards ahead of me,\" she said.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Path usurpation at intersection with subsequent speed reduction ahead of ego.",
 #:   "CUT OFF AT THE INTERSECTION THEN HE SLOWS DOWN",
 #:   "The car poached our gap at the junction and then slackened.",
+#:   "From the cross street he nabs our lane and idles along it.",
+#:   "Biker enters from side at x-roads, ahead of ego, reduces to crawl.",
+#:   "You are robbed of your path at the junction, then held up.",
+#:   "He come from side road, block my road in cross, after go slowly slowly.",
+#:   "Taxi jumps in from the side at the junction, then won't hurry.",
+#:   "At the crossroads a coupe coming from the left planted itself in the lane that belonged to the AV and went on at a bicycle's pace.",
+#:   "A scooter that should have let us by at the intersection pushed in under our front and then took its own sweet time.",
+#:   "Let the crossing car take the ego's path away inside the intersection and continue along the ego's lane at a much lower speed.",
+#:   "The insured had priority; the third party joined her lane from the side road in the junction, immediately ahead, and then proceeded at a dawdle.",
+#:   "Being in such a hurry to be first at the crossing, why did the man on the motorbike then potter along in our way?",
+#:   "Vehicle 1 had to slow because Vehicle 2, arriving from the intersecting road, usurped its lane within the junction and kept to a low speed there.",
+#:   "I was on the main road and well into the crossing when this estate came from the right, and instead of going over it turned its nose down my road, right in front of my car. Then it could hardly be persuaded to move.",
+#:   "Over to our reporter at the Elm Street lights. A motorcyclist arriving from the side street pinched the way from a driverless cab in the middle of the junction, and for the next fifty yards the cab was obliged to trail after him at jogging pace.",
+#:   "The cutting-in vehicle waits in the intersecting arm. It departs when the ego is close, occupies the ego's route within the junction area at a short distance ahead, and follows that route at a constant low speed, so that the ego must slow down behind it.",
+#:   "I'm fourteen stone on a pushbike and even I'd have got away quicker. This car comes out of the side arm, slap across my bows in the crossroads, straightens up ahead of me in my own lane and then mooches along as if it had a puncture.",
+#:   "Rule for today, friends of the show: the person who steals your path at an intersection never wants to use it. My guy swooped in from the cross street, took the spot before my hood, and then he was sightseeing, ten miles an hour.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Single momentary indecision of vehicle inside intersection prior to clearing.",
 #:   "DRIVER ENTERS INTERSECTION, HAS SECOND THOUGHTS, GOES ANYWAY",
 #:   "The motorcycle entered the crossroads, blinked, and went on.",
+#:   "Crossing truck enters the junction, balks, then clears it.",
+#:   "goes in has a wobble about it goes thru",
+#:   "Target: junction entry, one short standstill, onward travel.",
+#:   "The cab came out, stopped short, then thought better and drove over.",
+#:   "SUV can't decide at crossroads: in... wait... okay, through",
+#:   "Please build a crossing hatchback which enters the junction, gets cold feet in the middle for a second or two and then continues on its way.",
+#:   "The lorry from the side street was already in the intersection when it stopped, apparently in doubt whether we would yield, and after that it rolled on through.",
+#:   "Halfway out he saw the robotaxi, brought his motorbike to a stand, gave it a good long look, and rode on over the junction.",
+#:   "V2 pulled forward into the intersection, stopped for approximately two seconds as its driver looked toward V1, and then went across in one go.",
+#:   "This one is a waverer: he has come out to the middle, he's standing, he's looking at you, and now he's on his way again.",
+#:   "The car comes in the crossroad, the driver makes a moment of doubt with the foot on the brake, and finally he passes.",
+#:   "As I neared the crossroads a minibus edged out of the side road on my left and entered the junction. The lady driving plainly lost her nerve, for she pulled up in front of me. A second later she had collected herself and drove the rest of the way across.",
+#:   "It's the pause that causes the trouble, m'lud. Had the defendant gone over without stopping, or waited, all would have been well. Instead he drove into the junction, came to rest there while he debated with himself, and then set off once more in the same direction.",
+#:   "The actor simulates an inexperienced driver. It starts into the intersection at normal speed, brakes to a stop once inside because it is unsure about the right of way, holds for the configured time, and then resumes its route and leaves the intersection on the far side.",
+#:   "I drive a forty-four tonner, I need to know what people are up to. This learner comes out of the turning, right, gets onto the junction, stops, you can see the panic on her face, and then off she goes to the other side as if nothing had happened.",
+#:   "From the saddle you notice these things: the bus entered the crossing, its nose dipped as it stopped, and for a moment it just hung there, the driver evidently asking himself who was to go first. Then the doors of doubt closed and it trundled on through.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

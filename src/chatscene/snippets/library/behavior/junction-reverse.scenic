@@ -24,6 +24,22 @@
 #:   "Rearward motion of crossing vehicle after stop in the conflict area",
 #:   "WHO REVERSES IN THE MIDDLE OF AN INTERSECTION?!",
 #:   "The truck halts within the crossing and backpedals.",
+#:   "Lorry pulled into the crossroads, stuck there, then rolled back on its reversing beeper",
+#:   "The silly car went in the crossing, stopped and drove bum first!",
+#:   "Make the van enter the junction, come to rest and retreat in reverse gear.",
+#:   "Why drive into an intersection only to halt and back out?",
+#:   "Agent into conflict zone, full stop, then astern.",
+#:   "The bus driver realised halfway out that he'd never make the bend; he pulled up inside the crossroads and put the thing in reverse.",
+#:   "After entering from the side road V2 came to a standstill in the middle of the junction, whereupon its operator selected reverse and moved off rearwards.",
+#:   "Our robotaxi must cope when a pickup comes out into the intersection, stands there for half a second and then travels tail first.",
+#:   "It was only when her white lamps came on that I understood: the lady had driven in, changed her mind, stopped, and was now coming out backwards.",
+#:   "In the middle of crossing the taxi he makes stop, and after this he is going with his back in front, very dangerous.",
+#:   "Units be advised, box truck has gone into the intersection, come to a halt, and is now rolling backwards with no banksman.",
+#:   "He must have missed a no-entry sign. One moment he was driving into the junction like anybody else, the next he had pulled up right in the middle, and then I heard that whine a gearbox makes and he was moving backwards.",
+#:   "For the record, the other party's explanation was that he wished to let a lorry by. To do so he halted his car after having entered the intersection, engaged reverse, and drove several metres backward without, as he admits, looking over his shoulder.",
+#:   "The planner treats anything that is inside the junction as leaving it forward. Please add an actor which drives in, brakes down to a complete standstill, dwells briefly and then shows negative longitudinal velocity for a couple of seconds.",
+#:   "I've taught people to drive for thirty years, and this one still made me gasp. The estate rolls in, stops dead in the middle as though struck by a thought, and next thing its reversing lights glow and back it goes.",
+#:   "The artic's cab had poked well into the crossroads before the man behind the wheel understood that the street was too narrow. The brakes sighed, everything stood still for a breath, and then the whole long contraption began to go back.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

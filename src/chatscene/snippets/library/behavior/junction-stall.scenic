@@ -24,6 +24,22 @@
 #:   "Loss of propulsion of crossing traffic inside the intersection, coast-down to rest",
 #:   "Motorbike's engine DIES mid-intersection, slowly rolls to a stop",
 #:   "The old van expired in the crossroads and dribbled to rest.",
+#:   "Power gone mid-crossroads, it drifted slower, slower, and stood.",
+#:   "Moped's motor died in the junction; it rolled itself out.",
+#:   "Coach: propulsion lost inside intersection, momentum spent, immobile.",
+#:   "Has that saloon just lost its engine halfway across and petered out?",
+#:   "Make the HGV's motor fail in the junction and let it run down.",
+#:   "It was sitting dead among the traffic signals, having freewheeled the last few yards with no engine, according to the crew of the recovery lorry.",
+#:   "I want the hatchback to come into the intersection normally, then its drive fails, and it loses pace bit by bit until it stands.",
+#:   "In the midst of the crossing the engine from the motorcycle became silent, and it has rolled out until it stood there.",
+#:   "V2's operator reported that all the dash lights came on in the intersection, the throttle went dead, and the truck drifted to rest.",
+#:   "The bus was going across and then it got tired and went slower and slower and then it couldn't go any more, right in the middle.",
+#:   "Clutch cable snapped, I bet: halfway through the lights he's lost all pull, he's rolling on nothing, and there, he's stuck on the yellow box.",
+#:   "I'd just started over when I noticed the pickup crossing from the right wasn't making any noise. No engine, no nothing, just tyres. It was ghosting along on what speed it had left, less and less, and that ran out plum in the middle of the junction.",
+#:   "What is being tested is a fault, not a braking event. After entry to the intersection the torque of the crossing target is set to zero; rolling resistance alone lets its velocity decay; the target reaches standstill inside the conflict area and remains disabled.",
+#:   "Poor old Albert. His Morris had never let him down in fifty years, but that morning, between the bank and the chemist's where the two roads meet, her heart gave out. She glided on for a bit in silence, ever more gently, and then she was still.",
+#:   "Diesel bug, the mechanic said afterwards. All we could tell was that the artic was halfway over the crossroads and there was nothing driving it any more. It trundled on, losing way all the while, and gave out with its trailer across everybody.",
+#:   "The robotaxi had the right of way and would have gone, only the van in the crossing was clearly in trouble, hazards on, bonnet smoking. Its motor had cut out there, so it rolled more and more feebly until it had no roll left in it.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

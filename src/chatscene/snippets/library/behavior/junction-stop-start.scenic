@@ -24,6 +24,22 @@
 #:   "Intermittent intersection transit with multiple successive halts.",
 #:   "LEARNER BUNNY HOPS ACROSS THE ENTIRE INTERSECTION",
 #:   "The bus hiccuped over the junction yard by yard.",
+#:   "Learner lurching over the crossroads, stall, hop, stall, hop, over.",
+#:   "Create a lorry that jolts through the junction with countless little halts.",
+#:   "The crossing van kept seizing up and shuffling on. Every. Two. Metres.",
+#:   "Why does that bus cross in dribs and drabs, freezing each time?",
+#:   "El coche cruza a saltitos, so: little jump, stop, little jump, stop",
+#:   "Instead of getting on with it, the pensioner in the Polo took the intersection in nibbles, coming to rest after each one to look about him.",
+#:   "Vehicle 2's progress over the junction consisted of six bursts of about two metres apiece, each followed by a complete standstill of roughly a second.",
+#:   "The clutch must have been shot, for the removal truck bucked its way through the crossroads a yard at a go, and stood between the bucks.",
+#:   "Mummy counted them: the green car stopped one, two, three, four, five times before it was over the crossing, and each time it went boing.",
+#:   "The coach needed the best part of a minute to clear the junction, so often did it nudge ahead, pull up, nudge ahead and pull up once more.",
+#:   "Log shows sawtooth velocity for the crossing actor inside the box: 0, 2, 0, 2, 0 m/s and so forth until it has passed the conflict area.",
+#:   "It was her second lesson, poor love, and we met her at the crossroads. The car would bounce forward half a length, die on her, bounce forward again, die again, and in that manner she laboured over the whole of the junction while my bus full of passengers looked on.",
+#:   "The subject vehicle was required to wait for an unusually long interval. A goods vehicle with a faulty throttle was passing over the intersection from the right in a string of tiny surges; after every one of these it came to rest, and no two pauses seemed to be of the same length.",
+#:   "You'd think a driver would either cross or not cross. This chap in the delivery van did both, over and over: forward a touch, on the brake, forward a touch, on the brake, the whole way to the other side, with his parcels thumping about in the back.",
+#:   "Please build me a nervous crosser. It enters the intersection slowly, comes to a standstill after a metre or two, tries again, comes to a standstill again, and that goes on and on while our robotaxi approaches, so that nobody can predict when the path will be free.",
+#:   "In my country we say he drives like he has hiccups. The old Lada was passing from left to right over the crossing with small kicks, and after every kick it remained still for one moment, maybe seven times in total, and I am sitting there and cannot go.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

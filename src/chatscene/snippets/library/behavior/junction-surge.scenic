@@ -24,6 +24,22 @@
 #:   "Pulsating longitudinal speed of vehicle throughout the intersection",
 #:   "LEARNER? Car HICCUPS its way through the junction",
 #:   "The car stutters through the crossing in spurts.",
+#:   "On-off, on-off with the throttle all the way over the crossroads.",
+#:   "Car crosses box lurching: spurt, check, spurt, check.",
+#:   "Biker revs, brakes, revs, brakes till he's through the intersection.",
+#:   "Make the hatchback pulse between gas and brake while crossing.",
+#:   "The taxi went over the junction nodding like a rocking horse.",
+#:   "A pupil with two left feet is crossing ahead of us, and every dab of accelerator is followed by a dab of brake until she's over.",
+#:   "Within the intersection the crossing vehicle's longitudinal command shall alternate periodically between positive drive torque and service braking, without its path being altered.",
+#:   "hed put on a burst of speed loose his nerve and slow, put on another burst lose it again, thats how the saloon got accross the junction",
+#:   "Investigators noted several short acceleration marks and several short skid marks left by V2 within the intersection, one after the other in regular turn.",
+#:   "I want a motorbike coming over the crossroads with a surging speed, now twisting the grip, now squeezing the lever, over and over till it's out.",
+#:   "Driver is giving race, then pressing brake, then again race, again brake, like this only he has passed the whole crossing in front of me.",
+#:   "I could see the passenger's head being thrown back and forward. The little Fiat was coming over the junction from the side, and whoever drove it kept stamping first on one pedal and then on the other, so you couldn't tell when it would be gone.",
+#:   "Because the speed of the crossing car rises for a second, falls for half a second and rises again for as long as it is in the junction, a constant-velocity prediction is wrong each time, and the ego must keep its estimate of arrival open.",
+#:   "Comment from the cammer: no idea what was up with the bloke on the Yamaha. He comes through the crossroads in hiccups, big handful, grab of brake, big handful, grab of brake, and I'm just sitting there with my foot hovering thinking make your mind up pal.",
+#:   "She had never driven the thing before, and it showed. It bounded into the crossing, was reined in, bounded again and was again reined in, and so by leaps and checks it got itself past the bonnet of our waiting car.",
+#:   "Claim ref 88-102. The other motorist traversed the crossroads unevenly, pressing the accelerator and the brake in turns a good five times, with the result that our policyholder could not judge whether to wait or to proceed. No constant speed was kept at any moment.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

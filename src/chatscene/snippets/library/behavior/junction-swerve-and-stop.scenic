@@ -24,6 +24,22 @@
 #:   "Abrupt leftward deviation of crossing traffic in the intersection with subsequent standstill",
 #:   "Truck JERKS left mid-intersection and just stops",
 #:   "The motorcycle darted to its left in the crossroads and stuck.",
+#:   "Once inside the crossroads the cab lunges to its left and halts.",
+#:   "Enters junction, hard left-hand jink by coach driver, standstill.",
+#:   "He steer brusquely at his left in the intersection and rest there.",
+#:   "Have the truck come in, veer to its own left, stop.",
+#:   "Motorbike flicks left mid-crossing, and there it stays put.",
+#:   "Barely into the intersection, the pickup jolted off course towards its left, as if dodging something, and pulled up where it was.",
+#:   "We found the van at rest inside the junction, well left of its line, having been wrenched that way by its driver seconds before.",
+#:   "The trajectory of the crossing SUV shows a sharp lateral shift to its left-hand side in the junction, followed by a deceleration to zero.",
+#:   "Why would a bus, once past the line, hurl itself to its left and then not move another inch in the middle of the crossing?",
+#:   "From my bike I saw the lorry roll into the crossroads, snap leftwards all of a sudden and come to a dead stand there.",
+#:   "V2 proceeded into the junction; its operator swung the steering wheel rapidly to the left, after which V2 stopped short within the junction.",
+#:   "There was a carrier bag blowing about, perhaps that was it. The little car came into the crossroads quite straight, then it ducked to its left, as a horse shies, and there it sat with its engine running and would not go on or back.",
+#:   "The adversary keeps to its route up to the intersection. A few metres before the conflict point it is given a left steering impulse, so that it departs from its line to its own left, and it is then braked to a standstill within the junction.",
+#:   "Our driver's head came round and he said a bad word. The minibus opposite had gone into the intersection and veered, to its left as its own driver sat, really sharply, and then it had parked itself in there with its hazard lights off and everybody staring.",
+#:   "I'm telling you what I saw from my rig, up high. That motorcyclist rode into the crossing nice and upright, and then he threw the bike over to his left, must've been a pothole, and hauled it up to a stop before he'd got across.",
+#:   "Q. When it entered the intersection, was it straight? A. It was. Q. And then? A. Then it darted to its left, her left, I mean the driver's. Q. Did she carry on? A. No, sir, she came to a stop in there.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

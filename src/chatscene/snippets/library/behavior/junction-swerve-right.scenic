@@ -24,6 +24,22 @@
 #:   "Abrupt rightward deviation of vehicle within intersection.",
 #:   "SUDDEN SWERVE TO THE RIGHT MID INTERSECTION",
 #:   "The bus flinched right inside the junction.",
+#:   "Car's barely in the crossing and it darts off rightward.",
+#:   "Coach rolls in, then an almighty twitch to its right.",
+#:   "Make the lorry veer right, unprompted, once inside the junction.",
+#:   "In the middle he flicks the bars to the right, no warning.",
+#:   "V2 entered intersection, abrupt lateral departure toward its right side.",
+#:   "Nothing odd about the pickup's approach, but as soon as it was in the crossroads it shied like a horse, away to its right-hand side.",
+#:   "After entry into the intersection, the target is displaced laterally to the right by a rapid steering input, with no reduction of speed.",
+#:   "Watch the other fellow over there when he's in the box: there, did you see, he yanked it to the right as though dodging something.",
+#:   "Inside the crossing was a pothole, I believe, since the bus which had just come in was all at once thrown off its line to the right.",
+#:   "The cab enter the crossroad normal normal, then he give one sudden cut on the steering to right hand side, I also got shock.",
+#:   "How could I foresee that a motorcycle crossing the junction in a perfectly straight line would abruptly jink to its own right while it was in there?",
+#:   "It wasn't a turn, I want to make that clear, he didn't take the road on the right. He drove the van into the junction, straight as you like, and then swung it over to the right in one jerk, as if his sat nav had bitten him.",
+#:   "Planner dev here. Scenario: the SUV comes up to the intersection on its route, goes in, and shortly before our paths would meet it breaks off to its right with a sharp lateral move. Prediction still had it going straight, so our cost map was wrong.",
+#:   "The officer asked me what I saw first. It was the load shifting: the tipper came into the crossroads and its body leaned hard over, because the man at the wheel had pulled it suddenly to the right. It never straightened up in the time I watched.",
+#:   "Mr Pendle's saloon trundled into the crossing with its customary dignity, and for half of the way nothing happened. Then a paper bag blew up before the windscreen, he uttered a cry, and the whole machine bounded off toward the right like a startled hare.",
+#:   "Dispatcher to all cars, we have several calls about the bus at Fourth and Main. It proceeded into the intersection and then, without any signal, went sharply over to its right-hand side. Callers do not know if the operator had taken ill or was avoiding something.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

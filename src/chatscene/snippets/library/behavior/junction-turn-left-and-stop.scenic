@@ -24,6 +24,22 @@
 #:   "Left-turn conflict with standstill of the turning vehicle inside the intersection",
 #:   "Bus turns left ACROSS me... and never finishes the turn",
 #:   "The motorcycle peeled left over our path and then petrified mid-turn.",
+#:   "Turns left over our path, then sits tight inside the junction.",
+#:   "Scooter goes left ahead of us, halts mid-bend, stays.",
+#:   "Articulated lorry: left turn begun, never completed, stuck across us.",
+#:   "I want a van to turn left before us and stand there.",
+#:   "LEFT TURN FAIL: bus comes round, stops dead on the junction",
+#:   "The black saloon took the left turn right through where I was going and then, for whatever reason, came to rest in the centre of the crossroads.",
+#:   "Vehicle 2 initiated a left turn across the trajectory of the AV, braked part-way through the manoeuvre and was stationary within the intersection at the end.",
+#:   "In the middle of going left the coach driver must have seen a pedestrian in the side road, for he braked and stood still over our lane.",
+#:   "Before our car turned a motorcycle to the left, and in the middle of the crossing it remained standing, so that I had not any place.",
+#:   "We could not get through the junction, as a taxi that was bending round to the left in front of us had given up moving altogether.",
+#:   "He puts his wheel over to the left, he's coming over in front of you, and he's stopped, he isn't going to clear; stay back!",
+#:   "I had a green light and was about to go across. A people carrier swept to the left through my line of travel, and I expected it to be gone in a second. Instead it braked and planted itself in the junction, side-on to me, and remained.",
+#:   "Our insured states that the other party's lorry made a left-hand turn in the intersection ahead of him. It failed to carry the turn through to the end but halted with the cab pointing into the side street and the body closing off the insured's lane.",
+#:   "For the junction suite: the adversary waits, then starts a left turn that takes it across the path of the vehicle under test. On that path it brakes until stationary and never moves off again. The test checks that we stop before it and do not expect it to clear.",
+#:   "The tram stop was full of people and I reckon that's why the hatchback couldn't get out of the junction. She'd swung left across us all right, but then she ran out of road to turn into, hit the brake and was marooned in the middle.",
+#:   "Well, I am eighty-one and I have never seen such driving. The young fellow turns to the left under our very noses, and when he is half round he pulls up, folds his arms, and there his motor car stands in the crossing like a monument.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["acrossMeeting", "advMeeting", "advTrajectory", "egoRoute"]

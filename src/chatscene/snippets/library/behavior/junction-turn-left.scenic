@@ -24,6 +24,22 @@
 #:   "Priority violation by left-turning vehicle across own path",
 #:   "DIDN'T YIELD! Left turner cuts right across",
 #:   "The cyclist turns left and snatches our priority.",
+#:   "Priority was ours; the cab took its left regardless.",
+#:   "Cyclist goes round to his left straight over our path, no yield.",
+#:   "Let a lorry turn left through my way at the crossing.",
+#:   "She should have waited, but she swung it left before us.",
+#:   "Failure to give way by a motorbike making a left at the junction.",
+#:   "At the crossroads the milk float, which ought to have let us pass, bore round to its left over our half of the road.",
+#:   "The driver of V2 stated he believed he could make his left turn ahead of V1, and did not yield as required.",
+#:   "In this test case the other vehicle doesn't grant the ego its right of way and at normal pace turns leftward through its path.",
+#:   "Why is this bus making his left now, when it is my go, and passing his whole length before my eyes?",
+#:   "That bike's signalled left and he's not waiting for anybody, he's sweeping round in front of you at the crossing, cover the brake.",
+#:   "he had the give way sign i didnt and he still chucked a left across me, unbelievable some people",
+#:   "I came up to the junction at my usual thirty. The gentleman in the estate car looked me in the eye and took his left-hander over my path all the same, neither fast nor slow, as if I had not been there.",
+#:   "We had a scooter at the four-way that owed us the right of way. It curved off to the left in front of the shuttle anyway, at an ordinary speed and without a stop, and the shuttle braked at minus five.",
+#:   "The crossing by the church is marked clearly and my road goes first. The camion did not respect this; he has turned to his left and cut my route, and me I had to brake very strongly.",
+#:   "It was the bus driver's opinion that size decides who goes first. He hauled the great wheel round and took his passengers leftward through the junction, under the nose of a little blue car which had every right to be there.",
+#:   "Think of the junction as a clock. The pickup comes in, peels off leftward and passes over our line before we get to the middle, although his was the road with the yield triangle; he simply presumed we'd brake.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["acrossMeeting", "advMeeting", "advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Reversal of travel direction by turning inside intersection area.",
 #:   "U-TURN IN THE MIDDLE OF A BUSY INTERSECTION",
 #:   "The police car pirouetted at the centre of the crossroads.",
+#:   "Taxi did a complete loop-round at the crossroads and went home again",
+#:   "Police bike swings about-face bang in the centre of the intersection.",
+#:   "Let the saloon hook all the way round inside the junction.",
+#:   "In the crossing he makes the full turn-around and drives back.",
+#:   "Ambulance entered junction stop turned through half circle stop departed whence it came",
+#:   "The woman in the SUV drove into the crossroads, hauled the wheel to its stop and came all the way round until she faced her own road again.",
+#:   "Simulate a scooter that rides as far as the middle of the intersection and there turns round completely, leaving by the arm it entered from.",
+#:   "According to the bystander, the minicab neither went straight on nor took a side street; it wheeled about in the middle of the junction and went back.",
+#:   "Fire crew got a new address mid-call, so they're bringing the truck right round inside the crossroads and heading back up their street.",
+#:   "What do you do with an actor that comes into the intersection, describes a tight half-circle there, and exits with its heading inverted?",
+#:   "I saw how that car arrived in the middle of the crossing and rotated itself completly, then took again the same street as before",
+#:   "Missed your road? Then go round the block like everybody else. The driver of this Golf didn't care to, so he spun his car about in the middle of the crossroads while everyone sat there staring, and off he went the way he'd come.",
+#:   "V2 entered the intersection from the minor road. Instead of continuing, its driver applied full lock and turned the vehicle through approximately 180 degrees within the intersection, so that at the end it was facing the direction from which it had approached.",
+#:   "My son asked from the back seat whether that was allowed. The motorcycle had come out to the centre of the junction, leaned right over, and swept round in a tight curve until it was pointing at the street it had just left.",
+#:   "This one is mean to the intent predictor: no blinker, normal entry speed, and then the vehicle keeps turning and turning at the centre of the intersection until it has reversed its direction of travel and leaves by its own approach road.",
+#:   "I am eighty-one and I have never done such a thing. The gentleman had evidently forgotten something at home, for he turned his car completely about right where the two roads meet, and drove off again with a cheerful wave.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

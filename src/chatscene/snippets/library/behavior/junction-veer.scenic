@@ -24,6 +24,22 @@
 #:   "Unpredictable lateral deviations of vehicle during intersection passage",
 #:   "DRUNK? Car lurches all over the junction",
 #:   "The van reels across the intersection.",
+#:   "Scooter careers through the crossroads, zigging one moment, zagging the next.",
+#:   "Truck over the junction, steering like mad, every which way.",
+#:   "The bus went wiggly-waggly all through the crossing.",
+#:   "Crossing target: irregular lateral oscillation throughout intersection, transit completed.",
+#:   "Could that coach pick one line through this junction, please?",
+#:   "Make the crossing hatchback wander wildly as it goes through, first to one side and then to the other, so that nobody can guess its path.",
+#:   "We were told by three people at the bus stop that the pickup had snaked through the intersection as if nobody were holding the wheel.",
+#:   "It is like the conductor has bees in the cabin, his camion goes to here, goes to there, all along the crossroads.",
+#:   "V2 traversed the junction along a sinuous line, the lateral movements to either side being abrupt and following no recognisable pattern.",
+#:   "Keep well back, love, that motorcyclist can't hold it straight, he's lurching about all the way through the lights.",
+#:   "One thing stood out in the video: from entering the intersection until leaving it, the van never had its wheels straight for two metres together.",
+#:   "Being a cyclist I watch wheels. Those on the tipper were turning left, then right, then harder left, the entire time it was crossing the junction, and the body on top was rocking with it. There was no telling which bit of tarmac it'd want next.",
+#:   "Suspected medical episode, the driver said he felt faint. His saloon came across the intersection drifting left, was yanked back, overshot to the right and was yanked again, and so on from one side of the box to the other till it had got through.",
+#:   "The AV's path predictor was given a hard time here. The other vehicle, a motorbike with a wobbling topbox, came through the crossroads with sudden tugs to either side at no regular interval, and each tug sent its predicted trajectory into somebody else's lane.",
+#:   "I was waiting to go when this lorry came through the junction from my right, and my lord, I have seen steadier men come out of the Crown on a Saturday night. It pitched to port, pitched to starboard, and never did find the middle.",
+#:   "ok so update on that junction near my work, this morning a whole bus came thru it like it was dodging invisible cones, hard one way, hard the other, no rhythm to it. driver was fighting a wasp apparantly. we just sat there praying",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Full-width transverse crossing by vehicle departing from parked position",
 #:   "Parked pickup drives STRAIGHT ACROSS the street in front of me",
 #:   "The police car sliced from its bay to the far kerb.",
+#:   "Pickup off its parking bay, clean over both lanes, far kerb.",
+#:   "Lorry leaves roadside and bisects the street, making for the opposite yard.",
+#:   "Have a parked scooter start up and slice over to the far side.",
+#:   "She was parked, no? Then she traverses all the street till the opposite trottoir.",
+#:   "From this kerb to that one, straight over: the police car's strange departure",
+#:   "With no interest in joining our lane, the estate parked up ahead came out and headed square over the road for the car wash opposite.",
+#:   "The ambulance abandoned its spot by the pavement and lumbered over the full width of the street, ending up outside the surgery on the other side.",
+#:   "A hatchback that had been sitting at the kerb shot through the ego's path at right angles and was only done when it reached the gateway facing.",
+#:   "Having unloaded on one side, the drayman evidently wanted the cellar on the other, so he fired up his truck and drove it squarely over in front of us.",
+#:   "Will that motorbike by the lamp post follow the road when it moves off? No: there he goes, directly over, to the shops on the other side.",
+#:   "Start state: target stationary in kerbside bay. On trigger it moves out, steers about ninety degrees left and clears the whole carriageway to the far edge.",
+#:   "We cyclists get used to cars nosing out of bays, but they normally then drive along. This one didn't. The bloke started up, cranked the wheel hard over and went plain across the road, both directions of it, till he was at the garage doors on the opposite pavement.",
+#:   "My lorry was the third vehicle to have to brake. The fella in the parked Transit had obviously spotted a space on the far side that he fancied, because he swung off the kerb and went over the lot of us, crossways, to bag it, and never mind who was coming.",
+#:   "Question from a parish newsletter reader: is it legal to set off from a parking place and proceed directly over the road? Only on Sunday a people carrier did precisely that before my very bonnet, leaving our kerb and coming to rest by the church wall opposite.",
+#:   "The fire engine had stood against the pavement for an hour, its crew at their sandwiches. Now the bell went; out from the kerb it rolled, and athwart the whole of the road, for the burning house was right over the way, and the traffic on either hand had to let it by.",
+#:   "For this scene I need a car at rest by the side of the road. As the AV comes near, it should get going and run transversely over our lane and the next one until it arrives at the other edge; it neither turns back nor merges with us.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

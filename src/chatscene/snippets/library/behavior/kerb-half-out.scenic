@@ -24,6 +24,22 @@
 #:   "Partial protrusion of formerly parked vehicle into ego lane, stationary.",
 #:   "PARKED CAR STICKS NOSE OUT AND JUST STOPS THERE",
 #:   "A parked bus jutted its snout into our lane and froze.",
+#:   "Ambulance at the kerb comes out to its front doors and stays there.",
+#:   "Bonnet in our lane, boot in the bay, and not moving.",
+#:   "The parked cab edges halfway into the road and halts.",
+#:   "Make the parked lorry emerge by half its width, then freeze.",
+#:   "Just the front end leaves the bay, and there it rests, obstructing us.",
+#:   "From the row of parked vehicles a removal van angles out until its cab is in front of us, and it goes no farther than that.",
+#:   "The obstacle is created by a parked car which steers partly out of its space and remains stationary with its front overhanging the lane of the VUT.",
+#:   "I couldn't get by because a minibus that had been parked on the left had stuck its front wheels out in my lane and was now just standing.",
+#:   "Stop, stop: the blue one by the kerb wants out, he's come half the way, and now he's planted there with his wing across your lane.",
+#:   "Please set up a parked police car that drives out of its space at an angle and brakes to rest while its rear is still at the kerb.",
+#:   "El coche was parked, he goes out the half of him, the nose is in my lane and the tail not, and there he remains quiet.",
+#:   "When I first saw the Transit it was parked tight to the kerb like all the others. Then its wheels turned and it slid out maybe a metre and a half, and that was that. It neither finished coming out nor went back, so its nose was sitting in my lane.",
+#:   "The bus was standing in the lay-by. Its operator pulled the front axle over the edge line and came to a stop, leaving the rear section in the lay-by and the front left corner about four feet inside the travel lane of Vehicle 1.",
+#:   "At forty-four tonnes you don't thread needles. This parked hatchback came creeping out with its front half, blocked the best part of my lane and then sat tight, the driver looking the other way over her shoulder, and her rear wheels never left the space.",
+#:   "It was as if the old saloon had wanted to sniff the street. It put out its head from between two neighbours, as far as the windscreen, and with that in the way of everyone who came along the lane, it stopped and came out no more.",
+#:   "How does the AV handle a car that's only part-way out? That's the question here: the actor begins parked, pokes into our lane with about half its body, brakes to zero at that angle and does not complete the departure.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

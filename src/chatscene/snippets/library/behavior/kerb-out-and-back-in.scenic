@@ -24,6 +24,22 @@
 #:   "Brief excursion of parked vehicle into own lane with immediate return to the roadside",
 #:   "PARKED CAR FAKES ME OUT - out and straight back in",
 #:   "The standing bus bobs out and snuggles back to the side.",
+#:   "Moped leaves the kerb, enters our lane, promptly slots back in.",
+#:   "Parked taxi: into ego lane, no dwell, kerb again farther along.",
+#:   "It comes out from parking, and in the same moment again in parking.",
+#:   "Out pops the ambulance from the roadside, and in it goes again.",
+#:   "Why swing out from the kerb just to return to it directly?",
+#:   "The delivery lorry left its place by the pavement, stuck its whole length into our lane and, a few yards on, was by the pavement once more.",
+#:   "Make the parked car drive off into the ego's lane, then have it steer straight back to the side of the road without stopping.",
+#:   "A police van that was standing at the edge came out before me, made a sort of bow in my lane and resumed its place at the edge.",
+#:   "He's signalled, he's left the side, now he's in front of you, and look, he's already steering in for the next free space.",
+#:   "The coach relocated by two bays: it emerged from the kerb ahead of the AV and, with no pause in the lane, tucked itself against the kerb anew.",
+#:   "Standing vehicle departs from the roadside, transits laterally into the subject's lane, and reverts to the roadside forthwith on a forward path.",
+#:   "I was coming past the parade of shops when a parked saloon drove out into the lane I was in. I'd hardly touched my brakes before it had gone in again, two cars farther up, and its driver got out and went into the bakery.",
+#:   "Test run 12: the target, initially stationary along the kerb, sets off ahead of the vehicle under test, reaches the middle of the lane and is thereupon steered back to the kerb line in one continuous forward movement, leaving the lane free again.",
+#:   "Like a fish coming up for a fly, the motorbike rose out of the row of parked vehicles, broke the surface of our lane for the space of a breath, and sank down again among the others a little farther along. It never turned round; it just rejoined the kerb.",
+#:   "Drivers, beware of him at Church Road, he does it every morning. The bus stands at the side, off he goes into your lane, you're already hard on the brake, and he's at the side again by the next lamp post, as he only wanted to make room.",
+#:   "The witness was walking her dog. She saw the grey SUV move away from the kerb into the path of the robotaxi and thought there would be a bump, but it carried on in a curve and was up against the kerb again before the robotaxi got there.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

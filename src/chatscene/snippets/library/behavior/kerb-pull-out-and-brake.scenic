@@ -24,6 +24,22 @@
 #:   "Kerbside departure followed by severe braking to residual speed ahead of ego.",
 #:   "PULLS OUT OF PARKING SPOT THEN BRAKES HARD FOR NO REASON",
 #:   "A parked taxi emerged, rolled on, then choked its pace to a shuffle.",
+#:   "Off the kerb, short hop down our lane, brakes, crawl.",
+#:   "Cab leaves its bay, trundles off, suddenly stamps hard and inches along.",
+#:   "Parked van emerges, covers ten metres, dives onto its brakes, then creeps.",
+#:   "Simulate: scooter departs kerbside, rides briefly, decelerates violently, dawdles.",
+#:   "He'd just unparked in front of me when he braked savagely to walking pace.",
+#:   "It was crawling when I hit it, because it had braked like mad only a moment after coming away from the kerb.",
+#:   "The ambulance which stood at the side goes into my lane, makes few metres, brakes with all force and then rolls like a baby stroller.",
+#:   "A police car parked at the roadside moved off ahead of us, got going nicely, then shed nearly all of it and plodded on.",
+#:   "Following departure from its parking position the target proceeds for two seconds, decelerates at 6 m/s² and holds 1.5 m/s.",
+#:   "Do you see the parked SUV there? It comes out, has a little run, then the driver jams on the anchors and just toddles.",
+#:   "Coach driver pulls away from the stop, changes his mind about speed, and stamps it down to a dribble right in front of me.",
+#:   "A delivery fellow jumped into his van by the kerb and set off before me. I'd hardly settled in behind when up came the rear end, all brake lights, and from there on he poked along hunting for a house number.",
+#:   "V2 was legally parked facing the direction of travel. It entered the lane in front of V1, continued some thirty feet, then braked heavily without stopping, and was moving at approximately 3 mph when it was struck.",
+#:   "The old Volvo by the chemist's came to life and slipped out into the street. For a few yards it behaved; then its nose went down, its tail went up, and it proceeded no quicker than the shoppers.",
+#:   "I want two surprises in a row for our robotaxi. A parked lorry gets into the lane first and gets rolling; when we've just adapted, it bites hard on the brakes and then keeps moving at a mere creep.",
+#:   "So I'm pedalling along with the camera on, and this parked Corsa decides to join the road. He goes about four car lengths, brakes so hard the tyres chirp, then potters on at less than my granny's pace.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

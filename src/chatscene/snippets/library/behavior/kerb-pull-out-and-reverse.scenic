@@ -24,6 +24,22 @@
 #:   "Departure of parked vehicle into own lane, halt and subsequent rearward approach",
 #:   "PULLS OUT, STOPS, THEN REVERSES AT ME",
 #:   "The parked bus emerges, halts and backs down upon us.",
+#:   "emerges from his parking place halts and rolls back toward us",
+#:   "Bus leaves kerb, stands, then comes at us tail first.",
+#:   "Parked van: out into lane, stop, reverse lamps, approaching.",
+#:   "MY BONNET vs HIS TOWBAR: parker drives out, stops, backs at me",
+#:   "Make the parked ambulance enter our lane, stop and reverse.",
+#:   "The dustcart drew away from the pavement into my lane, pulled up, and the next thing I knew its beeper was going and it was getting nearer.",
+#:   "From a kerbside position the target vehicle enters the lane of the VUT, comes to a standstill and, after a short pause, travels backwards toward it.",
+#:   "He'd forgotten something, I suppose: out of the space he came, stood on the brake in front of us and started reversing our way.",
+#:   "The parked taxi is coming out, it stands in my lane, and then suddenly it drives retro in my direction, what is very dangerous.",
+#:   "First it was at the side of the road, then it was in front of us not moving, and then its white lights came on and it backed.",
+#:   "Did the lorry which had just left the kerb and halted in your lane then proceed in reverse towards the front of your vehicle? It did.",
+#:   "I was passing a line of parked cars when a people carrier came out of a bay in front of me and stopped after a few yards. I stopped too. Then the reversing lights lit up and she came backwards at me, looking only at her phone.",
+#:   "Vehicle 2 was parked at the right-hand kerb. It pulled into the lane ahead of Vehicle 1, braked to a halt and, some half a second later, moved in reverse for several seconds in the direction of Vehicle 1, whose driver was sounding the horn.",
+#:   "Scenario idea from the depot: a removal truck sits at the side, moves off right into our lane, comes to a stand, and then its driver decides he was better off where he'd been and shoves it in reverse, straight down on the AV behind.",
+#:   "We had a good laugh about it on the show, but at the time it wasn't funny. This police car leaves its spot by the pavement, gets in our lane, stops, we think fine, he's waiting. No. He goes into reverse and his boot comes looming up at us.",
+#:   "Keep your eye on parked vehicles with somebody at the wheel. That minibus has joined the road in front of you, and it's pulled up again; leave plenty of room, for see, it's coming backwards now and the driver hasn't a clue you're here.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Departure of parked vehicle into own lane followed by stationary blockage",
 #:   "Parked van pulls out and DEAD STOPS in my lane",
 #:   "The parked ambulance budged out into our lane and balked.",
+#:   "Moped leaves its parking space, gets in our way, and there it rests.",
+#:   "The parked lorry is on the move, it's in your lane, it's stopped!",
+#:   "Kerbside ambulance rolls out, then blocks the lane standing.",
+#:   "Let a roadside van enter the ego's lane and park itself right there.",
+#:   "That bus went out of its bay and then did not budge from before us",
+#:   "hatchback that had been sat at the pavement moves off in front of me, comes fully into my lane and stops like the engine died, wtf",
+#:   "The vehicle stationary at the roadside shall depart, occupy the lane of the subject vehicle and there be decelerated to standstill.",
+#:   "He had waited all morning in that lay-by, and yet he chose this instant to come out, only to stop again three yards on in front of us.",
+#:   "Imagine a fire engine leaving the kerb, putting itself square in the robotaxi's lane and halting there, crew climbing out with the hose.",
+#:   "V2's driver stated that he'd moved away from the curb, noticed his door was open, and stopped with his vehicle wholly in the lane.",
+#:   "My friend, if you come out from the parking side, at least go! This auto came out and in the lane itself he stood.",
+#:   "The motorcycle was leaning by the kerb with its rider aboard. As we came near he paddled it out, got the whole machine into our lane, and then sat there at a standstill fumbling with his gloves while we bore down on him.",
+#:   "Claim details: third party was parked on the nearside outside the bakery. He set off into my lane without looking, and hardly was he in it when he brought his car to a stop, leaving me with a stationary tail to stare at.",
+#:   "I do this street every day with eighteen tonnes behind me and I always expect somebody to come off the kerb. What I don't expect is for him to come right out into my lane and then simply cease moving, all of him, dead in my road.",
+#:   "Scenario 12 in the urban set. A parked vehicle begins to move when the AV is about thirty metres away, merges fully into the AV's lane, and then brakes until its speed is zero; it doesn't drive on and it doesn't reverse.",
+#:   "The old man in the Volvo had been asleep at the side of the road, I'm sure of it. He woke, steered out from the kerb into the lane ahead of her, and there, as though the effort had worn him out, he came to a halt.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

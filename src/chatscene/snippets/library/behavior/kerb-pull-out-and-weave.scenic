@@ -24,6 +24,22 @@
 #:   "Lateral instability of vehicle following kerbside departure in ego lane.",
 #:   "PARKED CAR PULLS OUT AND CAN'T DRIVE STRAIGHT",
 #:   "The parked car came out and meandered ahead of us.",
+#:   "Leaves the parking bay, then can't keep it straight in our lane.",
+#:   "Parked scooter sets off and teeters left, right, left before us.",
+#:   "Ambulance departs kerbside, then slaloms within VUT lane.",
+#:   "Who parks up, sets off again and staggers down my lane like that?",
+#:   "Off the roadside it comes, and sways along our lane.",
+#:   "Let the saloon that was parked by the pavement move off into the ego's lane and keep swinging gently to either side as it drives on.",
+#:   "The hatchback had been stationary outside the off-licence; it joined the lane ahead of the robotaxi and thereafter never stopped yawing about.",
+#:   "The moto was standing at the trottoir, it enters in my lane and then it dances, one time left, one time right.",
+#:   "V2 entered the travel lane from a curbside space and was seen to drift repeatedly from one edge of that lane to the other.",
+#:   "Control, that stolen Corsa has just left the kerb on Park Street and it's rolling all over the lane, left and right, can't steer.",
+#:   "A new rider, you see: he's got himself off the kerb into our lane, and now the bars are shaking and he's wavering about.",
+#:   "It was ten past one, chucking-out time. A chap I'd seen fumbling with his keys got into the Vectra by the kerb, moved out in front of me, and then all along Church Road he was touching the centre line, touching the gutter, touching the line.",
+#:   "Before the collision, Vehicle 2 was legally parked. Its driver, later found to be unwell, steered it into the traffic lane and continued in it, but not in a straight line: over a hundred metres the tracks show five alternate deflections to left and right.",
+#:   "You think the hard bit's done once the parked car has come out and you've braked for it. Not with this fella. There was a wardrobe on his roof, and as soon as he was in the lane it began to swing, and the car swung with it.",
+#:   "Actor timeline: parked at the right edge; on trigger it leaves the bay and takes up our lane; from then on its lateral position follows a periodic curve around the lane centre, so that neither side leaves enough space to get past.",
+#:   "When they found the fire engine's steering had been tampered with, it was too late, for it was already out of its place by the kerb and lumbering ahead of us down the lane, leaning to this side and then to that with its ladder waving.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

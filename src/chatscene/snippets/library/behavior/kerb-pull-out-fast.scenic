@@ -24,6 +24,22 @@
 #:   "Rapid departure of parked vehicle into own lane with continuing acceleration away",
 #:   "GETAWAY DRIVER? Parked car BLASTS OFF into my lane",
 #:   "The parked motorbike catapults out and streaks off ahead.",
+#:   "Ambulance off the kerb and legging it up the road ahead, over.",
+#:   "Please have a parked hatchback hurl itself into our lane and scorch away.",
+#:   "Parked moto, bam, in our lane, foot down, a dot in the distance.",
+#:   "That car was sleeping by the path and then it went ZOOM away!",
+#:   "Kerbside saloon peels out ahead of Vehicle 1, gaining speed throughout.",
+#:   "I'd scarcely noticed the Mustang in its bay when it flung itself into my lane with smoking rear wheels and grew smaller by the second.",
+#:   "The fire engine had been stationary by the pavement; on the alarm it was driven smartly into the lane ahead and gathered speed like nobody's business.",
+#:   "Cómo se dice, the guy with the motorbike exits from his parking like a bullet, enters my lane and escapes with all the gas.",
+#:   "Vehicle at rest in parking strip shall, upon trigger, enter the test lane under maximum drive torque and continue accelerating, thereby opening the distance to the VUT.",
+#:   "\"It was parked as good as gold,\" said the lollipop lady, \"and next thing it'd burst out before the blue car and was haring off towards the bridge.\"",
+#:   "Was he late for his own wedding, the chap in the parked Jag, that he had to explode out of his space and then hurtle up the road before us?",
+#:   "Right, what did we learn from that? You were coming up to a row of parked cars, and one had its wheels turned and exhaust puffing. Out it popped into your lane, hard on the gas, and by the time you'd reacted it was well up the street and still getting faster.",
+#:   "The defendant's vehicle stood by the kerb with its engine idling. On seeing two officers emerge from the bank he took it out, with violent acceleration, into the lane in which my client was approaching, and made off in the same direction at ever greater pace.",
+#:   "I ride a bicycle to work along Station Road, and I've never seen a thing like it. A biker who'd been sitting there fiddling with his phone suddenly wound it right up, leapt off the kerb into the lane ahead of a robotaxi, and was doing sixty by the chip shop.",
+#:   "Bug 784: planner over-brakes when a parked car leaves its slot at very high acceleration. The actor enters our lane at a small gap but immediately outruns us, velocity rising all the time, so a mild lift-off would have been enough. Need a regression scene with this launch.",
+#:   "My late husband would have called it showing off. A sporty little car, which had been standing quietly outside the bank, darted out into the lane we were in, and then the young man stepped on it, and with a terrible noise it went racing away down the avenue.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

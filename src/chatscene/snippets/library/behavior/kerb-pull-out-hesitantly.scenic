@@ -24,6 +24,22 @@
 #:   "Indecisive departure of parked vehicle: partial start, dwell, delayed entry into lane",
 #:   "Parked scooter can't decide... then pulls out ANYWAY",
 #:   "The parked car twitched, wavered, then slid out.",
+#:   "Bus leaves its stop in two bites: a twitch, a wait, then out.",
+#:   "Parked scooter: rolls a foot, stops, ponders, joins our lane.",
+#:   "Out she came in the end, after one false start from the kerb.",
+#:   "First the parked car bottles it, then it sets off into our lane.",
+#:   "Let the parked moped dither once before it really joins the road.",
+#:   "The estate at the kerb rolled forward a touch and checked itself, and when our car was nearly there the driver decided to come out into the lane regardless.",
+#:   "Target vehicle aborts its departure from the parking lane after 0.6 s, is stationary for a set time, and then carries out the departure in front of the VUT.",
+#:   "Claimant says the parked Peugeot moved, then stood, so he assumed he'd been seen, whereupon it moved off again and drove into his lane.",
+#:   "Could you do a parked car that begins leaving, has doubts, stands for a couple of seconds and in the end pulls into the ego's lane and drives along it?",
+#:   "Le bus, he commence to leave the stop, he brakes, he reflects two seconds, and finally he goes into my lane before me.",
+#:   "If they nudge out and stop like that, don't think they're waiting for you, cause look, now she's coming out of the space for real.",
+#:   "The wheels of the parked Golf had turned and it crept off by a hand's breadth, so I lifted off. It stopped dead. I thought good, she's letting me go, and I'd just put my foot back on when the thing moved out into the lane in front of me after all.",
+#:   "V2 was legally parked along the east curb. Its driver initiated a pull-out, applied the brakes, and remained motionless for about two seconds while looking in the mirror; V2 then left the curb completely and proceeded in the lane of V1.",
+#:   "Episode twelve, the ditherer. A motorcyclist sits at the roadside with his engine going, paddles forward with his boots, loses heart and stops. Any planner that takes that for a yield gets punished, because two seconds later he lets the clutch out and rides off in your lane.",
+#:   "I drive the 38 and I know how it looks from behind. I'd let the brake off at the stop, then saw a car in my mirror and put it on again, sat there, wasn't sure, and then I thought I'd been let out and took the bus into the lane.",
+#:   "Mum said the man couldn't decide. His car was parked and it went a tiny bit and then it stood still, and we waited to see, and then it really did go, out of its place and onto the road where we were driving.",
 #: ]
 #: adversaries = ["car", "bus", "motorcycle"]
 #: requires = ["advKerb", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Departure of parked vehicle into own lane with continued travel ahead",
 #:   "Parked motorbike joins traffic WITHOUT LOOKING",
 #:   "The taxi peeled off the kerb ahead of us and motored on.",
+#:   "Bus eases off the stop into our lane and gets going.",
+#:   "Stationary cab at the roadside wakes up, joins us, trundles along.",
+#:   "Let the parked lorry nose out ahead and simply carry on.",
+#:   "Ambulance departs kerbside, enters subject's lane, proceeds ahead normally.",
+#:   "The parked scooter man came out and rode away before us.",
+#:   "A plumber's van which had been standing at the side let off its handbrake, slid into the gap before our bonnet and continued up the road.",
+#:   "Along the parking strip a target is at rest; as the VUT nears, it steers out into the VUT's lane and travels on at ordinary speed.",
+#:   "There's someone sat in that hatchback with the wheels turned. Yes, out it comes into your lane, and off it goes at a normal lick, follow it.",
+#:   "The other party left his parking bay without looking, occupied the lane directly before me and kept going as if I had not been there.",
+#:   "I want a police car at the edge of the road that gets under way when the ego is close, merges into its lane and goes on driving.",
+#:   "The lorry was sleeping at the border of the street, then he starts, he takes my lane before me, and he continues his travel without hurry.",
+#:   "As a cyclist I always look for exhaust smoke in the row of parked cars, and there it was. The old saloon came away from the edge and into the lane, just in front of the car I was behind, and went off down the street at an easy pace.",
+#:   "According to the statement of the bus driver, he had finished at the stop, shut the doors and signalled. He then drew out into the lane where our client's vehicle was approaching and resumed his route, without halting again and without any particular haste.",
+#:   "It had looked like part of the street, the grey pickup, as fixed as the lamp-posts. Then its front wheels slid away from the gutter, the long flank followed, and it was simply another vehicle on the road, driving ahead of them toward the bridge.",
+#:   "Scenario note for the fleet: a delivery truck rests at the kerb. When the robotaxi is about thirty metres off, the truck moves out into the robotaxi's lane and from then on acts as a slow-ish lead vehicle. It neither stops again nor pulls a fast start.",
+#:   "fourth time this week outside the chippy, a motorbike that was stood at the side just rolls out in front of me. not even fast. no look, no indicator, in he slides and then he's pottering along ahead of me like we arranged it",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

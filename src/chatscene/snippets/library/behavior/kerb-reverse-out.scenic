@@ -24,6 +24,22 @@
 #:   "Tail-first emergence of parked vehicle from its bay into own lane",
 #:   "BACKS OUT BLIND from parking spot",
 #:   "The parked van butts out rear first.",
+#:   "Van emerges boot first from its parking bay, into our way.",
+#:   "Parked pickup backs off the roadside and plugs my lane.",
+#:   "Let a parked ambulance reverse out in front of the ego.",
+#:   "Reversing lights on, out of the space, right across me.",
+#:   "Daddy, that parked car is coming out with its bottom first!",
+#:   "Nobody was visible at the wheel, yet the parked estate crept backward from its slot between two others until its rear end lay in our lane.",
+#:   "A vehicle stationary in a roadside bay engages reverse and steers its rear into the lane of the approaching test vehicle, where it ends up.",
+#:   "If you see white lamps in a row of parked cars, cover the brake. Look, that SUV is coming out to you stern first this very moment.",
+#:   "The front of my car hit the tail-lift of a lorry because its driver was reversing from the place where he had been parked into the carriageway.",
+#:   "The taxi was staying in the parking and he made marche arrière without regarding, so his back part arrived in my lane just before me.",
+#:   "Fire engine that had been parked up by the shops is now backing itself off the kerb and into live traffic, can someone get a banksman there?",
+#:   "I'd only popped out for milk, Officer. A big four-by-four in one of those slanting bays began to back up, and I hooted, but on it came till the whole rear half stuck out in the lane I was using and I was up against its spare wheel.",
+#:   "Observation by the perception team: parked car detected as static clutter, class \"parked\", until its motion flips sign. It leaves its bay backwards and ends with its rear inside the ego lane, blocking us. Tracker took 0.8 s to accept negative speed. Please re-run with the longer box truck as well.",
+#:   "Vehicle 2 had been parked at the eastern kerb. Its driver, intending to depart and being unable to go forward on account of a skip, selected reverse and moved out in that direction, so that the trunk entered the lane in which Vehicle 1 was travelling.",
+#:   "The trouble with vans is that they've no back window. This one had been parked the entire morning, and then just when I came riding up behind the AV out poked its rear doors, further and further, steering blind into the lane until the AV had nowhere to go.",
+#:   "On tonight's episode we ask why anyone would still park nose-in. Exhibit A: a saloon in a roadside space, a driver who can't see a thing, and a rear bumper that comes swinging out backwards into the lane just as our listener arrives there at thirty.",
 #: ]
 #: adversaries = ["car", "truck", "emergency-vehicle"]
 #: requires = ["advKerb", "advRoom", "egoRoute"]

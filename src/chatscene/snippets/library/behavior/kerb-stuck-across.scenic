@@ -24,6 +24,22 @@
 #:   "Failed turn-round of vehicle leaving the kerb; transverse stationary blockage",
 #:   "Fire truck tries to turn around from the kerb, gets STUCK SIDEWAYS",
 #:   "The parked van slewed about and jammed itself athwart our lane.",
+#:   "Cab swung out from the kerb to turn about; now it's jammed sideways.",
+#:   "Parked lorry, botched about-turn, stuck broadside over the AV's lane.",
+#:   "Tried to U-turn off his parking spot and wedged himself across us.",
+#:   "Have the parked minibus attempt a U-turn and end crosswise, unmoving.",
+#:   "Police car unparks, slews left to face back, can't complete, plugs our road.",
+#:   "We found the lane shut by a bus lying across it, whose driver had set off from the kerb wanting to go back.",
+#:   "The camper was parked on the side, he wanted to make the half turn, and he has stayed blocked in the width of the road.",
+#:   "From a parked state the vehicle shall steer out fully to reverse its direction and remain immobile, its long side across the ego lane.",
+#:   "Oh, he's leaving the kerb and swinging right round, no he isn't, there isn't room, and he's stranded there sideways in your lane.",
+#:   "What I saw was a fire engine hauling itself out from the pavement to go the other way and coming to grief halfway, side-on to us.",
+#:   "\"It was like a cork in a bottle,\" one commuter said after a parked artic failed to turn round and got trapped over the lane.",
+#:   "My husband had parked facing downhill and wished to drive home uphill. He took the car out with the wheel hard over, found the road too narrow, and there he was, lying square over the lane with me waving at people.",
+#:   "V2 moved away from the curb in an attempted U-turn. The turning radius was insufficient; V2 came to rest at about a right angle to the roadway and was immobile there, occupying the full width of V1's lane.",
+#:   "Ticket: kerbside truck initiates turning in the road, left lock, and freezes mid-manoeuvre with its flank toward us. It doesn't move again. Check that the AV stops short of the side panels, which the lidar sees rather badly.",
+#:   "The bin lorry didn't want to go round the block. So he came off the pavement in a big left sweep to point himself the other way, and half round he'd had it, wedged, no forward, no back, me staring at his wheels.",
+#:   "In my childhood this street was wider, sir. The ambulance from the kerb was trying to take a round turn for going back side, it did not come, and so it was sitting crossways in our lane like a wall.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Full-width turnaround by vehicle departing kerbside position.",
 #:   "PARKED CAR PULLS INSTANT U-TURN ACROSS TRAFFIC",
 #:   "The parked motorbike looped from the kerb to face the other way.",
+#:   "Cabbie leaves the rank and swings round to face the opposite way.",
+#:   "Parked truck moves off, does a one-eighty over the road.",
+#:   "The motorbike at the kerb starts up, leaves it and circles back.",
+#:   "PARKED AMBULANCE SPINS AROUND IN FRONT OF TRAFFIC",
+#:   "Roadside departure with immediate about-turn across the carriageway.",
+#:   "Simulate a parked estate car that moves away from the side and keeps its wheel hard over until it is heading where we came from.",
+#:   "A police car that had been lurking in a lay-by came out and turned tail across the whole road, just as we were arriving.",
+#:   "The parked vehicle shall leave the kerb ahead of the VUT and, in one continuous arc, reverse its direction of travel across both lanes.",
+#:   "Without so much as a glance over her shoulder she drove off from outside the bakery and turned her little car about in the street before me.",
+#:   "The van which was standing on the right border is starting and does a half-turn on all the road, to go in the inverse direction.",
+#:   "The lorry no longer stood by the kerb; it was swinging its great length out and round across us, to go off the other way.",
+#:   "As I came up the high street a parked SUV started to move out from the left with no signal. I thought he'd join the queue like anybody else. He carried right on turning, over my lane and the opposite one, until he was pointing back towards town.",
+#:   "Claimant's vehicle was travelling at 25 mph when the defendant's van, theretofore stationary at the roadside, moved off. It did not merge with the traffic but described a full half circle across the road, so as to drive away in the direction from which the claimant was coming.",
+#:   "On my commute there's a spot where the dispatch riders wait, parked up by the sandwich shop. Today one of them got a job, fired up, pulled out and flipped round right across my wheel, so as to head for the other end of the street.",
+#:   "We need a parked actor for the kerb suite. Trigger when the ego is near; it drives out of its bay and goes straight into a tight turn of 180 degrees that takes it through our lane, then leaves on the opposite side of the road.",
+#:   "What you did there was right. You saw the front wheels of that parked taxi begin to move and you covered the brake; because he wasn't just moving off, was he, he was turning the whole thing round over both sides of the road.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advKerb", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Loss of available gap owing to sudden speed-up of neighbouring vehicle",
 #:   "SEES MY BLINKER, SPEEDS UP",
 #:   "The bus quickens and squashes the gap.",
+#:   "I had a nice space beside me till the van gunned it.",
+#:   "Lorry alongside suddenly gets a wriggle on, and the hole's gone.",
+#:   "Adjacent vehicle: step in throttle, closes available opening.",
+#:   "Get the neighbouring bike to spurt forward and fill the space.",
+#:   "Was that really necessary, tearing forward to stop anyone getting in?",
+#:   "No sooner had a gap appeared in the next lane than the taxi there leapt forward and left us nothing but its rear door to look at.",
+#:   "The adjacent target, until then at matched velocity, shall be commanded to full throttle so that the space ahead of it vanishes.",
+#:   "The bus had been keeping company with us, then out of nowhere the driver gave it the beans and there was no room in that lane any more.",
+#:   "V2, which had travelled parallel with V1, gained speed rapidly and thereby eliminated the interval between itself and the vehicle preceding it.",
+#:   "The lorry on the other lane, when he sees the hole, he pushes the gas and the hole is finished, nobody enters.",
+#:   "I'd like a saloon next to the AV that out of the blue quickens its pace hard, so that whatever opening there was is taken away.",
+#:   "You could see him clock it. There were two car lengths free in his lane, he glanced over, his chin went down, and then that Audi simply charged up the lane until you couldn't have slid a newspaper into the space that was left.",
+#:   "I told the officer it wasn't really an overtake. The motorcycle was running next to the robotaxi, quite peaceful, and then its engine screamed and it hurtled up its own lane to the bumper of the car in front, so nobody could get in.",
+#:   "Now, that was a lovely opening, and you did well to look for it. But listen to his engine: he's winding it up, he's racing forward, and the door is closed. Some people can't bear to let anyone else have anything.",
+#:   "The lady from number nine doesn't like sharing. We were side by side, with a bit of tarmac free in front of her, and all at once her little car bounded forward and gobbled it up, and she stared straight ahead as if butter wouldn't melt.",
+#:   "Podcast listeners keep asking about meanness on the road, so here's mine. A truck beside us, cruising, loads of space before his bumper, and the second that space looked useful to anyone, black smoke came out of the stack and he thundered up to shut it.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Sudden hard deceleration of traffic in the intended destination lane",
 #:   "Bike BRAKE SLAMS in the lane I was moving into",
 #:   "The coach in the other lane clamped its wheels.",
+#:   "Taxi in the adjoining lane brakes like it's hit a wall.",
+#:   "Out of nowhere the coach drops its anchors.",
+#:   "Target-lane lead decelerates at once, hard, no cause given.",
+#:   "What did the biker see that made him pull both brakes so violently?",
+#:   "NO WARNING: LORRY STOMPS THE BRAKE",
+#:   "Make the pickup that occupies the lane we mean to use brake abruptly, as though a child had run out, though there is nobody.",
+#:   "I had picked my spot behind the blue van over in that lane when its rear end rose and its speed collapsed.",
+#:   "A sharp reduction of speed, without warning and for no apparent reason, was made by the bus in the lane to which the claimant was headed.",
+#:   "Behind that truck in the other lane you'd have been all right, only he's gone and clobbered his brake pedal.",
+#:   "The camion on the lane where I want to go, he pinches the brakes of one blow, I have no time to understand.",
+#:   "Brake lights, tyre smoke, and the sedan in our destination lane had shed half its pace before the AV finished checking its mirrors.",
+#:   "The road was dry and empty in front of him, that's what I can't get over. The motorcyclist in the lane beyond had nothing before him for two hundred metres, and yet he squeezed everything he had and the back wheel came off the ground.",
+#:   "During the merge assessment, the vehicle holding the lane to be entered applies full service braking at the trigger point. There is no preceding acceleration and no lateral motion; only its velocity falls, rapidly, and the subject vehicle must revise its gap choice.",
+#:   "I looked over my shoulder, everything fine, the coach in that lane was a good way up. When I looked forward again it was huge, because in that one second its driver had rammed on the brakes, and there I was with my indicator going.",
+#:   "My pupils hate this one. You've chosen your lane, you've chosen the hatchback you're going to follow in it, and then without rhyme or reason that hatchback's nose dips and it's braking for all it's worth. Plan for it, leave yourself a way out.",
+#:   "My granddaughter drives and I keep her company. There was a lorry in the lane she fancied, going along quite nicely, and then there came such a screeching from it, for the man had jammed his foot down, and nobody could tell us why he braked.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

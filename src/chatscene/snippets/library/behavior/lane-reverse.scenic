@@ -24,6 +24,22 @@
 #:   "Unexpected rearward motion of preceding vehicle after standstill",
 #:   "FRONT CAR REVERSES AT ME FOR NO REASON",
 #:   "The truck in front stops and recoils toward us.",
+#:   "White lights, flying backward at me! He'd only just halted up ahead.",
+#:   "Make the lorry in front pull up, then jerk into reverse.",
+#:   "Lead bus: full halt, then sudden rearward travel at VUT.",
+#:   "The saloon before us quit moving, next it charged us backwards.",
+#:   "Rammed by the car I was following, which had stopped and reversed.",
+#:   "A dustcart we had been following came to a halt in its lane, and without so much as a beep it began driving back at our radiator.",
+#:   "The claimant had stopped behind the pickup, which had itself stopped, when its driver engaged reverse without warning and travelled rapidly back towards her.",
+#:   "After reaching zero speed the leading vehicle shall, within half a second, travel backwards along the same lane at 3 m/s and not return to forward motion.",
+#:   "I want the van up ahead to come to rest and then, all of a sudden, to back down the lane in the direction of the robotaxi.",
+#:   "missed his exit i suppose so he pulled up dead in the carrigeway and came tearing backward with us sat right behind him",
+#:   "Auto in front has halted, I also halted, and in one second fellow is in back gear and coming to kiss my bumper.",
+#:   "The coach had gone past the hotel entrance, that's what I think. It stopped in front of us, I stopped as well and had barely got the handbrake on, and then the great thing was lurching backwards and its rear window was getting bigger and bigger.",
+#:   "V1 and V2 were traveling in line. V2 slowed to a stop in the travel lane. Its back-up lamps illuminated almost immediately and V2 accelerated to the rear, toward the front of V1, whose operator sounded the horn.",
+#:   "Lesson of the day, and I say this to every pupil: leave room behind the one in front even when he's standing. See this Corsa? It stopped, you stopped, and bang, it's in reverse and heading for us quick. Horn, now, good long one.",
+#:   "The brake lights of the car ahead went on and it stood. I remember thinking how quiet the street was. Then came that whine which only a reverse gear makes, and its boot rushed up to my windscreen before I had time to be surprised.",
+#:   "Lorry driver here, nothing to hide. I'd overshot the yard, so I stopped in my lane, whacked it into reverse and went back smartly. I never saw the little self-driving car that was behind me until I heard it hooting.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Late unannounced right turn of approaching vehicle at unreduced speed",
 #:   "Truck decides to go RIGHT at the last possible moment",
 #:   "The van hooked off rightward at the death.",
+#:   "SUV drives up normally, then snatches a right at the final instant.",
+#:   "Ordinary speed, no hint, and abruptly it peels off right.",
+#:   "Biker, steady approach: cranks it over to the right terribly late.",
+#:   "He comes normal, and when it is almost too late he goes right.",
+#:   "Right turn? He only decided on it when he was there!",
+#:   "The bus had been coming on at the usual town speed, and its front wheels went over to the right only when the corner was upon it.",
+#:   "Have the other car approach as if nothing were to happen, and let it begin a sudden turn to its right at the latest possible moment.",
+#:   "Up to the junction the pickup held thirty and looked for all the world a through vehicle; then its driver flung it round to the right.",
+#:   "An ordinary approach, you'd say, nothing to see, until the scooter rider ducks into the street on his right with no room left to do it.",
+#:   "Signal? Not on your life. That lorry arrived at the same rate as everyone and then swung off right when he was practically past the opening.",
+#:   "The trajectory is straight at constant speed until shortly before the conflict point, where the yaw angle changes by 90 degrees to the right.",
+#:   "My statement is that the taxi neither slowed nor indicated on the way up to the crossroads. I took it that he would go over. When he had as good as reached me he cut his wheel to the right and went off into the other street.",
+#:   "This is why I teach you to cover the brake. That coach was doing a perfectly regular speed, no blinker, in a straight line, and at the very mouth of the junction its driver remembered where he was going and heaved it round to the right.",
+#:   "We were discussing whether it was a Polo or a Golf when it made us both shut up. It had come along quite calmly, as people do when they're going straight on, and out of that calm it whipped to the right with a squeal, at the point of no return.",
+#:   "V2 was travelling at a speed consistent with the surrounding traffic and its path offered no indication of an intended manoeuvre. Immediately before the point of conflict its heading changed abruptly clockwise, and V2 departed to its right. Reaction time for V1 was below one second.",
+#:   "Grandad says the man in the van must have a bad sat nav. He drove to the crossing like everyone does and then he must have heard it say right, because he spun the wheel that way so late that the boxes inside went bang.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Repeated intimidatory brake application by lead vehicle without stopping.",
 #:   "GETS BRAKE CHECKED TWICE, STAYS CALM",
 #:   "The lead car winked its brakes at us twice and rolled on.",
+#:   "Bloke ahead stabs his brakes, stabs them again, carries merrily on.",
+#:   "Front van: brake lights, brake lights, just to rattle us, proceeding.",
+#:   "two nasty litle dabs from the coach in front then onward",
+#:   "Let the lead bike blip its brake twice at us, then continue.",
+#:   "Ma, that driver blinked his red lights two times to frighten you!",
+#:   "The cab we were following braked for a heartbeat, released, braked for another heartbeat, and went its way, evidently to put the fear of God into us.",
+#:   "Two successive intimidation pulses on the service brake are applied by the lead vehicle, about a second apart, whereupon it resumes its speed in front of the VUT.",
+#:   "Why is he pecking at that pedal, once, and now a second time? To scare you off his bumper; see, he's rolling along again.",
+#:   "He was upset that I was near, so he has given a short brake, then one more short brake, and after he drove normally further.",
+#:   "An angry trucker in front of the robotaxi wanted to see it flinch: a touch of the brakes, a pause, another touch, and away he trundled.",
+#:   "Without any obstacle in his way, the officer ahead of me hit and let go his brakes, did so a second time, and pursued his journey.",
+#:   "My wife can confirm that the road before the SUV was empty. He nevertheless jammed his brakes for an instant, let us recover, and jammed them again, a clear act of bullying as I see it. Then he drove along as placidly as you please.",
+#:   "You'll meet this on the motorway, love. Someone in front takes offence, and you get a jab of brake lights and your heart's in your mouth; then a second jab. They're not stopping. They just want you rattled, and afterwards they cruise on in the lane.",
+#:   "Analysis of the lead motorcycle's deceleration trace reveals a pair of brief peaks separated by slightly more than one second, with a partial recovery of speed between. As no hazard existed, the intent was presumably to startle the following vehicle. Thereafter the motorcycle continued ahead at constant speed.",
+#:   "It takes a particular sort of saloon driver. I'm behind him in the artic, leaving room, and he goes tap on the anchors. My coffee's on the dash. I settle down, and tap, he does it again, grinning in his mirror, and then off down the A1 he goes.",
+#:   "I teach at a school near there and the bus ahead of me was plainly in a temper. Its rear end rose sharply, dropped, and a moment later rose sharply again, so I had to brake both times; after that it went on along its route as if butter wouldn't melt.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

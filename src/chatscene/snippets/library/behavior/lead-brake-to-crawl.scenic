@@ -24,6 +24,22 @@
 #:   "Harsh deceleration of preceding vehicle down to residual walking speed without standstill",
 #:   "BRAKES HARD... then drives slower than I WALK",
 #:   "The lorry in front sheds its speed and oozes onward.",
+#:   "Leader bins its speed at once, then ambles, never stopping.",
+#:   "Van before us stamps on it, then moves at shuffling pace.",
+#:   "Hard brake by the cab in front, then pram-pushing speed.",
+#:   "Make the coach ahead brake sharply but keep rolling, barely.",
+#:   "Fire engine ahead drops from fifty to next to nothing, then plods.",
+#:   "All at once the pickup's brake lights blazed, and the next thing I knew we were both going along no quicker than pedestrians.",
+#:   "The motorcyclist in front of the robotaxi scrubbed off nearly everything in two seconds and then balanced along at a wobbling crawl.",
+#:   "Firstly the truck before me is braking like for an accident, then he doesn't stand, he goes further with five kilometres in the hour.",
+#:   "Final speed of the preceding vehicle shall be 1.5 m/s, reached by emergency-type deceleration and kept until the end of the test.",
+#:   "What's she playing at up front, hauling it down that violently only to tootle on as if she were counting daisies?",
+#:   "There was a bang of brakes from the bus ahead; it never came to a stand, though, it just kept trickling up the road.",
+#:   "We were trailing a hearse-black saloon down the high street when it braked fit to throw the driver through the glass. It did not halt, mind, it simply dragged itself along from then on, a yard at a time, and we behind it.",
+#:   "The operator of V1 reported that the ambulance directly ahead decelerated without warning. It remained in motion, however, at approximately the pace of a person walking, and the operator, expecting a complete stop or a recovery, misjudged the gap.",
+#:   "Two parts to this one, so listen. The lorry in front brakes fiercely, and you must too; but then he carries on rolling at a snail's trot, so you've got to drop in behind and have patience, not blast the horn.",
+#:   "Hi all, I have question. Today front car suddenly pressed brake so hard that my phone flew off, after that he was driving on slow slow like ox cart. Why would the autopilot first panic and then jerk all the way?",
+#:   "The motorhome in front had found its campsite sign. Down went its bonnet, my coffee went everywhere, and instead of stopping it oozed along the lane with the wife leaning out of the window reading every gatepost.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Disabled lead vehicle partly clear of the lane; residual lane obstruction at the road edge",
 #:   "Van in front BREAKS DOWN, only makes it halfway off the road",
 #:   "The ambulance ahead faltered, hobbled kerbward and stranded itself half in.",
+#:   "Van ahead conks out, crawls sideways, stops half off the road.",
+#:   "Leading bus fails; ends up stranded partly in our lane.",
+#:   "lorry infront dies edges to the verge its rear still out",
+#:   "CASUALTY VEHICLE ahead, drifted nearside, standing, half a lane gone",
+#:   "The fire engine before us broke down halfway onto the shoulder.",
+#:   "Smoke came out of the coach we were following, it got slower, leaned over to the roadside and stopped with half of it still on the driving lane.",
+#:   "Give the car in front of the AV an engine failure: it loses pace, bears off toward the edge and stands there, partly in the lane.",
+#:   "He only just made it to the gutter before the motor quit altogether, and even so his right-hand wheels were left standing in front of me.",
+#:   "The lead vehicle, simulating a defect, decelerates, displaces itself laterally to the border of the road and comes to rest obstructing part of the lane.",
+#:   "Because her car was giving up ahead of us, she let it roll over to the side, where it stood too early, half in our way.",
+#:   "The truck before my car has got some fault, gently it is going to the side, then standing, half on the earth and half on the road.",
+#:   "I'd been behind the removal lorry since the roundabout when its hazards came on. It lost speed little by little while he eased it over to the nearside, and when it finally stopped there was a good metre of it hanging out over my lane.",
+#:   "V2, directly ahead of V1, experienced an apparent mechanical failure. Its operator let the vehicle decelerate while steering to the outer edge of the roadway, where it came to final rest with its left half remaining in the travel lane and no warning triangle displayed.",
+#:   "You'll see him run out of puff in a moment, the school bus in front. There: no power, so he's guiding it over to the edge as best he can. He won't get it right off the road, though, it has stopped with its flank in our lane.",
+#:   "We were on the way to the seaside, and the car in front of us made a funny noise and went slower and slower. It went over to the grass, but only a bit of it fitted on the grass and the rest stayed on our road.",
+#:   "Request for the hazard set: the vehicle we follow loses drive. It must not simply stop in the lane, but has to use its remaining momentum to veer to the roadside, and there stand for good, leaving perhaps half the lane for the test vehicle.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

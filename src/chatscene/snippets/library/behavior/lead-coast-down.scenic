@@ -24,6 +24,22 @@
 #:   "Unbraked gradual speed decay of lead vehicle to near-standstill.",
 #:   "DRIVER AHEAD FORGETS THE GAS PEDAL EXISTS",
 #:   "The truck ahead dwindled to a creep unbraked.",
+#:   "Bus ahead just stopped pushing; now it's barely rolling, still moving.",
+#:   "Let the leading lorry run out of momentum to creep speed, without ever standing.",
+#:   "Tanker in front bled off speed slowly, unlit brake lamps, never quite stopped",
+#:   "Grandpa's car before us got slower and slower until it nearly snoozed, but didn't stop.",
+#:   "Front cab he only lets it roll, till pedestrian tempo, no standstill.",
+#:   "The moped ahead of me shut its throttle, lost way bit by bit and finally dribbled along so slowly that I feared it would topple.",
+#:   "From 60 km/h the preceding target reduces speed by engine braking alone until it holds a residual 6 km/h, at which it continues indefinitely.",
+#:   "When the fellow in front lifts like that you get no red lights; the distance melts, he's down to a trickle, and yet he keeps on rolling.",
+#:   "I request a scene in which the police car leading the ego stops accelerating, loses its way gently and afterwards goes on at a snail's pace.",
+#:   "Have you ever watched a coach die in front of you, not braking, merely wilting, down to the speed of a hearse and going on like that?",
+#:   "V2, the lead vehicle, was allowed to lose velocity on the overrun, with no service brake used, and then proceeded ahead of V1 at idle speed.",
+#:   "I nearly ran into him because there was nothing to warn me. His brake lights stayed dark the whole time, but the van in front was fading away, forty, thirty, fifteen, and in the end it was pottering on at the pace of a milk float.",
+#:   "Our follow controller reacts to brake lamps, and here there aren't any. The vehicle ahead releases the accelerator on a level road, drag does the rest, and it settles at roughly two metres per second and keeps moving, so a full stop would be wrong.",
+#:   "She supposed he was looking for a house number. His pickup went along ahead of her with less and less conviction, as a ball does that nobody has kicked for a while, until it was only just creeping, and creeping it remained.",
+#:   "Dear insurer, the ambulance before me was not on a call. It simply ceased to be driven, if I may put it so, letting its speed leak away along the avenue without any braking until it trundled at the pace of a tired horse.",
+#:   "Truckers do this to save diesel, coming up to a red half a mile off. The one I was behind lifted his boot off the pedal and let forty tonnes run itself down till we were doing next to nothing, but he never let it come to rest.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

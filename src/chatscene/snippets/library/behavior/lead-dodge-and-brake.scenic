@@ -24,6 +24,22 @@
 #:   "Avoidance excursion of preceding vehicle, return to lane and consequent deceleration",
 #:   "CAR DODGES DEBRIS, TUCKS IN, BRAKES - was not ready",
 #:   "The bus in front sidesteps something, slots back in and brakes.",
+#:   "Motorbike ahead skirts a pothole, realigns, squeezes the lever.",
+#:   "Around something, back in line, brakes: that's our leader today.",
+#:   "Lead SUV: lateral evasion, lane regained, deceleration.",
+#:   "The bus we were behind went round a box, came back and braked.",
+#:   "What was that lorry avoiding, and why brake after coming back?",
+#:   "Let the vehicle in front of the ego steer around a thing lying in the road, resume its lane, and only then slow down sharply.",
+#:   "The police car I was following bulged out round a dead badger, settled back into its lane and immediately had its brake lights on.",
+#:   "V2, preceding V1, deviated to the left of a mattress, re-entered its lane, and applied its brakes, reducing the gap at an unexpected rate.",
+#:   "The van in front makes a Bogen about a thing on the street, comes into the Spur again, and there it brakes strongly.",
+#:   "He'd recovered his line nicely after ducking round that cone, our pickup, so why he went for the brakes then I can't say.",
+#:   "Keep your distance: the artic ahead has bent his way past some timber, straightened up in our lane, and now his stop lamps are glowing.",
+#:   "We'd been tailing a coach for miles. Something like a burst tyre was lying there, the coach eased its bulk out past it, and eased back, and I thought good driver. Then the whole rear of it lit up crimson and it was braking hard in front of us.",
+#:   "Given a lead vehicle in the same lane, the following sequence is executed: a short excursion to the side, such as drivers make to miss an object; a return to the original lateral position; and finally a brisk braking manoeuvre, whilst the subject vehicle follows.",
+#:   "My claim form had a box for \"what did the other vehicle do\", and I ran out of room. The ambulance before me went out round a ladder in the road, it came in again in front of me, and when it was straight its driver braked.",
+#:   "I blame myself a bit, since I'd sped up the moment the scooter flicked out of my way. He was only dodging a drain cover, you see, and in he came again, bang in line with my front wheel, and squeezed on his brakes.",
+#:   "Ticket: lead goes round debris and we drop it as a target, that's wrong. It's back in our lane two seconds afterwards and braking, and the AV has to find it all over again with far too little time left. Please see the attatched log.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

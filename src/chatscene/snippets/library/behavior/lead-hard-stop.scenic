@@ -24,6 +24,22 @@
 #:   "Maximum-effort stop of lead vehicle with persisting lane blockage.",
 #:   "CAR IN FRONT PANIC STOPS AND NEVER MOVES AGAIN",
 #:   "The car ahead nailed itself to the spot.",
+#:   "Fire engine ahead brakes to nothing in an instant and stays parked there.",
+#:   "Full anchors from the hatchback leading us, then permanent roadblock.",
+#:   "Motorbike in front of AV: sudden zero, no restart.",
+#:   "Let the leading coach stop violently and remain where it is.",
+#:   "Skid, silence, and the lorry ahead stood there for good.",
+#:   "The driver of the car I was behind must have jumped on the brake with both feet, for it went from fifty to nothing and then stood there.",
+#:   "At t0 the preceding target is brought to rest with 8 m/s² and shall not be released until the end of the measurement.",
+#:   "Generate a minibus travelling ahead of the ego that makes a crash stop and from that moment on is a stationary obstacle in the lane.",
+#:   "Our insured collided with the rear of a Skoda, which, having until then led him at normal speed, stopped with locked wheels and did not resume its journey.",
+#:   "vor mir the truck makes a Vollbremsung, he comes to standing and there he rests, the street is closed with him",
+#:   "Two seconds, I said, and now you see what for: the taxi ahead has gone down on its nose, it's stopped, and it's staying stopped.",
+#:   "We were trundling along behind a patrol car, everything calm. Its tail went up in the air, the tyres howled and it was standing still before I had lifted my foot. We waited for it to go on again but it just stayed in the lane.",
+#:   "Unit 2 was the lead vehicle. For reasons not determined, its operator braked to the limit of adhesion, leaving sixty feet of skid marks that end under the tires of Unit 2 where it remained at rest, occupying the lane, until police arrived.",
+#:   "You're behind a big artic, all you can see is its doors. The doors come at you, fast, and there's smoke off the wheels, and by the time you've understood it's standing across the end of your bonnet with no intention of ever leaving.",
+#:   "I was on the pushbike behind a motorcycle when its rider hauled on everything he'd got. He was stopped in less than a length. He put his feet down and there he remained, in the middle of our lane, helmet turning left and right.",
+#:   "For the regression suite: lead actor drives ahead at the ego's speed, then full emergency deceleration to rest. No timeout after that, the actor simply keeps blocking the lane, since we want to see whether the AV goes into a safe hold.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

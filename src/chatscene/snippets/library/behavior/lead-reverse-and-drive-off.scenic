@@ -24,6 +24,22 @@
 #:   "Abrupt halt of preceding vehicle with short rearward movement and subsequent forward departure",
 #:   "STOPS, BACKS UP, LEAVES. Explain this driver",
 #:   "The truck in front halts, twitches backward and leaves.",
+#:   "Lead brakes to nil, rolls backward a metre, then departs forward.",
+#:   "Taxi before us: dead halt, short backing, then onward.",
+#:   "The car in front anchors, returns a bit toward us, then proceeds.",
+#:   "Alors he stops very strong, makes small reverse, then continues straight.",
+#:   "Ambulance ahead pulls up sharply, backs slightly, then heads off again.",
+#:   "The van we were following braked to nothing at a gateway, came backwards the length of a bonnet, and then took itself off down the road.",
+#:   "Could you make the vehicle ahead of us stop with violence, go astern for a metre or two, and after that drive away normally?",
+#:   "He'd slammed his bus to a standstill in front of me, I saw the white lights, he came back a little, and then on he went.",
+#:   "V2, leading, was brought to a stop by heavy braking, travelled rearward about two metres toward V1, and left the scene in its initial direction.",
+#:   "Poor old lorry couldn't make his mind up: anchors on, stationary, back a tad towards my bumper, into first and away he goes.",
+#:   "Reports of a fire engine that stopped with a jerk ahead of a robotaxi, nudged itself backward, and moved ahead again once it had found its address.",
+#:   "The satnav must have told them something. First the estate in front stopped so hard its boot came up; then there was the reversing lamp and it crept back at us, not far, perhaps a yard; and then the lamp was out and it was driving on as before.",
+#:   "The lead vehicle, initially keeping its distance to the ego, is braked at a high rate to zero. After half a second of standstill it is driven backwards for a short time. Finally it selects forward gear and leaves at ordinary road speed, so that the ego can follow.",
+#:   "Now tell the court what happened, in order. Well, he was in front, the pickup. He stood on his brakes and stopped. Then he backed up, towards me, only a little way, I had my hand on the horn. And then he just drove on, forwards, and was gone.",
+#:   "I've had a bus do this to me on my own route. Bloke ahead missed his stop, so it's brakes on full, everybody's shopping on the floor, a quick shuffle backwards to the shelter, and then, would you believe it, nobody gets on and off he drives.",
+#:   "Ticket: the planner treats the white lights as a permanent reverse and freezes. Repro with a lead truck that comes to an abrupt standstill, travels backwards at the ego for one or two seconds and then moves off ahead and clears the lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

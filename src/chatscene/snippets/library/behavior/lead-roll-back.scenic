@@ -24,6 +24,22 @@
 #:   "Rearward motion of lead vehicle after gentle standstill; shrinking front gap",
 #:   "Truck in front starts rolling BACKWARDS at me",
 #:   "The van ahead settled, then slithered back at our nose.",
+#:   "Bus in front eases to rest, then begins slipping back at us.",
+#:   "Gentle halt by the van ahead, followed by a backward drift.",
+#:   "Lead lorry settles softly to zero, then trickles tail-first toward VUT.",
+#:   "Have the car in front stop mildly and roll back on us.",
+#:   "He stopped so nice, and then he came down the hill backwards.",
+#:   "The ambulance we were behind slowed without fuss, stood for a breath, and then its rear step began to come nearer, although our own wheels were still.",
+#:   "Nothing sudden: the pickup ahead sheds its speed, comes to rest, and after a short wait creeps the wrong way, down the incline to our bumper.",
+#:   "Is his handbrake on? He pulled up smoothly enough at the top of this rise, but the gap's shrinking, he's running back into you, sound the horn!",
+#:   "The motorist before me finished his halt with much softness and then, the slope being steep, his car descended again in my direction.",
+#:   "I want the lead truck to decelerate comfortably to a stop and, some seconds later, to lose its hold and travel slowly in reverse at the ego.",
+#:   "Claimant's bonnet was dented by the towbar of a taxi that had coasted to a stop ahead of her and thereafter ran backward on the gradient.",
+#:   "Log review, lap nine. Lead vehicle comes to rest at a mild rate, waits briefly, then shows about minus one metre per second toward the ego. Our stack assumed that a stopped lead can only stay or move off forwards. Please add a horn request and check the gap logic.",
+#:   "We were behind a removals lorry on Castle Hill. It came to a stand quite tenderly, as these fellows do with a full load, and for a while all was well; then the letters on its tailboard grew larger and larger, and I realised it was travelling back down toward my radiator.",
+#:   "On the recording the patrol car preceding the subject vehicle slows with no more than a light touch of brake and stops. Some two seconds afterward its brake lamps go out. It then moves rearward, with gathering pace, in the direction of the subject vehicle, which had no room to retreat.",
+#:   "My instructor had told me to keep back from old cars on hills and now I know why. The banger in front rolled gently up to nothing, sat there, and then came sliding back towards my nose, its driver looking at her phone with both feet off the pedals.",
+#:   "Honestly the slowest crash in the world. Bus ahead of me brings itself to a lovely smooth stop, I stop behind it. Then it starts coming back. Like, backwards. At me. Two miles an hour, and I'm leaning on the horn the entire time lol",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Lead vehicle surge followed by unexpected full stop and blockage.",
 #:   "RACES AHEAD... THEN SLAMS TO A STOP",
 #:   "The lead car spurted off, then crashed its speed to nothing.",
+#:   "Front car shot off, then stopped dead in its tracks shortly after.",
+#:   "Simulate a leader that bolts forward, then brakes to nothing and stays.",
+#:   "Cab ahead guns it; seconds later it's planted in our lane.",
+#:   "Bike in front opens her up, next moment stands stock-still.",
+#:   "The lead truck surges, then emergency-stops and sits there, lane plugged.",
+#:   "The saloon we were behind leapt away as if the lights had changed, and a blink later it was motionless in the middle of the lane.",
+#:   "It was at rest and barring the way when I arrived, though only a moment earlier I'd watched it tear off from me.",
+#:   "The leading vehicle shall increase its distance under full acceleration for about two seconds, then decelerate to standstill and remain as an obstacle.",
+#:   "When the bus in front was running away from me I relaxed; it was wrong, because he soon made total braking and stood.",
+#:   "Don't be tempted to keep up with that hot hatch, he's hoofing it now and in a second he'll be stood still, there, told you.",
+#:   "lol the police car ahead floors it for no reason, gets maybe 40 metres, full send on the brakes, and just stays parked there",
+#:   "The van I was following put on a tremendous burst and I thought, good riddance. Then the rear end reared up at me, smoke from the tyres, and it had stopped for good right there with nobody able to get by.",
+#:   "V1 and V2 were traveling in the same lane, V2 in the lead. V2 sped up markedly, widening the separation; within a few seconds it was braked to a full stop and did not move again prior to impact.",
+#:   "For the false-hope case, please let the ambulance in front drop the hammer and pull clear, so that our ACC begins to chase it. Then it brakes as hard as it can until zero and keeps our lane shut for the rest.",
+#:   "He was proud of the new motorbike and wanted the car behind to know it. Away he went with a snarl; but a cat, or the thought of one, made him haul in everything, and there he stood in the road, shaking.",
+#:   "I go behind a lorry of the brewery in my lane. He gives suddenly much power, the black smoke comes, and the distance grows. Only some moments after he brakes it full to the standing and remains there like a house.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Unanticipated transient standstill of preceding vehicle, followed by renewed forward departure",
 #:   "RANDOM STOP IN FRONT OF ME, then drives on as if nothing",
 #:   "The van in front jolts to a halt, lingers and moves along.",
+#:   "Leader halts sharply, tarries a second, sets off again.",
+#:   "Van in front slams to a stand, then moves on shortly after.",
+#:   "Standstill out of nowhere, tiny wait, and the coach rolls again.",
+#:   "PHANTOM STOP: cab ahead freezes, then carries on like normal",
+#:   "Make the motorbike before us stop hard, pause, and resume.",
+#:   "The ambulance we were following pulled up so hard that its doors rattled, stood for the blink of an eye and then got under way again.",
+#:   "Without any reason the truck before me brakes to zero, makes a small pause as for a photo, and then it continues its trip.",
+#:   "The lead vehicle executes a hard stop in front of the VUT, remains at zero speed for the specified dwell and thereafter accelerates forward.",
+#:   "i had barely come to rest behind him when he was off down the road agian and to this day idk what he slammed on for",
+#:   "Driver in front missed his turning I think: anchors on, dead stop, a moment to consult the satnav, and then forward again as though nothing was wrong.",
+#:   "My cousin in the pickup ahead stopped at once, quite at once, I also stopped; he was waiting a little and after that went away forward.",
+#:   "The saloon was perhaps thirty yards in front when its brake lights came on and it stopped as if it had hit a wall. Nothing was in the road. It waited there for maybe two seconds, long enough for me to hoot, and then it drove on.",
+#:   "Following V2 at an appropriate distance, V1 had to brake hard because V2 came to an abrupt and complete stop in the lane. V2 remained stationary only briefly, after which it picked up speed and proceeded in its original direction, its driver unaware of the near miss.",
+#:   "What we're after is a one-off: the lead truck is driving along, brakes fiercely down to nothing, stands for a second or two, and then goes on its way at ordinary speed. It should not back up and it should not do it a second time.",
+#:   "I ride that road every day, so I leave a gap to the buses. Good thing too, as this one stopped dead where there isn't even a stop. I unclipped, and while I was still unclipping he'd closed the case and was motoring on again.",
+#:   "A cat, he thought afterwards, it must have been a cat. The car ahead had gone down on its nose and stood; he had counted two of his own heartbeats; and then it had moved off up the avenue, gaining speed, as if it regretted the fuss.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Intermittent motion of lead vehicle with repeated standstills",
 #:   "Car ahead moves 3 metres, STOPS, repeat x10",
 #:   "The fire engine ahead hiccuped along from halt to halt.",
+#:   "Coach ahead shuffles, stands, shuffles, stands; all morning like this",
+#:   "Give the ego a leader that stops, trundles a few feet, stops anew, endlessly.",
+#:   "The red car in front goes a teeny bit, then no, then a teeny bit.",
+#:   "Front moped again and again stopping, then small small moving.",
+#:   "Why won't he make up his mind: stand, roll, stand, roll?",
+#:   "The ambulance we were following never got going properly; it would come to rest, advance by the length of a parked car and be at rest again.",
+#:   "The lead actor's speed trace should be a comb: zero, a brief bump, zero once more, for as long as the scene lasts.",
+#:   "I told the constable that the lorry in front had been lurching on a yard or two at a time, with a dead halt after each of those yards.",
+#:   "Follow the van through a jam profile, in which standstills of a couple of seconds alternate with short spells of crawling, and see whether the ACC copes.",
+#:   "He halts, you halt; he dribbles on a bit, you dribble on a bit, he halts again, and so it'll go, so don't get bored back here.",
+#:   "In front of me the motorcyclist puts his feet down, lifts them for some metres, puts them down, lifts them, always the same music.",
+#:   "My left knee is not what it was, and this didn't help. The saloon before me kept coming to rest, then it would roll forward as far as a garden gate, then come to rest once more, and I was on the clutch the entire time.",
+#:   "V2 was immediately ahead of V1 in heavy congestion. Witnesses describe its progress as a succession of halts separated by rolls of no more than a few metres, and it was during one of the later halts that contact between bumpers occurred.",
+#:   "Comment under the video: I can't watch this without feeling sick. The pickup in front stands still, then it nudges up, stands still, nudges up, stands still, and the robotaxi copies each one of those with a little nod of its nose.",
+#:   "Nothing in front of the police car explained it, but the police car itself moved like a caterpillar. It would bunch itself up to a halt, stretch forward a little, and halt; and behind it she did likewise, wondering when it would end.",
+#:   "We took forty minutes for the last mile into town. The bus ahead set the rhythm: brakes hiss, nothing moves, it eases on maybe ten feet, brakes hiss again, nothing moves. I know every rivet on the back of that thing by now.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

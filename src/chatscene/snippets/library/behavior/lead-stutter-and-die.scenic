@@ -24,6 +24,22 @@
 #:   "Progressive propulsion failure of lead vehicle ending in disabled vehicle in lane.",
 #:   "ENGINE DIES LIVE ON DASHCAM, CAR AHEAD JERKS TO A HALT",
 #:   "The truck ahead sputtered, hiccuped and expired.",
+#:   "Bike ahead hiccups, surges, hiccups, and packs up in the lane.",
+#:   "Lead: alternating thrust and sag, then permanent immobilisation.",
+#:   "Our leader's engine fails by instalments until the van's stranded.",
+#:   "The car in front went jerk, jerk, jerk and then it was broken.",
+#:   "Is that coach in front bunny-hopping itself to death?",
+#:   "I want the pickup ahead of the ego to run roughly, jumping forward and falling back by turns, until its motor quits for good in the lane.",
+#:   "Water in the petrol, they said: the saloon I was behind lurched along in spasms for fifty yards and then refused to go another inch.",
+#:   "Motor from the front lorry is sick, it pulls, it does not pull, it pulls a little, and finish, he stays dead in our lane.",
+#:   "V2, immediately ahead of V1, alternately gained and lost speed owing to a fuel fault, and eventually ceased to move in the traffic lane.",
+#:   "Ambulance in front has lost power, got some back, lost it again, and it's a total failure now, they're stuck in lane one.",
+#:   "That's no way to treat a clutch, is it, the bus ahead of us is pitching back and forth, and now the engine's had it.",
+#:   "She had been following the baker's van for a mile when it started to choke. It would gasp, rush on a few yards, gasp and sag again, each rush a little shorter than the one before, until in the end it merely stood in her path, ticking.",
+#:   "The lead truck exhibits a degrading drivetrain. In software this means: throttle falls away, recovers for a moment, falls away, recovers for a shorter moment, and then never recovers, so the truck comes to rest as an obstacle in the lane of the AV.",
+#:   "Mate of mine had put diesel in his petrol Mondeo and I was the mug driving behind it. Bang, jolt forward, nothing, jolt forward, nothing at all. He conked it in the middle of the lane with me on his bumper and that was our day done.",
+#:   "I thought at first he was teasing me, sir, letting the fire engine drop back and spurt and drop back. But there was black smoke puffing out with each spurt, and the last puff was the last of it altogether; she lay there lifeless in front of my vehicle.",
+#:   "Motorbike trouble on the A9: rider's been coaxing it along ahead of us, it catches for a sec and leaps, then cuts out, catches and leaps a bit less, cuts out, and he's just had to give up becuase it won't run anymore. Standing in the live lane.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

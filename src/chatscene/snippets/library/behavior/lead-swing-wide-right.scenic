@@ -24,6 +24,22 @@
 #:   "Leftward off-tracking of preceding long vehicle prior to right turn-off",
 #:   "SEMI FAKES LEFT, GOES RIGHT - wide turn close call",
 #:   "The long bus balloons out leftward and then bends off to the right.",
+#:   "Artic up front: bulges out left, then peels off hard right.",
+#:   "Bus ahead needs the whole road: left a bit, now right, gone.",
+#:   "I want the lorry before us to arc leftward, then exit the road right.",
+#:   "Daddy, the long truck leaned that way first, then went in on the right!",
+#:   "Primero the truck ahead opens to left, después it goes inside on the right.",
+#:   "The coach we'd been trailing bowed away to the left, as if to oblige us, and then its front came round and it left the road rightward.",
+#:   "To line itself up for the factory gate on the right, the low-loader in front had to steer out well over to the left beforehand.",
+#:   "Never fill the hole on a big vehicle's right when he's eased over to the left in front of you: watch him now crank it round into that entrance.",
+#:   "A heavy goods vehicle preceding the VUT shifts laterally by approximately 2 m to the left before commencing a tight right-hand turn out of the carriageway.",
+#:   "It disappeared into the lane on our right in the end, the cattle truck we'd been following, although it had started by heading off towards the left kerb.",
+#:   "Did V2, the semi in front, not first go out to its left before it came about to the right and quit the highway for the truck stop?",
+#:   "When the truck ahead of me wandered to the left, I thought he was making way, so I started to come up the inside on my motorbike. Luckily I looked at his front wheels. They were already on full right lock, and the entire rig then came sweeping round into a side entrance.",
+#:   "Ticket for the sim team: articulated lead vehicle, low speed. It has to displace to the left by most of a lane so the trailer won't clip the corner, after which it makes the right-hander into the depot. Our intent module reads the first half as a lane change left. It isn't.",
+#:   "I've driven buses out of that garage for thirty years, and every day some car gets caught. You take her out to the left, as far as the other fellow will let you, and then you bring her round right into the yard, and there's always one behind you who only believed the first bit.",
+#:   "The plaintiff was travelling in the wake of the defendant's tractor-trailer. That vehicle, needing room, deviated to the left by some six feet; it then described a broad curve to the right and passed out of the road through the quarry entrance, closing the space in which the plaintiff found himself.",
+#:   "Mirrors, everyone! So the clip from this week shows a dustcart ahead of the cammer going for what looks like the left side of the street, and the comments are all \"he's turning left\". Nope, after that little detour he rolls it round to the right and off the street he goes.",
 #: ]
 #: adversaries = ["truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Unsignalled braking of lead vehicle with right-hand exit into private access",
 #:   "NO BLINKER: van brakes hard and dives into a driveway on the right",
 #:   "The motorbike ahead braked and burrowed into a gateway to its right.",
+#:   "No winker, just brakes, and the cab ahead was off right up a driveway.",
+#:   "Simulate the lead SUV slowing unannounced for a drive on the right.",
+#:   "Fire engine before us checks sharply, swings right into its yard, unindicated.",
+#:   "Without any signal: lead brakes, exits road rightward via dropped kerb.",
+#:   "Gone to the right through a gate, indicators dead, after a hard brake.",
+#:   "The lorry we were behind lost all its speed for no visible reason, and only when it bent off right into a builder's yard did we understand, because it hadn't signalled.",
+#:   "Policyholder was following a camper when it retarded suddenly and entered a residential drive on the right-hand side; its turn signal had not been operated.",
+#:   "The lead vehicle decelerates to near standstill with lamps for direction inactive, then departs from the road through a 90-degree right turn to a private entry.",
+#:   "I need a bus in front of the ego which, not using its flashers, brakes hard and leaves the road by a depot entrance on its right.",
+#:   "He is braking in front, I am thinking what happened, no indicator nothing, then simply he has gone inside one compound on right side.",
+#:   "Oh he's home, is he, and would it have killed him to indicate before he slammed on and pulled in at his garage on the right?",
+#:   "I was keeping a fair distance from the pickup, as my late husband taught me. Its brake lamps came on very bright, there was no little orange light at all, and it went off the road to the right, up between two hedges to somebody's house.",
+#:   "V2 was in the lead. Approaching a residence its operator applied the brakes heavily, with no turn signal displayed according to three witnesses, and made a right turn across the sidewalk into the driveway, so that V1 was confronted with the nearly stopped rear of V2.",
+#:   "Off the record, half the trade does it. You spot the delivery address late, you stamp on the brake, you don't bother with the stalk, and round you go to the right into the entrance while whoever sits on your tail finds out what his own brakes are worth.",
+#:   "Police car two hundred yards ahead of us, then fifty. It wasn't flashing, it wasn't indicating; it had simply braked, and the next thing it did was leave the street on the right, nose first into the drive of number eleven.",
+#:   "The robotaxi follows a motorcycle. At the trigger the motorcycle cuts its speed drastically, gives no hand sign or lamp signal, and turns ninety degrees to the right, over the kerb line and away onto a private plot.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

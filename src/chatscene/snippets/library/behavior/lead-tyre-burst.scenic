@@ -24,6 +24,22 @@
 #:   "Tyre failure of lead vehicle with yaw deviation and transverse lane obstruction.",
 #:   "TIRE EXPLODES RIGHT IN FRONT OF ME",
 #:   "The van ahead blew a wheel, skewed and jammed the lane.",
+#:   "Blow-out on the coach in front; it skews, brakes, stands crossways.",
+#:   "Leader's rear tyre goes, it's flung sideways, brakes hold it athwart us.",
+#:   "Lead motorcycle: deflation, veer, heavy brake, rests across own lane.",
+#:   "Simulate a burst tyre ahead: sideways lunge, brakes, oblique standstill.",
+#:   "Reifen kaputt before me, car goes slanting, he brakes until standing.",
+#:   "The ambulance we were behind lost a tyre with a crack, slid off its line, and its driver brought it to rest at a slant across the lane.",
+#:   "When the nearside front let go, the artic ahead of my van pulled hard to one side and was braked to a halt lying over the lane.",
+#:   "With a bang like a gunshot the SUV before us lost its rear wheel's air, went askew and stood on its nose until it blocked our way.",
+#:   "Your lead vehicle suffers a sudden loss of tyre pressure, departs from its line and, under braking, ends stationary and angled across the traffic lane.",
+#:   "I heard the pop from inside my cab; then the saloon ahead was going crabwise, its brake lights full on, and it finished sideways in the lane.",
+#:   "Rubber everywhere, said the officer. The pickup in front had kicked out to one side when the tyre went and been stopped by its brakes, broadside on.",
+#:   "We were strung out behind a minibus, all at the same pace, when its tyre gave up. You saw it sag on one corner and dart to that side; the driver got hard on the brakes, and when it was still it was lying over the lane like a closed gate.",
+#:   "V1 was following V2. A tire of V2 ruptured, which caused V2 to yaw and depart laterally from its path of travel. The driver of V2 applied full braking, and V2 came to final rest at an angle, obstructing the lane in which both vehicles had been traveling.",
+#:   "My dad was driving and the lorry in front of us went BOOM and black bits flew off. It went all wonky to the side, then all its red lights came on, and then it was stood in the road the wrong way, and we couldn't get past.",
+#:   "Control, I'm behind a fire appliance with a problem. He's just had a tyre let go, he was thrown over to one side, he's braked it down and he's now standing diagonally over the lane. Nobody's going by until that's been shifted, over.",
+#:   "I've ridden forty years and I've never seen a mate saved by so little. Riding ahead of the car, his rear tyre burst, the bike snaked off at an angle, and he braked it down to a stop lying slantwise over the lane, still upright, God knows how.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Direction reversal of preceding vehicle across the carriageway after braking",
 #:   "GPS said TURN AROUND so he did, right in front of me",
 #:   "The van in front slows and swivels about across the street.",
+#:   "Cab ahead brakes and swings right round, now facing our way.",
+#:   "Leading van slows, comes about, heads back where it came from.",
+#:   "Have the ambulance in front brake and U-ie across the street.",
+#:   "Biker up front checks his speed, loops round across the road.",
+#:   "driver in front realised braked did a uey over both lanes",
+#:   "We had been behind the coach for a mile when it hauled its speed down and turned itself round completely, sweeping its long side across the road.",
+#:   "The lead target reduces its speed strongly and then reverses its heading through a full half circle, leaving in the opposite direction on the other side.",
+#:   "Careful with taxis, because if one in front of you brakes with no reason he's probably about to spin the wheel and go back the other way.",
+#:   "The vehicle which was driving before me has made a braking and then a half-tour on the avenue, cutting all the street in order to go home.",
+#:   "Control, the pickup I was following has dropped anchor and flipped round through one-eighty, he's facing the way we came, over.",
+#:   "Was my client to foresee that the lorry in front, having braked, would wheel about in the roadway and present its flank to her?",
+#:   "He must have seen the parking spot on the far side, for the man in the little red hatchback ahead of me lifted, braked, and cranked the wheel as far as it would go. Round he came, over the centre line, until I was looking at his headlights.",
+#:   "V1 was following V2, a motorcycle, at about forty feet. The operator of V2 braked to a near stop and turned through 180 degrees to the left across the roadway in order to travel back in the direction from which both vehicles had come. V1's driver had little time.",
+#:   "Now a fire engine doesn't turn on a sixpence, but ours in front had evidently been sent to the wrong end of town. Its brake lights glared, it nearly halted, and then it came ponderously round across the whole width of the street to go back for the other end.",
+#:   "Scenario request from the taxi-rank pilot: the lead car, travelling in the ego's lane ahead, decelerates sharply and performs a turn-around over the opposing lane, ending up driving toward where the ego came from. For part of this time it is broadside on and fills the road.",
+#:   "Dash cam comment: everyone's slating the SUV but cammer was too close. Yes, it braked in front of him, and yes, it then doubled round on itself across the road like it owned the place, but if you leave two seconds you simply sit and watch it finish.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

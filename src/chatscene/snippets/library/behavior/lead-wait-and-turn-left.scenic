@@ -24,6 +24,22 @@
 #:   "Standing lead vehicle awaiting left turn off the road; delayed clearance",
 #:   "Car ahead waits FOREVER in the lane before turning left",
 #:   "The van ahead lingered, then sidled off leftward.",
+#:   "Bus in front halts, bides its time, hangs a left off the road.",
+#:   "Leader stationary in lane a while, then away left into a driveway.",
+#:   "Up front the van's at a stand; by and by it's off the road, leftwards.",
+#:   "Have the cab up front stop, hold, and exit left.",
+#:   "Biker we follow waits at a standstill before veering left off the road.",
+#:   "The tractor unit ahead came to rest in our lane, sat there with its indicator going, and eventually rolled off left into the depot.",
+#:   "When the police car in front had stopped and kept all of us waiting some seconds, he left the road to the left hand.",
+#:   "V1's lane was occupied by a stopped hatchback, which after a delay of several seconds departed leftward into a shopping-centre entrance.",
+#:   "She's pulled up in front, so you stop behind her; she's in no rush, and now she's off the road to the left, carry on.",
+#:   "How long must we sit behind this pickup, which has simply halted in the lane, before it makes its blessed left into the farm?",
+#:   "With the preceding target at standstill for the defined stop time, a subsequent left turn shall take it off the carriageway.",
+#:   "The ambulance ahead of us drew to a stop with its crew peering about for the right house. After a good long look they found it, and the thing rolled away leftward up a gravel path, and we could go on.",
+#:   "I had stopped behind the coach because it had stopped too, in the running lane, no explanation. We sat. Then the driver must have seen his opening, as he swung it ponderously left and disappeared into the hotel car park.",
+#:   "Scene request: one motorcycle rides in front of the AV and comes to a halt. It stands there for as long as a person needs to make up his mind, after which it goes off left, out of the roadway.",
+#:   "Papa, the car in front is not moving! It was just standing there and we were just standing too, and then it went round to the side where the sweet shop is, on the left, and off the street.",
+#:   "The learner who led our little procession stalled her courage rather than her engine. She stopped, she considered the gateway at her left for what seemed a whole afternoon, and at last she steered in and set the rest of us free.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Erratic lateral lane wandering of lead vehicle culminating in sudden stop.",
 #:   "DRUNK DRIVER AHEAD SWAYS THEN BRAKES",
 #:   "The motorbike ahead reeled in its lane, then clawed to a stop.",
+#:   "car ahead sways about in its lane n then breaks hard",
+#:   "Lorry in front wriggles left and right, then an emergency stop.",
+#:   "Lead moto: serpentine within lane, abrupt braking to rest.",
+#:   "Sleepy bus driver ahead wanders, wakes, slams everything on.",
+#:   "TIPSY? Driver in front wobbles along then SLAMS ON",
+#:   "Get the van in front of the AV to drift from one lane edge to the other a few times, and then, with no warning, stop hard.",
+#:   "First came the wobbling, this side, that side, never leaving his lane; then came the brake lights, and I very nearly ended in his boot.",
+#:   "The fire engine we were behind rocked from line to line as though the wheel were loose, and out of the blue it stamped to a standstill.",
+#:   "The lead vehicle shows a lane-internal sinusoidal course ahead of the test vehicle; at the trigger it decelerates strongly until at rest.",
+#:   "Drunk driver report: pickup ahead of caller can't hold a straight line in his lane, and just now he braked to a dead stop for nothing.",
+#:   "The front car is dancing in his lane, now near to right line, now near to left line, and at last he does a full braking.",
+#:   "I noticed him first because his wheels kept touching the white line on one side and then the other. I dropped back a little, thinking he was drunk or texting. A good job I did, for all of a sudden he went for the brake and stopped.",
+#:   "The driver of V2 had a blood alcohol level of 1.9. Before the impact his car, leading V1 by about twenty metres, moved to and fro inside its lane in several swings, and then it was braked heavily, without cause, until it no longer moved.",
+#:   "My dad says never stay behind somebody who drives like a snake. The motorbike in front of us was wiggling all along its lane, and then it went screech and it stood still, and my dad had to screech as well.",
+#:   "A good one for the perception people: the truck ahead snakes gently between its lane markings for some seconds, which already looks fishy, and when the ego gets close it adds a vicious brake application down to zero. The combination is what trips the planner.",
+#:   "It was past midnight when the taxi before us took to reeling, from kerb side to centre line and over to the kerb side again, like a man feeling along a corridor for the light. Then it stopped, so violently that its tail lifted.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Blocked target lane due to speed adaptation of its occupant to slow preceding vehicle",
 #:   "TWO SLOWPOKES SIDE BY SIDE, nobody gets by",
 #:   "The truck in the other lane slackens to keep step with the dawdler and seals the lane.",
+#:   "Next-lane van throttles back to the plodder's pace, so no way past.",
+#:   "Other lane's coach copies the dawdler ahead; both lanes corked.",
+#:   "Have the neighbour ease off and keep abreast of the slow leader.",
+#:   "Car beside dropped speed stop now equals crawling lorry ahead stop lane shut",
+#:   "Now both of them are slow, next to each other, like twins!",
+#:   "taxi in the lane i wanted came down to exactly the pace of the tractor in front of me and stuck there like they were welded together",
+#:   "On the second lane the motorcycle becomes as slow as the truck which is before us, and together they make like one gate that stays closed.",
+#:   "The adjacent-lane target shall reduce its velocity to that of the slow lead vehicle and hold this side-by-side formation, closing off the lane.",
+#:   "V3, occupying the neighbouring lane, shed speed until it equalled that of slow-moving V2 ahead, with the result that V1 found neither lane usable.",
+#:   "What makes the fellow in the overtaking lane suddenly content to go no faster than the milk float ahead of us, so that nobody behind can get by?",
+#:   "You've a caravan plodding along ahead, and the lorry in your other lane has backed off until he's going just as slowly, so that lane's no good either.",
+#:   "I'd been stuck behind the road sweeper for a while. Just when the lane next door looked useful, the hatchback in it slackened off, drew level with the sweeper and stayed there at the same dreary speed, and that was both lanes gone.",
+#:   "The actor in the target lane reads the speed of our slow leader and adopts it. From then on the pair rolls abreast, or nearly so, and whatever the ego tries there is no passing slot; expected behaviour is patience.",
+#:   "I put it to you that you had no reason to slow down in your lane. You saw the refuse cart creeping along in front of my client, you brought your own vehicle down to its pace, and you remained next to it like a cork in a bottle.",
+#:   "Two elephants in a corridor, that's what they looked like from my car. The first had been crawling in front of us all along; the second, in the other lane, had been faster until it, too, fell back to a crawl and shut the way.",
+#:   "Cyclist's view from the bus lane: a grey car hung behind a very slow digger, and the bus in the lane beside came off the power and matched that digger mile for mile, so the poor grey car had nowhere whatever to go.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["LeadingAgent", "advLane", "egoRoute"]

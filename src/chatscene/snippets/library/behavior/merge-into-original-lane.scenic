@@ -24,6 +24,22 @@
 #:   "Abrupt merge of destination-lane traffic into the own vehicle's initial lane",
 #:   "Biker from the other lane suddenly swaps INTO MINE",
 #:   "The hatchback hopped across from the target lane to our old one.",
+#:   "As we leave for his lane, the sedan claims ours.",
+#:   "Trading places: biker over there grabs the lane I'm giving up.",
+#:   "Target-lane hatchback shifts into ego's departure lane, behind slow leader.",
+#:   "He came into my lane exactly as I was getting out of it!",
+#:   "Bike in new lane nips over to where you've just been.",
+#:   "Let the convertible from the lane the ego is heading for change, at the same time, to the one that the ego has only just begun to leave.",
+#:   "I wanted his side and he wanted mine; so the taxi drove over, no warning, and took my spot behind the tractor.",
+#:   "While V1 was moving to the left lane, V2 in the left lane moved right, and came to occupy the lane where V1 had started.",
+#:   "I make the change to the fast lane, and the motorbike that was there throws himself to the slow lane which was mine before.",
+#:   "Don't count on going back, for the estate in the next lane has just slid across into the lane that you're pulling out of.",
+#:   "Your old place is gone: the saloon which was running in the lane you picked has hopped over and parked itself behind the slow lorry.",
+#:   "Funny dance we did there on the motorway. I got fed up with a caravan and started across; a white Golf in the lane I was crossing to must have wanted the exit, because it came the opposite way, into the very lane I'd been in.",
+#:   "The manoeuvre puts pressure on the abort strategy. As the subject vehicle commits itself to the neighbouring lane, the motorcycle travelling there gives that lane up, heads across, and takes the space behind the slow leader to which the subject vehicle could otherwise have withdrawn.",
+#:   "My instructor had only just said \"right, over you go\" and I'd started going over, when the Mini that was up ahead in that lane swerved over to ours. So we were swopping, and now I couldn't change my mind, because my own lane was taken.",
+#:   "Counsel has suggested that my client blocked the claimant's return. He did nothing of the kind on purpose. He was riding in the overtaking lane, he shifted into the inside lane, and he could not have known that the claimant was at that moment moving out of it.",
+#:   "The robotaxi had signalled and its wheels were turning. In the lane it was after there was a black cab, and the cabbie, having seen a fare on the pavement, cut across into the robotaxi's old lane and tucked himself in astern of the dawdling bin lorry.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["LeadingAgent", "advLane", "egoRoute", "leaderWay"]

@@ -24,6 +24,22 @@
 #:   "Sudden sprint across ego lane by pedestrian approaching head-on.",
 #:   "PEDESTRIAN WALKS TOWARD CAR THEN SUDDENLY SPRINTS ACROSS",
 #:   "The approaching walker exploded into a run over our lane.",
+#:   "Jogger facing us flips to full sprint, straight over our lane.",
+#:   "Lady strolling to meet the van suddenly pelts over in front of it.",
+#:   "Make a walker who's coming at us bolt directly through our lane.",
+#:   "Man on foot, coming your way, off like a hare across you",
+#:   "The boy walks against us, plötzlich he runs like hell over the lane.",
+#:   "An old man had been ambling up the road towards me when, at the sight of his bus, he took to running and went right over my lane.",
+#:   "V1's operator observed a pedestrian approaching on foot, face on; without warning that pedestrian changed to a run and traversed V1's lane at a right angle.",
+#:   "She'd looked me in the eye through the windscreen, this girl walking my way, and then she just turned on the afterburners and raced across before my bonnet.",
+#:   "The VRU target initially moves opposite to the travel direction of the VUT at 5 km/h, then turns by 90 degrees and clears its lane at 15 km/h.",
+#:   "Who was to know that the lad dawdling up the verge to meet us would, within a few yards of our bumper, hare off to the other side?",
+#:   "That fellow there, coming along facing you, keep an eye on him. What did I say? He's legging it, straight over in front, cover your brake.",
+#:   "I was cycling home behind one of those robot cars. There was a woman in running gear trotting along the edge of the road towards it, quite relaxed, and for some reason she wheeled round sideways and ripped across the lane as though the pavement had caught fire behind her.",
+#:   "The accused came on foot along the roadside in a direction opposed to that of the police vehicle. On recognising it, he did not turn on his heel; he took off at the run, directly over the lane in front of it, and vanished between the houses on the other side.",
+#:   "Please give me someone walking towards the ego at an ordinary pace, the sort of person no one would think twice about. When we are near, that person must start sprinting and go square across our lane in one burst, without stopping in it or hesitating.",
+#:   "I'm eighty-four and I still drive to the shops. A postman was coming up the road in my direction, sorting his letters as he walked. Then a dog barked somewhere, and off he shot like a man half his age, right over my side of the road, letters and all.",
+#:   "Namaste, I share my near miss. One college fellow was walking from opposite side facing my car, talking in phone. When I came close only, he got some urgency and rushed at full speed through my lane to the other end, and not even once he checked for me.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

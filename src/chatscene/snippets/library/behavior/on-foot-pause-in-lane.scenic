@@ -24,6 +24,22 @@
 #:   "Lane entry of facing pedestrian with irresolute dwell and subsequent completion of crossing",
 #:   "MAN WALKS AT ME, STOPS TO THINK, THEN CROSSES",
 #:   "The walker coming our way enters the lane, dithers and goes over.",
+#:   "Walker meeting us turns in, stands there undecided, then completes his crossing.",
+#:   "Facing pedestrian crosses our lane with one baffled stop midway.",
+#:   "Old man heading our way: into lane, stuck wondering, then over.",
+#:   "Toward us, into our lane, a doubtful halt, and finally across.",
+#:   "Let a jogger who's approaching us enter our lane, dither, finish crossing.",
+#:   "A woman who had been walking down the road in our direction set foot in our lane, came to a halt as if she'd forgotten something, then finished her crossing.",
+#:   "The dummy moves opposite to the VUT's direction of travel, enters its lane laterally, is at rest there for two seconds and resumes until the lane is cleared.",
+#:   "The schoolboy was on his way towards me when he swung into my lane, stuck there not knowing whether to run or stay, and afterwards got himself to the other side.",
+#:   "Please have somebody walk along the road against our travel, step in front of the ego, stand there unsure for a moment and proceed to the far kerb.",
+#:   "One uncle come from front, walk into my lane, stop there blur blur, think finish already then go across.",
+#:   "Watch the postman coming to meet you: he's off the kerb, he's stopped in your lane, doesn't know if you've seen him, okay, on he goes to the other side.",
+#:   "I was driving up the lane and he was walking down it, so we could see one another perfectly well. All the same he stepped out in front of me, came to a stop with his stick in the air, and after some thought he continued over to the far verge.",
+#:   "Pedestrian 1 was walking south, facing northbound V1. He veered into the northbound lane, ceased walking for an estimated three seconds, looking alternately at V1 and at the far curb, and thereupon resumed and reached that curb.",
+#:   "Her face was towards us the whole time, which is why I remember it. She came on, turned into our lane, and there all her resolve seemed to leave her; she stood, bit her lip, looked at the opposite gate, and only then walked through to it.",
+#:   "Bug report: VRU approaching head-on along the shoulder, heading changes to crossing, velocity drops to zero inside ego lane for 2.1 s. Tracker then decides it is static. VRU goes on toward the far side and our car has already begun to roll. Please reproduce.",
+#:   "I was out with the dog, going along against the cars as you're meant to. I went in the road to get over to the stile, and there's this car with nobody in it, so I stopped right in its way, not sure of it, and then I went on over.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

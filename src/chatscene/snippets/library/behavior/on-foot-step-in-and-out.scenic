@@ -24,6 +24,22 @@
 #:   "Transient lane incursion by opposing pedestrian with return to the edge",
 #:   "Man walks AT my car, steps in the lane, steps out again",
 #:   "The walker coming our way dipped a toe in the lane and retreated.",
+#:   "Walker facing us slips into our lane, soon regains the road's edge.",
+#:   "Oncoming woman with pram: into lane a moment, then verge again.",
+#:   "He walks toward me, invades a little my lane, returns to the border.",
+#:   "Elderly man, walking our way, steps in, thinks twice, withdraws.",
+#:   "Send a pedestrian at us who strays in and retires sideways.",
+#:   "A jogger running towards the AV on the hard edge let himself drift into its lane to dodge a hedge, and then got back to the edge.",
+#:   "The lady approaching along the roadside wandered before our car as she looked at her phone; she noticed and sidled off to where she'd been.",
+#:   "An opposing pedestrian makes a temporary departure from the lane boundary into the path of the vehicle under test and goes back to that boundary.",
+#:   "See the lad walking up to meet us? There, he's in your lane to get round the puddle, and now he's out of it again, same side.",
+#:   "On a road without pavements an elderly rambler who was coming towards the robotaxi ventured into its way and, a few paces later, left it again.",
+#:   "Not across, note, only in and out: a person afoot, headed toward Vehicle 1, entered its lane from the side and quit it by that side.",
+#:   "Without a footpath there she had to come along the edge towards me, poor thing, with her bags. Something made her step out into the bit of road I needed. I'd begun to slow down when she saw me and went back in close to the hedge.",
+#:   "My client's dash camera shows the man on foot coming to meet the car along the edge of the carriageway. He diverges from it so that for about two seconds he is within the lane, and then makes his way back to the edge he came from.",
+#:   "The pedestrian dummy moves parallel to the lane in the direction opposed to the VUT. At the set distance it is guided obliquely inwards until it overlaps the VUT's path, whereupon it is guided outwards to its initial line and resumes its walk along the edge.",
+#:   "In Spain we say of such a one that he walks in the moon. He was walking against me by the side of the road, he enters my lane without to look, I blow the horn, and he goes himself out again to his side and greets me.",
+#:   "Night shift, no lights, and there's a fella walking up the roadside towards my lorry. Next thing he's meandered out into my lane, right in the beam. He must have felt the air horn in his boots because he was back at the edge sharpish.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Unsteady oncoming pedestrian with repeated lane-edge encroachment.",
 #:   "DRUNK MAN WALKS AT CAR, CAN'T STAY OFF THE ROAD",
 #:   "An oncoming walker teetered over our lane edge and back, over and over.",
+#:   "Drunk lurching up the road at us, over the line, back, over.",
+#:   "Ped approaching unsteadily, in and out of ego's lane by turns.",
+#:   "Have a tipsy man wobble toward the AV along the lane edge.",
+#:   "He comes from front like a boat, sometimes road, sometimes grass.",
+#:   "wavering joger facing us one moment on our tarmac next off it",
+#:   "An old man whose legs would not obey him was making his way to meet us, tipping into our lane, righting himself, and tipping in again.",
+#:   "The walker faces the VUT and advances along the edge line on a serpentine course, so that he is alternately outside and inside the lane.",
+#:   "Why won't she keep to the side? She's tottering at you along the verge, then a yard into your lane, then the verge, then your lane.",
+#:   "We met a girl with her shoes in her hand who was walking up against the traffic in big curves that led into our lane and out.",
+#:   "He was drunk like a sailor, monsieur, he advanced in my direction and his line went onto my road, off my road, without to stop.",
+#:   "Simulate somebody on foot who approaches the ego head-on along the road and can't hold a line, repeatedly drifting into the lane and away from it.",
+#:   "The wedding had spilled out by then. One of the guests came toward my lorry along the gutter, tie round his head, and the road seemed to tilt under him: it tilted him in front of me, it tilted him back to the hedge, and then it started all over again.",
+#:   "Witness states that she was driving home when a male appeared in her headlights, on foot and approaching. He was reeling, she says. For two or three steps he would be in her half of the road, the next two or three he'd be on the grass, and so it went on.",
+#:   "Perception log, night run: pedestrian, opposing heading, walking speed. Lateral position relative to our lane edge oscillates with a period of around three seconds and crosses the edge each time. He never goes over to the other side. The predictor flips between \"will enter\" and \"will leave\" for the whole approach.",
+#:   "I felt sorry for her, to be truthful. She walked to meet my car as if she were on the deck of a ship in a gale, now in among the parked bikes, now well out in front of me, and no amount of hooting could persuade her to choose one or the other.",
+#:   "Council to act on \"stagger mile\": residents complain that after closing time people come rolling up Station Road into the face of the traffic. \"They swing out in front of you, swing in again, and out again, all the way towards you,\" said bus driver Amir, 52.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

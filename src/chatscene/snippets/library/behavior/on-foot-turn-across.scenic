@@ -24,6 +24,22 @@
 #:   "Sudden course change of facing roadside walker or cyclist across own lane",
 #:   "WALKING ALONG THE SIDE... AND SUDDENLY ACROSS!",
 #:   "The jogger facing us along the roadside swings off across the lane.",
+#:   "Kid cycling our way on the shoulder suddenly turns over the lane.",
+#:   "Old man approaches along the verge, then abruptly heads across us.",
+#:   "Jogger facing traffic at the roadside, unannounced ninety-degree turn over our path.",
+#:   "Let a dog walker come toward the AV kerbside, then peel off across.",
+#:   "Newspaper boy, oncoming on the edge, breaks sideways through our lane.",
+#:   "The woman with the pram had been strolling in my direction by the gutter when out of the blue she set off to the other side.",
+#:   "In the approach phase the cyclist moves opposite to the subject vehicle at the lane border, then rotates by ninety degrees and traverses the lane.",
+#:   "You had him in view, walking to meet you on the roadside; did anything tell you he'd turn and march over your lane?",
+#:   "At the border of the street one uncle was walking towards our side only, and all of a sudden he turned and was cutting across.",
+#:   "There's this girl on a folding bike, she's coming up the edge to us, no signal no nothing, and bam, straight over the front.",
+#:   "She ended up on the far pavement, having till then come along the near margin toward us and then swivelled over our lane.",
+#:   "I passed the time of day with nobody, I was watching the road. A rambler was coming along the grass strip toward me, whistling, and without so much as a look round he altered course and strode over in front of my bonnet.",
+#:   "The pedestrian was walking northbound on the paved shoulder, facing southbound V1. As V1 drew near, she made a sharp turn to her left and proceeded across the travel lane, later stating that she'd seen a friend on the opposite side.",
+#:   "Here's one the predictor should hate. A person walks along the roadside toward the robotaxi, heading steady for five seconds, textbook parallel motion. Then the heading flips to perpendicular and she goes over the lane at the same walking speed.",
+#:   "The postwoman on her yellow bicycle comes to me, very correct on the border, I am not afraid. But a letter is for the house on the other side, and she turns there directly before my wheels and goes over.",
+#:   "With trucks you sit high and see them early. There was a hitch-hiker trudging up the hard edge at me, thumb down, minding himself; next thing, with no warning, he'd turned through a right angle and was tramping over my lane.",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
 #: requires = ["egoRoute"]

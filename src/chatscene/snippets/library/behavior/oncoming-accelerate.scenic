@@ -24,6 +24,22 @@
 #:   "Unexpected speed increase of opposing traffic; rapid loss of available gap",
 #:   "Oncoming motorbike GUNS IT straight toward me",
 #:   "The van bearing down on us quickened.",
+#:   "Coming the other way, the lorry abruptly puts on speed.",
+#:   "Oncoming scooter winds it up, and our gap melts away.",
+#:   "Opposing bus: sudden speed gain, time gap collapses.",
+#:   "Have the van opposite hurry up all at once toward us.",
+#:   "HE SPED UP! Head-on traffic decides to rush me",
+#:   "couldve sworn there was room but the car comming towards us gave a sudden burst of speed and was on us in a blink",
+#:   "The oncoming target vehicle shall increase its speed sharply at a given distance, so that the remaining gap to the VUT closes sooner than anticipated.",
+#:   "As she approached from the opposite end the driver of the hatchback pressed the accelerator right down, for reasons she could not give the officer.",
+#:   "The motorbike of the contrary way was first calm, then it did a strong acceleration and the distance to us was eaten in a second.",
+#:   "Judging an approaching vehicle is difficult enough when he keeps a steady pace; this bus has just opened the taps, so the hole you saw is shrinking.",
+#:   "From ahead the coach comes toward the robotaxi at normal pace and then all of a sudden goes for it, leaving far less time than it seemed.",
+#:   "There was a lorry coming down the hill on its own side, nothing unusual about it. Then I heard the engine roar and saw it heave forward, faster and faster towards me. The space I had been counting on was gone before I could do anything.",
+#:   "V2 was approaching V1 from the opposite direction at a moderate speed. Approximately fifty metres before the vehicles met, V2's event recorder shows the throttle going to full and the speed rising steeply, which cut the time available to V1 to about half.",
+#:   "Our gap estimator assumes constant velocity for opposing traffic, so let's break that. Spawn a motorbike coming the other way on its own side, wait until it is at the trigger distance, then pin its throttle so that it reaches us much earlier than predicted.",
+#:   "In India we flash the light and then we speed up, it means I am coming, you wait. This car from opposite side also did so: it was coming gently, suddenly he has pressed full accelerator, and no gap was remaining.",
+#:   "You know how a dog will trot towards you and then break into a run? The minibus did that. It had been trundling up from the far end of the village, and all at once it picked up its skirts and came flying at me.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

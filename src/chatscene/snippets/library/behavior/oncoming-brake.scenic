@@ -24,6 +24,22 @@
 #:   "Emergency stop of opposing vehicle within its own lane.",
 #:   "ONCOMING CAR SLAMS TO A STOP FOR NO REASON",
 #:   "The oncoming truck bit into its brakes and froze in its lane.",
+#:   "Van heading our way locked up and stopped dead in its own lane.",
+#:   "The bus which comes to us makes full brake and remains standing there.",
+#:   "Let an approaching motorbike do an emergency halt in the opposite lane.",
+#:   "Artic coming at you has anchored up, he's stationary his side.",
+#:   "On the far side, a taxi facing us went from fifty to nothing.",
+#:   "A hatchback was coming the other way quite normally when its front end dipped, its tyres barked, and there it stood, still on its own side.",
+#:   "The oncoming target remains within its own lane, decelerates at 7 m/s² or more and is at rest before the two vehicles would have met.",
+#:   "I couldn't tell you what frightened the motorcyclist coming towards us; he hauled on everything he had and finished up motionless on his half of the road.",
+#:   "V2, approaching V1 from the opposite direction, applied heavy braking and had come to rest entirely in its lane by the time V1 drew near.",
+#:   "From the front was coming one lorry, and without any reason the driver has jammed his brakes and stopped, his side only, smoke was coming also.",
+#:   "Don't stare at the coach opposite, please; it has pulled up in a terrible hurry, but it's on its own side and it's no concern of ours.",
+#:   "All I saw was the nose of the oncoming estate going down towards the tarmac. It slid a little, quite straight, and then it was standing over there in its lane with the engine stalled and the driver holding on to the wheel.",
+#:   "Please build the mirror image of the lead-braking case: the agent that brakes is opposite to us. It travels toward the ego on its side of the centreline, slams to zero when the distance gets short, and remains there as a static obstacle in its own lane.",
+#:   "A bus full of pensioners was rumbling down the hill in the direction of the robotaxi when its driver spotted a cat. He trod on the brake so hard that handbags flew, and the bus came to rest without leaving its lane.",
+#:   "I drive a wagon, so I'm blamed for everything, but I kept to my line. It was the car coming up the other way that threw out its anchors and stood on its marks over there, and the lady behind me thought I had done something.",
+#:   "Question for the forum: does your system get scared when a car on the opposite side does a panic stop? Mine did yesterday. Some guy coming at me slammed it from full speed to a standstill, never left his own lane, and my car hit the brakes as well.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

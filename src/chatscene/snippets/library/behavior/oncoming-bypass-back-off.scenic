@@ -24,6 +24,22 @@
 #:   "Halt and rearward withdrawal of opposing vehicle during own passage around obstruction",
 #:   "FAITH IN HUMANITY: oncoming driver BACKS UP to let me round",
 #:   "The oncoming van halts and recedes while we skirt the obstruction.",
+#:   "Opposing lorry sees us round the skip, halts, retreats.",
+#:   "Oncoming coach: stops dead, selects reverse, gives us the gap.",
+#:   "The van coming the other way stopped and went backwards for Daddy.",
+#:   "Us out round the roadworks, him opposite: he stands, he reverses.",
+#:   "Would the oncoming bus pull up and go backwards for you?",
+#:   "While the AV squeezes around a delivery truck, let the car that comes towards it pull up and then roll back the way it came.",
+#:   "The gentleman coming up the hill saw that I was already past the hole in the road, so he stopped and reversed a good bit.",
+#:   "During V1's passage around the double-parked vehicle, V2 arrived from the opposite direction, ceased forward movement and then travelled backward several metres.",
+#:   "I go around the broken tractor, the autobus arrives in front, he freezes one moment and then he recules to leave me the place.",
+#:   "Opposing pickup's white lamps are on: he's had to stop for us passing the skip, and he's giving up the road tail-first.",
+#:   "Nose to nose with a hatchback next to the fallen tree we were edging round; it stood a second and then backed down.",
+#:   "You won't often have it this easy in the test. You're committed round the parked removal van, there's a Land Rover coming towards you, and look, he's brought it to a halt, checked his mirrors, and he's rolling it backwards up the lane to make you some room.",
+#:   "Right on the bend there's always a bin wagon, and when I'm out past it I've no hope of tucking in. The bus that turned up opposite could've played silly beggars. Instead the driver braked, sat for half a second, then backed her up to the lay-by.",
+#:   "Sequence of the opposing actor while the subject vehicle is beside the blockage: forward travel, gentle braking to zero, short dwell, rearward travel for a few seconds, final rest. The freed length shall suffice for the subject vehicle to complete its way around.",
+#:   "There was a standoff, if a brief one. We were halfway round the horsebox and a milk lorry loomed up, facing us. It hissed to a stand. I could see the driver sigh, reach for the stick, and then the lorry was shrinking again, going away from us backwards.",
+#:   "The comment under the clip says faith in humanity restored and I agree. Cammer is well out going round a broken-down Transit, an SUV comes the other way, could easily have bullied through, but it stops short and reverses right out of the narrow bit.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "False yielding cue from opposing traffic during obstacle bypass; deceleration then renewed acceleration",
 #:   "Oncoming bus PRETENDS to let me round, then charges",
 #:   "The biker facing us made way with a brake, then revoked it with a roar.",
+#:   "Oncoming bus: slows for you at the obstruction, then comes on fast.",
+#:   "Cheeky van dips its nose for me at the skip, then barges on.",
+#:   "Opposite truck brakes, \"please pass\", then pushes the gas, not please pass.",
+#:   "I need an oncoming biker who checks, beckons almost, then blasts through.",
+#:   "he brakes by the broken down car like go on then, ZOOM",
+#:   "The coach facing us lost speed by the roadworks so nicely that I pulled round the barrier, and at that very instant its driver hurried it on again.",
+#:   "At the obstruction the opposing target simulates yielding by a deceleration of 3 m/s², then, before standstill, re-applies full throttle towards the passing VUT.",
+#:   "Don't be fooled by the brake dive on that car coming the other way, he's not giving you the gap past the skip; see, he's gathering speed again.",
+#:   "In front of the fallen tree the lorry coming from opposite made itself slow, we understood \"you first\", and then it took speed and came.",
+#:   "We were already alongside the parked dustcart when the oncoming motorcyclist, who had clearly braked to leave us the room, wound his throttle open after all.",
+#:   "Having hauled his speed down in a manner that anyone would read as courtesy, the driver facing the AV at the blocked lane thought again and stepped on it.",
+#:   "There's a heap of gravel outside number nine, so you have to go round on the wrong side. A woman coming towards me in an SUV saw me waiting and braked, ever so politely. I said thank you to the windscreen and set off, and blow me if she didn't put on a spurt.",
+#:   "Claim narrative: a stationary removal lorry was obstructing my half of the road. The oncoming motorist reduced speed markedly, which I took as consent to go round it. While I was committed, he reversed his decision and drove towards me with increasing speed, so that I was obliged to squeeze in against the lorry.",
+#:   "Scenario request from the negotiation team: static obstacle in ego lane, single opposing truck. It brakes in good time, down to about walking pace, as a human would read as an offer. As soon as our car pulls out to pass, the offer lapses and the truck powers up and keeps coming.",
+#:   "He was a cab driver of the old school, and when he saw the hay cart standing in our way he drew in his reins, so to speak, and let the cab fall back almost to a stroll. Then some devil got into him, and on he came, faster than ever, into the gap he had given us.",
+#:   "I ride that road on my bicycle, and I watched it happen to the car in front. A pickup from the opposite direction eased up hard as they both reached the cones, leaving the car to go round. It'd hardly poked its nose out when the pickup roared and charged for the gap itself.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

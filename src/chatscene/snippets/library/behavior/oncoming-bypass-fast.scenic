@@ -24,6 +24,22 @@
 #:   "High-velocity passage of opposing vehicle during own avoidance of obstruction",
 #:   "NEARLY HEAD-ON while passing parked truck - he did NOT slow down",
 #:   "The oncoming motorbike screams by as we skirt the blockage.",
+#:   "While we skirt the skip, an oncoming motorcycle howls by.",
+#:   "Opposing police car, blues on, hurtles past during our detour.",
+#:   "Ego bypasses blockage; opposite-direction traffic comes through extremely fast.",
+#:   "Quand je contourne the works, an auto comes opposite at crazy speed.",
+#:   "Imagine going round a parked bus as something blasts by, opposite way.",
+#:   "We were still out beside the dead lorry when a saloon whose driver had no intention of slowing went by us the other way with a bang of air.",
+#:   "Set up an obstacle the AV has to drive around, and at that very time let a car come the other way at great speed.",
+#:   "The subject vehicle was passing the roadworks; in the facing lane a motorbike approached and was through at a speed well beyond the limit.",
+#:   "Never start round a broken-down van on a hunch: that fire engine was upon us from ahead and gone again at seventy before you'd blinked.",
+#:   "Halfway about the fallen tree I felt the whole car shudder because an ambulance coming the opposite way had torn through next to my door.",
+#:   "Someone shot by in the other direction at a lunatic pace just as our driverless taxi was making its way around the stranded van.",
+#:   "The bin men had left the cart in my half of the street, so I eased out to get by. No sooner was I level with it than a sports car came at me from the far end, flat out in its own lane, and was past with a crack like a whip.",
+#:   "During the avoidance manoeuvre of the ego around the stationary object an opposing vehicle traverses the opposing lane under full throttle. It is not to brake, yield or leave its lane; the purpose is to see whether the ego delays or shortens its manoeuvre in view of the closing speed.",
+#:   "I was on the pavement with the twins. Their car was going carefully round the hole the water people had dug, and towards it came a motorcyclist, faster than I have ever seen anybody ride on our street. He was past them and away before I could shout.",
+#:   "Vehicle 1 was negotiating a disabled trailer that obstructed its lane. Vehicle 2 approached in the opposite direction at a speed estimated by two witnesses at 65 mph in a 30 zone and passed Vehicle 1 without reducing that speed, while Vehicle 1 was still beside the trailer.",
+#:   "Every lorry driver knows that feeling: you've committed, you're going round some parked horsebox with your wheels over the middle, and from up ahead there's a pair of headlamps growing like mad. He went by me doing the ton, never feathered it, never flinched.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

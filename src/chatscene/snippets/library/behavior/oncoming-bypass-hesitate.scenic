@@ -24,6 +24,22 @@
 #:   "Indecisive opposing traffic during obstacle bypass: halt, dwell, renewed approach",
 #:   "Oncoming cyclist stops, dithers, then comes on while I'm PASSING the obstacle",
 #:   "The lorry facing us stalled its decision, then nudged on as we rounded the blockage.",
+#:   "Van facing us halts at the narrowing, wavers, then advances anyway.",
+#:   "we pass the skip, oncomming cyclist stops dithers rides on at us",
+#:   "Opposing bus: standstill, moment of doubt, under way again. Ego bypassing.",
+#:   "Have the lorry opposite pause undecided, then roll on toward us.",
+#:   "First he waited for us to get past the digger, then he didn't.",
+#:   "While the robotaxi was working its way round a broken-down milk float, a saloon from the other direction stopped, thought it over, and came on all the same.",
+#:   "During the bypass of the stationary obstacle by the VUT, the opposing target decelerates to zero, dwells for a moment and takes up its approach again.",
+#:   "You're out round the parked lorry and she's stopped for you, lovely. Or not so lovely: she's um-ing, she's ah-ing, and now she's driving at you.",
+#:   "I was passing the place of works when the moto in face stopped itself, hesitated some instants, and then restarted toward me.",
+#:   "Did the coach wait for us to finish going round the wreck? It did come to rest, it seemed in two minds, and then it pushed forward.",
+#:   "A pickup stood there as though giving way at the fallen tree; only once we were alongside did the driver, after some dithering, set off toward us.",
+#:   "There is a skip outside number forty, so you've got to use the other side for a few yards. A lady in a hatchback was coming the opposite way and stopped. I raised a hand to thank her; she looked left, looked right, couldn't decide, and then proceeded towards me after all.",
+#:   "Requested for the regression suite: obstacle bypass with indecisive opposing traffic. Actor reaches standstill well before the obstacle, which our negotiation module takes as a yield. After a short dwell it resumes its original speed in our direction, while we are still out round the obstacle. Re-plan came late and was uncomfortable.",
+#:   "My cab was half past the fallen scaffolding when I saw the artic's nose dip. He'd stopped, and I could see him rubbing his chin up there, wondering whose turn it was. Then there was a hiss of air and the big thing moved off in my direction, with me still sticking out.",
+#:   "Vehicle 1 had begun to pass a disabled vehicle. According to both drivers, the bicyclist approaching from the opposite direction put a foot to the ground and looked uncertain. The bicyclist then remounted and continued toward Vehicle 1, each party supposing that the other was going to wait.",
+#:   "They have a name for it in the trade, the double think. The oncoming minibus draws up as you're steering round the obstruction. A second passes, perhaps two, in which nobody knows who goes. And just when you've made up your mind that it's you, the minibus starts up and comes on.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory"]

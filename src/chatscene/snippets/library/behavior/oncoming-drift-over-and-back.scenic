@@ -24,6 +24,22 @@
 #:   "Gradual centreline encroachment by opposing vehicle with self-recovery.",
 #:   "ONCOMING DRIVER FALLS ASLEEP, WAKES UP JUST IN TIME",
 #:   "The oncoming car leaked over the centre line and ebbed back.",
+#:   "Oncoming van floats across the middle, then floats home.",
+#:   "Lorry from the front leans gradually over the line, then recovers.",
+#:   "Approaching biker eases wide over the dividing paint and returns.",
+#:   "Have the oncoming coach stray slowly over centre, then resume its lane.",
+#:   "He crept over the white line toward us and crept back.",
+#:   "Bit by bit the saloon coming up the hill slid onto our half, and bit by bit it found its own again.",
+#:   "A gradual excursion of the opposing vehicle beyond the centre marking is followed by an equally smooth return to its lane.",
+#:   "You'll often meet this: the fellow opposite looks at his sat-nav, sags across the line, notices, and steers gently onto his own side.",
+#:   "The bus came from the other direction, and slowly, like a boat without captain, it went over the line before it found back.",
+#:   "By the time our robotaxi had braked, the pickup approaching it was on its proper side again after wandering half a metre over the centre.",
+#:   "Did you notice that oncoming tipper sort of melt over the middle of the road and then put itself right?",
+#:   "She was coming round the long bend in a little hatchback, fiddling with something on the seat. I watched the car bleed over the lines inch by inch, hugged the verge, and then watched it ease itself where it belonged.",
+#:   "V2, approaching from the opposite direction, was seen to encroach upon V1's lane over a distance of roughly forty feet. The encroachment was progressive, no sharp steering was noted, and V2 regained its lane prior to the vehicles meeting.",
+#:   "It was a night of long straight roads and the trucker opposite had surely been awake since Poland. His lights moved over, over, until they were half in front of me; then he stirred, and they slipped away to the right place.",
+#:   "I'm asking for an oncoming motorcyclist with a lazy line. He runs a bit wide past the centre stripe, not jerking, just carried out there, spends a second or two on our side, then curves back into his lane.",
+#:   "Every evening this coach comes the other direction and the driver is eating. So the coach also is coming little over the centre, little over, then he sees me and little little he takes it to his side.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "High-speed opposing emergency vehicle occupying the road centre",
 #:   "Fire truck SPLITS THE ROAD coming at me full speed",
 #:   "The police car bisected the road at full pelt against us.",
+#:   "Blue lights dead ahead, hammering towards us along the centre line!",
+#:   "Fire engine, opposite direction, flat out, riding the white stripe.",
+#:   "Send an ambulance hurtling at the ego straddling both lanes.",
+#:   "The police is coming against us with big speed exactly over the middle mark.",
+#:   "Nee-naw truck zoomed at us right on the dotted line!",
+#:   "A paramedic car was bearing down on me from the front with everything flashing, its wheels either side of the centre marking and its foot to the floor.",
+#:   "The emergency vehicle target approaches the VUT at elevated speed, its longitudinal axis above the centreline, and keeps this lateral position throughout.",
+#:   "Caution, the pump coming from the north is using the centre of the carriageway and he isn't hanging about, so tuck yourselves in as far as possible.",
+#:   "V2, a patrol car on an urgent call, closed on V1 from ahead at great speed with half its width in either direction's lane.",
+#:   "What's the ego supposed to do when an ambulance comes pelting towards it between the two streams, taking a bite out of both lanes?",
+#:   "In the simulation please, one fire brigade vehicle coming from opposite, full speed, neither left side nor right side, just bang on the dividing line.",
+#:   "Cars were squeezed against both kerbs, and down the alley between them came the rescue truck, siren howling, going faster than I've ever seen anything that size go. It was coming the other way, and it took a good slice of our side.",
+#:   "I pulled my bus over as far as the parked cars allowed. The police car was racing to meet us right along the line in the middle, and its mirror went by mine with perhaps a hand's width to spare, at seventy or more.",
+#:   "An ambulance on a mission will not always stay on its own half. Here it storms towards the AV exactly above the lane divider, at high velocity and without deviating, so that each direction of traffic has to surrender part of its lane.",
+#:   "Mother gripped my arm when she saw it. Far up the avenue a fire engine was tearing in our direction, and it had chosen neither the one lane nor the other but the painted line itself, as though the road had been built for it alone.",
+#:   "In his statement the witness said the squad car was travelling contrary to him, at a speed he put at ninety. It was not in his lane as such, but astride the centre of the highway, and it stayed there as it flew by.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advTrajectory"]

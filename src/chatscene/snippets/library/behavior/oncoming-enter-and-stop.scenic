@@ -24,6 +24,22 @@
 #:   "Unannounced lane entry and halt by oncoming road-edge user.",
 #:   "MAN WALKING TOWARD ME STEPS INTO LANE AND FREEZES",
 #:   "The oncoming moped rider left the edge and rooted himself in our lane.",
+#:   "Old man facing us on the verge steps in, stands fast.",
+#:   "Scooter coming up the gutter towards me veers in and halts.",
+#:   "Oncoming VRU along edge: unsignalled lane entry, immediate standstill.",
+#:   "Why would someone walking towards you step in and just stop?",
+#:   "Lad pedalling our way along the edge swung in, then froze.",
+#:   "I'd like a jogger to come towards the ego along the side of the road, turn into its lane without a glance, and halt there at once.",
+#:   "The cyclist was approaching at the carriageway margin; she came off it into the claimant's lane unexpectedly and stayed where she was, one foot down.",
+#:   "He was coming towards the AV on the hard shoulder, this motorcyclist, and without notice he pulled into its lane and put his feet down.",
+#:   "A grandmother is walking in front direction on the border, all of a sudden she comes inside of our lane and she stands.",
+#:   "Heads up, there's a male on foot coming against traffic on the fog line, he's stepped into the lane now and he's just standing.",
+#:   "Unlike somebody crossing, the walker who met us along the roadside took two steps into our lane and there ended his journey.",
+#:   "I noticed the woman with the pram quite early, because she was coming along the very edge of the road towards me. What I could not foresee was that she would turn the pram into my lane, and then stop with it, as if the thing had locked.",
+#:   "The two-wheeler moves along the border of the carriageway in the direction opposite to the vehicle under test. At a given separation it alters course into the lane, giving no signal, and comes to rest there. It does not continue to the far side.",
+#:   "A tricky one for the lads at the depot. Bloke on a moped was coming down to meet my wagon, right over by the kerb, not bothering anyone. Next second he'd wobbled out into my lane, grabbed a fistful of brake, and was sat there staring at me.",
+#:   "My dog and I saw it all from the gate. A young man with those headphone things was marching along the verge, facing the cars, as one should. For no reason at all he walked off the verge into the path of the blue car and stood like a scarecrow.",
+#:   "cyclist was on the wrong side hugging the kerb coming straight for me which is bad enough, then he turns INTO my lane no look no nothing and slams his brakes. just stops there with his phone out, i had to leave half my tyres on the road",
 #: ]
 #: adversaries = ["pedestrian", "bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Reduced lateral clearance owing to slow opposing heavy vehicle close to road centre",
 #:   "TRUCK HOGS THE MIDDLE - squeaky bum moment",
 #:   "The oncoming bus lumbers by with its side against the median line.",
+#:   "Coach from ahead, dawdling, almost astride the middle line, watch your mirror.",
+#:   "Oncoming artic crawls by with its wheels kissing the centre stripe.",
+#:   "Bring a sluggish lorry towards us, tucked up against the road's middle.",
+#:   "De frente a big bus, slow, and glued to the central line.",
+#:   "Dustcart, oncoming, at a dawdle, no daylight between it and the centreline.",
+#:   "The milk tanker came chuntering round the bend to meet us with its offside tyres on the cat's eyes, so we scraped by along the hedge.",
+#:   "Opposing HGV to be driven at 12 km/h, offset from its lane axis towards the road centre, for the full length of the passing manoeuvre.",
+#:   "Breathe in, there's a double-decker trundling this way, and he likes the middle of the road, so you'll want to be right over by your kerb.",
+#:   "It passed at last, an ancient truck going no quicker than a barrow, and the whole time it had kept itself pressed up against the white line.",
+#:   "Why does the driver of that oncoming coach, with a yard to spare on his own side, plod along right beside the divider and make me sweat?",
+#:   "My mirror was taken off by a lorry travelling slowly the other way, its driver having positioned it as close to the centre markings as he could.",
+#:   "Up here in the hills the road is narrow enough as it is. The quarry truck that met us yesterday came down at about the speed of a walker, which would've been kind of him if he hadn't kept so far over to the middle that I had two wheels in the ditch to get by.",
+#:   "The robotaxi stopped dead, and I don't blame it. There was a sightseeing bus heading our way, barely moving, so the tourists could get their pictures, and instead of using its own half it was sitting hard up against the dashed line, its mirror hanging over our side.",
+#:   "Statement of the cyclist: I was following the blue car when a large lorry approached from the opposite direction. It was in no hurry whatsoever. What struck me was its position, since all its width seemed to be shifted towards the middle of the road, leaving a good metre unused next to its own kerb.",
+#:   "I want to see how the ego handles a squeeze. Have a wide, heavy vehicle approach in the opposing lane at a low and steady speed, biased towards the centreline rather than in the middle of its lane. It shouldn't cross into our lane or swerve, it just stays there, near the line.",
+#:   "The old lorry was in no haste to reach us. It came on at an ox's pace, groaning, and like an ox it would have the crown of the road and nothing else, so that the coachman, who knew it of old, drew well aside and took off his hat to it.",
 #: ]
 #: adversaries = ["truck", "bus"]
 #: requires = ["advTrajectory"]

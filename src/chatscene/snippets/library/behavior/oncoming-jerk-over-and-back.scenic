@@ -24,6 +24,22 @@
 #:   "Momentary centre-line departure of opposing vehicle with immediate correction",
 #:   "Oncoming driver twitches INTO MY LANE and back out",
 #:   "The biker coming our way flinched over the line and back.",
+#:   "Oncoming Clio stabs across the centre line, corrects in the same breath.",
+#:   "Motorbike opposite: one violent flick to our side, straight home again.",
+#:   "Wheel wrenched left, wheel wrenched right: that car facing us.",
+#:   "Let the approaching saloon lurch over the middle and recoil instantly.",
+#:   "Over the paint and off it within a second, coming at VUT.",
+#:   "Something must have run out in front of him, because the oncoming driver tore his car across the white line and hauled it back the very next instant.",
+#:   "Vehicle 2 was southbound when it made an abrupt leftward departure over the double yellow and, almost simultaneously, an equally abrupt return to the southbound lane.",
+#:   "For less than one second the opposing target shall intrude 1.5 m beyond the centre marking, both the entry and the return being carried out at high steering rate.",
+#:   "I need an SUV from the opposite direction that twitches violently over the divider into our half and is back where it belongs before anybody could sound a horn.",
+#:   "Der Gegenverkehr, the red car, made a big jump with the steering on my half and immediately a second jump back on the own half, both very hard.",
+#:   "My bike-riding brother-in-law reckons it was a wasp in the helmet, whatever it was, he came towards us, darted across the dashes and darted back like lightning.",
+#:   "Nothing about the van had looked wrong until it was about forty yards off. Then its nose flicked over the centre line and I could see its whole side, and just as quickly it flicked away again, rocking on its springs, and went by on its own side.",
+#:   "If we looked only at the lane position before and after, the opposing car did nothing. In between there are eight frames in which it is thrown a good metre over the line and yanked back at once; that spike is what the AV has to live with.",
+#:   "I was in the bus, sitting right at the front, and I saw it! The car that was coming jumped onto our side like a frog, our driver said a bad word, and the car jumped back again straight away, and it was all over before I could scream.",
+#:   "Insured states that the oncoming motorcyclist, apparently startled by a pigeon, wrenched his machine over the broken line into the insured's lane. He snatched it away again without delay, but by then the insured had already braked and been struck from behind.",
+#:   "You saw how sudden that was? No drifting about, no sleepy wander. He was coming along nicely, there was this sharp jerk over the middle at us, and the same sharp jerk the other way, and now he's passing with both hands on the wheel and a red face.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory"]

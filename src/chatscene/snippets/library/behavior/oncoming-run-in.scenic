@@ -24,6 +24,22 @@
 #:   "Sudden running entry of opposing pedestrian into own lane, head-on",
 #:   "Man sprints INTO THE ROAD straight at my car",
 #:   "The walker facing us stampeded into the lane.",
+#:   "lad walking up to meet us suddenly charges into are lane head on",
+#:   "Approaching ped goes from stroll to full pelt, straight at V1.",
+#:   "Have a jogger coming the other way sprint into the ego's lane.",
+#:   "The lady was walking to us and then zoom, in our road!",
+#:   "Foot traveller, opposite heading, abruptly runs in front of vehicle, closing.",
+#:   "He was ambling along the verge with his face to us; then he was tearing down the middle of our lane as though to embrace the bonnet.",
+#:   "From an initial walk against the direction of the VUT, the pedestrian target changes to running speed and enters the lane on a shallow, closing angle.",
+#:   "You see a boy coming your way on the pavement, harmless, and all at once he's hurtling toward you on the tarmac. What will you do?",
+#:   "She was in front of me at the border, walking to my side, then on a sudden she took the race in my lane, direction my car.",
+#:   "I never expected that the man who was strolling to meet my lorry would bolt off the edge and come full tilt at the radiator.",
+#:   "Caller's shaking. A female on foot was heading toward her at the side of the road, then flung herself into a run and into her lane, facing her.",
+#:   "Vehicle 1 was travelling at 45 km/h when its driver noticed a pedestrian approaching at the road's edge at a normal walk. At a distance of some twenty metres the pedestrian burst into a run, came obliquely into the travel lane and continued to run toward Vehicle 1.",
+#:   "It's the change of gear that gets me in this clip. For five seconds there's a hooded figure walking our way beside the parked cars, hands in pockets. Then something goes off in him and he's flying at the camera, right in the lane, knees up, and we're all shouting.",
+#:   "He might have been anybody's uncle, taking the air along the lane and drawing nearer. Afterwards Ruth could only say that his walk had broken open. He was running, he had left the grass, and he filled her windscreen, arms wide, coming on and on in her own half of the road.",
+#:   "For the scenario set we need an opposing walker who triggers on distance. Up to the trigger: ordinary pace, clear of the lane, facing us. After it: a sprint that slants into our lane so that he closes on the ego from the front. He is not on his way to the far side.",
+#:   "i'm a courier so i was right behind the robotaxi. dude is walking towards it next to the bike racks, totally chill, then he just launches himself, like an actual sprint, into its lane and at its face. it braked so hard i nearly ate the back window",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

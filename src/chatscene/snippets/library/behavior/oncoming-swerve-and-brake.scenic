@@ -24,6 +24,22 @@
 #:   "Lane departure of opposing vehicle with full braking to standstill in own lane",
 #:   "HE SWERVED INTO MY LANE AND STOPPED DEAD facing me",
 #:   "The oncoming van yaws into our lane and screeches to rest.",
+#:   "Oncoming bus lunges into our lane and emergency-brakes to a stand.",
+#:   "Lorry opposite jinks over to us, brakes flat out, stays.",
+#:   "aproaching van cuts across the centre line then a crash stop",
+#:   "WRONG SIDE, FULL STOP: car flies over and halts facing us",
+#:   "Opposing scooter: abrupt lateral move into ego lane, panic halt.",
+#:   "Simulate an oncoming pickup that is thrown over onto the AV's side of the road and then brakes as hard as it can until it stands there.",
+#:   "To miss a dog he yanked the wheel, shot over from the opposite lane into mine and brought the thing to a screaming halt in front of me.",
+#:   "The coach approached in its own lane, departed from it toward the VUT with a sudden steering input, decelerated at the limit and stood in the VUT's path.",
+#:   "There it stood, smoking, a motorbike that a moment ago had been coming the other way, before it flew across the line and was braked to rest.",
+#:   "The truck from the opposite direction has suddenly jumped in our lane, the wheels were blocked, and it stayed planted in front of us.",
+#:   "All units, head-on hazard: car from the other direction has come across the line, braked violently and is now stationary in the oncoming driver's lane.",
+#:   "I was doing about forty and this lorry was coming the other way, perfectly ordinary. With no warning its cab jerked over to my side of the line. He must have hit the brakes with both feet, as it juddered to a stop right there in my lane.",
+#:   "Vehicle 2, travelling in the opposite direction, steered sharply to the left and entered the lane of Vehicle 1. Skid marks of eleven metres establish that it was then braked at the limit of adhesion. Its final position was wholly inside Vehicle 1's lane, facing Vehicle 1.",
+#:   "The third variant starts with a well-behaved oncoming minibus. At the trigger it darts sideways until it is in our lane, and it immediately goes onto full brakes, ending at zero speed before our bumper, where it remains. We want a stop, not a bypass at any price.",
+#:   "A bee in the helmet, the rider said afterwards. All we saw was a motorcycle coming up the pass, suddenly it veers over to our side, the back wheel locks, smoke, and then he's standing in our lane looking at us through his visor.",
+#:   "Granny screamed, because the blue car which had been coming towards us on the other half of the road leapt right over to ours. Its tyres made a horrible noise from braking, and when it was quiet again it was standing still before us, nose first.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

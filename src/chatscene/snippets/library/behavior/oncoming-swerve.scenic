@@ -28,6 +28,22 @@
 #:   "A bicyclist travelling in the opposite direction crossed the centreline abruptly.",
 #:   "A lad on a pushbike coming the other way suddenly veered over the white line at me.",
 #:   "biker coming the other way just darted over the line into my lane",
+#:   "Oncoming cyclist yanks the bars and he's in our lane.",
+#:   "Out of nowhere the approaching coach lunges at our half.",
+#:   "Let a motorbike facing the AV dart abruptly into its lane.",
+#:   "Opposing van, one violent steer, now heading at us in our lane.",
+#:   "Suddenly the lorry coming towards me flung itself over the white line.",
+#:   "The pickup, which was minding its own side as it neared us, shot sideways into our lane for no reason I could see.",
+#:   "A bus is arriving from in front, all is normal, and in one instant he breaks out of his line into mine.",
+#:   "With the gap at its threshold value, the approaching target shall be steered rapidly over the centre line into the VUT's lane.",
+#:   "Why would a man on a pushbike, coming the opposite way in broad daylight, whip across into the lane of a moving car?",
+#:   "Ambulance requested; the subject vehicle was forced off after a southbound SUV cut hard over into the northbound lane without any warning.",
+#:   "everything fine then the taxi coming at us just SNAPS over into our lane like someone kicked the wheel",
+#:   "My lane was clear and the moped opposite was puttering along in his. I think a wasp got into his helmet, because he gave the handlebars an almighty wrench and was suddenly right there ahead of me on my side.",
+#:   "V1 was eastbound, V2 was westbound. For undetermined reasons V2's operator made an abrupt steering input to the left and entered the eastbound lane in front of V1; no phone use, alcohol or mechanical defect was established.",
+#:   "Keep an eye on what's coming, always. That builder's lorry looked perfectly settled on his own side, and before you could have said knife he'd jumped over the paint and was nose-on to us.",
+#:   "What I need is plain: traffic from ahead, in its proper lane, behaving nicely. At short range one saloon does a single vicious swerve and intrudes into the lane of the robotaxi; no drifting beforehand, the reaction time is the point.",
+#:   "He remembered the headlights, two calm yellow eyes keeping to their own half of the rain. Then they flicked aside, as if the road had been jerked from under them, and were in front of him, in his lane, growing.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Unsignalled turn of opposing traffic into own path",
 #:   "Oncoming bus TURNS INTO ME without signaling",
 #:   "The pickup facing us veered into our way unannounced.",
+#:   "Approaching SUV slung itself into our path, indicators dead.",
+#:   "Moped from the opposite direction steers into us, no signal shown.",
+#:   "Have an oncoming van veer into the ego's path unsignalled.",
+#:   "Coach, opposite way, turned in front of you, never winked a light.",
+#:   "He came from front and all at once turned in my way, no blinker",
+#:   "Without giving any signal, the lorry which had been coming towards me put its wheel over and was all at once in the piece of road I needed.",
+#:   "The opposing target shall leave its lane abruptly, direction indicators off, and move into the predicted path of the VUT.",
+#:   "She swore that the car opposite had shown no flashing light at all before it bent out of its own lane and barred hers.",
+#:   "V2 was approaching from the opposite direction and, with no turn signal activated, abruptly steered over the center line into the space in front of V1.",
+#:   "Did that biker coming at us think we could read his mind, swinging into our way like that with his indicators switched off?",
+#:   "Expect the unexpected: that hatchback facing you looked as if he'd stay put, gave nothing away, and has just turned into the road under your wheels.",
+#:   "I had the green lane ahead to myself, or so it seemed. Out of the stream coming the other way a pickup suddenly slewed over into my path, no indicator, no look, and when I got my breath back it was filling my windscreen.",
+#:   "Note for the agent library: oncoming vehicle, nominal until very late, then an immediate steering input that brings it into the ego's lane at an angle. Turn signals must remain off, because the point is that the intent cannot be known beforehand.",
+#:   "My wife says I shouted something not fit for print. A bus that had been coming towards us all along the parade just hooked over into our way, with not one bulb flashing on that whole enormous side of it.",
+#:   "There's a fine irony in the footage. The lorry coming the other way has seven orange lamps on its flank, and none of them so much as blinks before it lunges over into the path of the robotaxi and ends up in front of its bumper.",
+#:   "The judge wanted to know how much notice the claimant had had. None, was the answer: the motorcyclist had been heading the opposite way, he had put out neither hand nor lamp, and in an instant he was in the claimant's path.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Protracted blocking of own lane by opposing vehicle turning left at crawl into property entrance",
 #:   "SLOWEST DRIVEWAY TURN EVER, across my lane",
 #:   "The oncoming car noses leisurely over our lane into a garage entrance.",
+#:   "Oncoming dustcart swings left over us into a gateway, inch by weary inch.",
+#:   "Cyclist facing you dribbles over your lane and into a house entrance.",
+#:   "Let an oncoming coach trickle left through our lane into a hotel drive.",
+#:   "The vis-à-vis car turns links to a garage, slow like a snail.",
+#:   "bus coming towards me took FOREVER turning left into the school driveway",
+#:   "Mrs Hartley was coming the other way, and home she turned, over my lane and in between her gateposts, at a pace that would've shamed a tortoise.",
+#:   "The subject vehicle's lane was obstructed for nine seconds while a box truck from the opposite direction negotiated a left turn into a loading yard at walking speed.",
+#:   "We all had to wait for the removal lorry that met us there, as it was squeezing itself left through our half of the road into somebody's drive.",
+#:   "Opposing target: on reaching the trigger gap, leave the carriageway to the left via the property access, crossing the ego lane at 4 km/h throughout.",
+#:   "Slow down for the lady on the bike opposite, she's going left into that farm entrance, and she's crossing in front of you at barely a totter.",
+#:   "Into the petrol station he went, the driver who'd been facing us, going left over our lane so leisurely that I had time to read his whole number plate aloud.",
+#:   "I deliver in that street, so I know the house. The owner comes up from the opposite end in his vintage Bentley, and because he's terrified for his paintwork he takes it left over the oncoming lane, mine, and up onto the drive at the pace of a man pushing a pram.",
+#:   "Witness B, a dog walker, says the minibus was approaching the grey car from the front. It bore left across the grey car's lane with the intention of entering the care-home driveway, and it did so, in her words, \"no faster than my old Labrador\", with never a break in its movement.",
+#:   "Regression for long conflict-zone occupancy, mid-block: the opposing actor leaves its lane with a left turn into a driveway. Speed during the turn is capped at that of somebody walking, so a robotaxi that expects a normal turn will arrive while half the actor is still in our lane.",
+#:   "There was this truck with a horse box, right, coming towards us, and the horses must've been made of glass. He had to get to a stable gate on his left, over our lane, and he crept round and through it so slowly my sister managed to finish her entire sandwich.",
+#:   "On my way back from the allotment a gentleman on a tricycle was coming the opposite way. He wished to go in at his own gate, which lay on his left, beyond my lane, and he pedalled across so very gently that I switched off the wireless and waved him home.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "bicycle"]
 #: requires = ["advTrajectory"]

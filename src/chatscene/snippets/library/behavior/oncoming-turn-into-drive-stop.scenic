@@ -24,6 +24,22 @@
 #:   "Left turn of opposing traffic over own lane, transverse standstill",
 #:   "Oncoming truck turns left and stops SIDEWAYS in my lane",
 #:   "The bus facing us swung left and lay across our lane.",
+#:   "Coach facing us swings left for a gateway, ends up parked across us.",
+#:   "Lane closed: opposing van turned left into it and sits crossways.",
+#:   "Please let the oncoming truck bend left over our lane and halt lengthwise.",
+#:   "Side-on and motionless: the motorbike that had turned left before us.",
+#:   "From ahead, left over our lane towards a yard, dead stop, full flank.",
+#:   "A skip lorry approaching from the far end made a left over the lane of our car, meaning to enter a farm track, and came to a standstill with its flank towards us.",
+#:   "There was a dog lying in the driveway, so the oncoming estate, which had started its left turn over my side, stayed put with its doors facing my grille.",
+#:   "The opposing vehicle leaves its lane by a left turn towards an access road and, when perpendicular to the VUT's lane, is brought to a stop and kept there.",
+#:   "V2 had been eastbound; it turned left across the westbound lane towards a car wash entrance and was at rest, its right side exposed to V1, at impact.",
+#:   "I want the bus from the opposite direction to turn to its left across us for some driveway but only get halfway and stand there like a barrier.",
+#:   "Tempo came from opposite, took left through my lane for one godown, gate was not open, so he is just standing crosswise and road is jammed.",
+#:   "I could see he wanted the pub car park on my side, and fair enough, there was time for him to get in. But having come round to the left he stopped with his front wheels on the pavement and the remainder of that horsebox lying right across my lane.",
+#:   "Forty-footer, reporting. I was coming up the hill, took my left for the quarry entrance and some genius had left the chain up. So I had to stop where I was, sideways over the downhill lane, and that electric thing without a driver was headed for my fuel tank.",
+#:   "Think of a door being shut in your face. The taxi had been approaching us on its own side; it swept left, over our lane, towards the entry of the hospital, and there it halted, and from one edge of the lane to the other we saw nothing but yellow paint.",
+#:   "Test idea for blocked-path handling: an SUV approaches from the front, makes its left turn in the middle of the block to reach a private access, and instead of finishing the move it stops at ninety degrees to our heading and remains a wall.",
+#:   "Madam, it is right that the motorcycle was coming in the opposite direction, and that it turned left over the lane you were using, in the direction of a garage? And it was not moving any longer, but standing there side on, when you first braked?",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Left-turn access movement of opposing vehicle to property across ego lane.",
 #:   "NEIGHBOR CUTS ACROSS TRAFFIC TO GET INTO HIS DRIVEWAY",
 #:   "The oncoming car ducked left over our lane into a driveway.",
+#:   "Opposing coach peels off left over our lane, into the hotel entrance.",
+#:   "Facing cyclist hooks left through us to reach his garage.",
+#:   "Oncoming target exits road leftwards via VUT lane to private access.",
+#:   "Did that lorry opposite just swing across you into the farmyard?",
+#:   "Ambulance comes toward us, goes left, crosses our lane, hospital gate.",
+#:   "Let the oncoming SUV leave the road to its left, over the lane of the ego, and disappear into the entrance of a property.",
+#:   "Somebody going home for lunch, a saloon from the opposite direction, steered left over my half of the road and up onto his own forecourt.",
+#:   "The motorbike came in front of us, then it bent to the left by our lane and entered to the yard of a house.",
+#:   "V2 was approaching from the opposite direction and left the roadway via V1's lane, its driver intending to enter the premises of a builder's merchant.",
+#:   "There goes the oncoming minibus, left across your bows without so much as a thank-you, and in through the school gates.",
+#:   "A milk float was heading towards us and cut left, over our bit of the road, to get to the dairy's ramp.",
+#:   "Mrs Pringle has lived opposite for thirty years and has never once waited. She comes up the street towards you in that yellow hatchback, and when she gets to number nine she sails off to the left, over your lane, and up her drive with time to spare.",
+#:   "No junction and no signals are involved. The opposing vehicle, on reaching the trigger distance, makes a left turn at normal turning speed, so that it intersects the lane of the subject vehicle at a right angle, and it leaves the carriageway through a gateway.",
+#:   "You can see the dropped kerb on our right in the clip, and that's where the pickup is headed. It's coming the other way, indicator off of course, and it wheels left in front of the robotaxi's bumper, bounces over the kerb and vanishes behind the hedge.",
+#:   "I was taking my HGV through the village when the fire engine coming the other way turned in at its own station. Fair enough, only the station's on my side, so to get in there it had to go left over my lane, and it didn't wait.",
+#:   "When I was asked where the courier had come from, I said from the front, from where we were going. He rode his moped at us, then leaned left, whizzed across our lane just before our car and shot up somebody's garden path to deliver a pizza.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Abandoned left turn of opposing vehicle with rearward withdrawal from ego path.",
 #:   "STARTS LEFT TURN, CHICKENS OUT, REVERSES",
 #:   "The oncoming truck bit off a left turn, halted and recoiled.",
+#:   "Oncoming coach angles left over our path, halts, backs away.",
+#:   "Facing SUV: left across ego, full stop, withdraws in reverse.",
+#:   "It wants left through my way, stands still, then drives backward.",
+#:   "Left he came, before us; stopped; and went astern.",
+#:   "Let an opposing lorry cut left over us, cease, and reverse.",
+#:   "The cab from the opposite direction pulled left across the nose of the AV, came to a stand and then, beeping, backed out of it again.",
+#:   "A pickup that had been coming to meet us started off to its left right through our lane, stopped as though stung and went into reverse.",
+#:   "Driver of V2 stated that he began turning left ahead of oncoming V1, realised his mistake, stopped his vehicle and put it into reverse gear.",
+#:   "The big bus facing us hung a left into our road space, got stuck with its own doubts, and returned stern first to where it started.",
+#:   "Look at that for manners: van opposite turns left before you, sees you, stops, and reverses so as to let you by.",
+#:   "From straight ahead, a left turn which takes it over the ego's route; there it pauses at zero speed and retracts on the same arc backwards.",
+#:   "I was heading up the high street and a removals lorry was coming down it. He swung left in front of me for the station yard, but the gate was shut, so there he stood across me. In the end he put it in reverse and drew it back.",
+#:   "The opposing target awaits the VUT's approach, then follows a left-turn path that intersects the VUT's lane. It is stopped by moderate braking at the conflict point, stands for half a second, and is thereafter driven rearwards for the specified time, where it remains.",
+#:   "Your Honour, the other car approached from ahead of me. It turned to its left, which put it in my path, and I braked. It then stopped, and I waited. The white lamps at the back came on, and it travelled backwards, and only then could I go on.",
+#:   "Like a bear that has put its paw in the wrong hive, the huge truck which had been coming at them bent its snout left across their lane, stopped dead, and after a moment's reflection began to draw the whole of itself backwards out of it.",
+#:   "pro tip if someone facing u goes left across ur bows and then just freezes, don't scoot round him. mine froze and next second the reverse lights were on and he came back the way he'd come, if I'd gone behind him he'd have hit me",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Left turn of opposing vehicle at intersection with extended dwell in own path due to crawl speed",
 #:   "LEFT TURN IN SLOW MOTION across my path",
 #:   "The oncoming bus crawls leftward through the crossing before us.",
+#:   "Bus facing us inches round to its left, right over our path.",
+#:   "Oncoming lorry left-turns across us slower than a milk float.",
+#:   "Let a cyclist from ahead dawdle through a left across the ego.",
+#:   "Opposing cab, left turn over subject's path, walking pace throughout.",
+#:   "He came towards us and turned left before us like a snail.",
+#:   "It seemed to take the coach opposite a whole minute to lug itself leftward over our side of the crossroads, so gently did it go.",
+#:   "The opposing target negotiates its left turn through the path of the vehicle under test at a creeping velocity, thereby occupying the conflict zone for a prolonged time.",
+#:   "See that pickup opposite with the indicator going? He's cutting left over your lane now, and at that rate you could read a book till he's clear.",
+#:   "The lady in the car in face has turned on her left in front of my capot, but at the step of a man, I waited long.",
+#:   "My complaint is that he swung left over my lane from the other direction with so little speed that no one could have got by.",
+#:   "I want an oncoming motorbike whose rider, feet almost down, potters through a left turn in front of the robotaxi and takes his time about it.",
+#:   "We had the junction to ourselves but for an artic coming the other way. It began a turn to its left, which took it over our lane, and I have seen glaciers with more urgency. By the time its rear lights had cleared us the signal had changed twice.",
+#:   "Vehicle 2 approached from the opposite direction and commenced a left turn through the path of Vehicle 1. Based on the video, its speed in the turn was 5 to 6 km/h and did not rise. Vehicle 1's driver had misjudged how long the crossing would stay obstructed.",
+#:   "I don't drive so well in the dark myself, so I sympathise. The old gentleman opposite wanted to go left into Elm Grove, and he did go left, straight over where I was headed, only he crawled round as if there were eggs on the roof, and I had to stop for him.",
+#:   "Why did we disengage? Oncoming car, left across path, constant crawl. Our gap logic extrapolates a typical turning speed of 20 km/h and concludes it'll be out of the way; in truth it's moving like a pedestrian and is still sideways in front when we get there. No stop, no hesitation, just very slow.",
+#:   "As a bike courier you come to hate this one. There's a minibus coming at the car I'm behind, and it peels off leftward, over our lane, at the speed of a shopping trolley. It's in no trouble. It never halts. It's merely being driven round as slowly as an engine will bear.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Interrupted left turn of opposing traffic: start, pause, continuation",
 #:   "Oncoming ambulance starts a left, FREEZES, then goes",
 #:   "The motorbike facing us began to peel left, faltered, and finished.",
+#:   "Opposite us a van goes left, sticks halfway, eventually clears our path.",
+#:   "Opposite bus half-turns left in our path, waits, resumes.",
+#:   "Make the approaching motorbike turn left, freeze briefly, then carry on.",
+#:   "In front of the AV the oncoming cab's left turn stalls momentarily, then continues.",
+#:   "He set off left over my road, stopped to think, then went.",
+#:   "A fire engine facing us swung its nose left through our path, held there as if unsure, and eventually rolled on out of it.",
+#:   "The truck against me starts with turning to the left, after two metres it stands, thinks, and then it makes the turn until the end.",
+#:   "Left-turning opposing traffic is to stop briefly with its front in the conflict area before clearing it at the original speed.",
+#:   "She's turning left over us from the other side, she's had second thoughts, wait for it, and now she's changed her mind again and gone.",
+#:   "The left turn took place in two helpings: the saloon coming toward me put its front over, took fright, then finished the manoeuvre.",
+#:   "Is he coming or isn't he, this lorry opposite, half into his left and at a stand, ah, now he goes?",
+#:   "I was going straight and a hatchback came up on the other side, wishing to go to its left. Out it came; it must have seen me, since it stuck in the mouth of the turn a moment before pushing on over my lane.",
+#:   "V2, oncoming, entered a left turn toward Mill Lane. Its driver applied the brakes and paused in front of V1's lane for an estimated two seconds, reportedly to assess V1's distance, whereupon V2 was driven on to complete its turn.",
+#:   "Some turners commit, some don't. The motorcyclist meeting us here starts to his left, brakes to a stop with the wheel already over, dithers like a hen, and when you believe he's letting you by, he goes over after all.",
+#:   "Negotiation ticket. The ambulance comes opposite, initiates a left through our trajectory, halts for a random dwell of one to three seconds so the planner thinks it yields, and then it does proceed across and away.",
+#:   "The bus driver from the opposite side put his indicator and was taking left across my lane. Then he stopped half way, he looked at me, I looked at him, and only afterwards he completed his turning.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

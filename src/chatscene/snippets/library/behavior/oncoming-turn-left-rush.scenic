@@ -24,6 +24,22 @@
 #:   "Accelerated left turn of opposing vehicle across ego path.",
 #:   "RACES TO BEAT ME ON A LEFT TURN",
 #:   "The oncoming motorbike pounced left over our path.",
+#:   "Oncoming sports car speeds up and hooks left through our path.",
+#:   "Bike opposite hurries left ahead of us with the throttle open.",
+#:   "Police car facing us guns it into a left turn.",
+#:   "TOO CLOSE: he blasts left across me from the opposite lane",
+#:   "Ambulance from ahead, left turn under hard acceleration, our path crossed.",
+#:   "The saloon facing me had been waiting to turn, and just as I got there it leapt forward and took its left turn under full power.",
+#:   "Let an oncoming motorbike wind up the engine and dash left over the intersection, so as to be across before the robotaxi arrives.",
+#:   "Facing the vehicle under test, the target commences its left turn late and with strongly rising speed, thereby crossing the path of the test vehicle.",
+#:   "he was opposite me blinker on quite patient then suddenly lost it stamped on the accelerater and shot left in front of my car",
+#:   "The car from the front must turn left and he believes he arrives before me, therefore he accelerates very strong in the curve.",
+#:   "Fire engine coming the other way is going left across you in a hurry, it's picking up speed through the bend, so let it have the road.",
+#:   "My light was green. A hatchback coming towards me had slowed at the mouth of the junction, wanting to go left. When I was nearly upon it the driver put on a great spurt and raced round across my front wheels.",
+#:   "V2, approaching from the opposite direction, slowed for its left turn and then, instead of yielding, accelerated at full throttle. It passed across V1's lane while still gaining speed, and it cleared by less than a metre, as the intersection camera shows.",
+#:   "It is a race against us, basically. The opposing motorcyclist sees that the AV is close, reckons that with enough power he will be through in time, and so twists the grip and leans left over our lane, going quicker with every metre of the turn.",
+#:   "He'd better look at his insurance, that one. Stood there opposite me like butter wouldn't melt, waits till I'm on top of him, then plants his right foot and slews left over my bonnet with his tyres smoking. I stood a twenty-six tonner on its nose.",
+#:   "She saw the patrol car come on from the far side of the square, brake, and gather itself. Then its siren gave a whoop, it surged ahead and flung itself leftward, over the very stones she was about to drive on, its engine climbing all the way.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Occupation of own exit road by slow right-turning opposing vehicle",
 #:   "STEALS MY STREET then drives at walking pace",
 #:   "The bus opposite bears right into our exit and plods.",
+#:   "Opposite lorry rights into our road and then merely ambles.",
+#:   "Facing van takes a right into the AV's exit, doing walking speed thereafter.",
+#:   "Minibus from opposite goes right, into my street, like a tortoise",
+#:   "Let the opposing car turn right ahead of us and then plod along our road.",
+#:   "Opposing coach bears right into same arm as unit; proceeding dead slow.",
+#:   "A delivery lorry that had been facing us across the junction swung to its right into the very street we were entering, where it dawdled infuriatingly.",
+#:   "saloon opposite made its right turn n got into my road before me, after that just its bumper in my face at like zero mph",
+#:   "The target approaches from the opposite arm, performs a right turn into the exit lane of the vehicle under test and proceeds therein at 5 km/h.",
+#:   "V2, initially oncoming, turned right onto the same roadway as V1 was joining and continued along it scarcely faster than a pedestrian.",
+#:   "Bus driver from opposite took his right, same road as mine, and after that he is driving as if somebody walks before him with a flag.",
+#:   "Guess who'd picked the same side street: the old chap facing me, who rounded it rightwards at a trickle and then trickled on down the whole length.",
+#:   "We were both after Mill Lane, he from the north and I from the south. He had the easier corner, a right-hander, so he was in it before me, and then he tootled along at the pace of somebody choosing a picnic spot.",
+#:   "Scene wanted: an SUV comes from the direction opposite to the ego's and makes a right into the road that the ego's route leads into. After completing the turn it does not pick up speed but creeps along there, so that the ego has to trail it.",
+#:   "The cement mixer had its right indicator going as it came to meet her, and round it went, ponderously, into the road she wanted. She followed it in, and there they were, the two of them, advancing up the hill by inches.",
+#:   "What we learned from the log: the vehicle coming the other way was correctly predicted to turn right into our exit road. What wasn't predicted was its speed afterwards, barely one and a half metres per second, for the whole of the block.",
+#:   "I don't mind anybody going first, honestly. But if you come from the opposite side, take the right-hander into the road that I'm taking as well, and then do four miles an hour along it, you've got to expect me to talk to myself.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Laterally unstable opposing traffic with final standstill",
 #:   "Oncoming cyclist swerves everywhere then STOPS",
 #:   "The van facing us lolled from side to side and stalled out.",
+#:   "Opposing scooter meanders left, right, left, and draws to a halt.",
+#:   "Oncoming pickup slaloms over its lane, then stationary.",
+#:   "Car opposite, it dances right and left, at last it stays standing.",
+#:   "Give me an oncoming bus that sways about and then pulls up.",
+#:   "Zigzagging towards us, then not moving at all: a cyclist.",
+#:   "A hatchback coming the other way drew a wavy line down the street, over and back, over and back, and ended it by stopping.",
+#:   "Whoever was driving that coach towards us couldn't keep it straight; it yawed to one side and the other for seconds and eventually braked to a rest.",
+#:   "The opposing vehicle's lateral position alternated about its lane centre with a period of some two seconds before the vehicle decelerated to standstill.",
+#:   "My headlights picked out a motorbike coming against me with its lamp swinging like a lantern, left, right, until it hung there quite still.",
+#:   "Witnesses describe an artic that approached the robotaxi in serpentines down the hill and, having done so several times, was finally brought to a stop.",
+#:   "It had come to rest facing us after snaking towards us for a hundred yards, now at the kerb, now at the white line.",
+#:   "He came towards us on his bicycle with a crate of beer on the handlebars, so you can imagine. The front wheel went this way and the back wheel that way, and so it went on all down the lane, till he gave up and stopped.",
+#:   "Vehicle 2 was northbound, facing Vehicle 1. For approximately four seconds prior to stopping it moved alternately left and right within and beyond its lane in a repeated pattern. Its driver, who was later found to be diabetic, then applied the brake and Vehicle 2 stopped.",
+#:   "In this test the facing target is made to follow a sine-shaped path of given amplitude and period. When the programmed interval is over, the lateral motion ends and the target is braked gently to zero, remaining in front of the vehicle under test on its own route.",
+#:   "I can tell a sleepy trucker when I meet one, having been one. That rig ahead was coming at me like washing in the wind, drifting one way, correcting, drifting the other. I flashed him and flashed him, and at long last he stood it still.",
+#:   "You know those toy cars whose wheels are bent? The car that was coming to meet our school bus drove just like one, first to us and then to the hedge and to us again. Then it wasn't driving anymore, it had stopped, and a lady got out.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory"]

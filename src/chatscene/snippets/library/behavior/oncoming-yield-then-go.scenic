@@ -24,6 +24,22 @@
 #:   "Misleading deceleration by opposing vehicle followed by renewed acceleration.",
 #:   "FAKES LETTING ME TURN THEN SPEEDS UP",
 #:   "The oncoming car feigned courtesy, then charged.",
+#:   "Coach opposite sheds speed as if waiving priority, then powers through.",
+#:   "oncoming van brakes u think u may turn he guns it",
+#:   "Let the facing lorry feign giving way, then surge at us.",
+#:   "Opposing car: slows, implied yield, reaccelerates straight over junction.",
+#:   "He made slow for us and suddenly very fast, so unfair!",
+#:   "As we waited to turn, the SUV opposite bled off its speed in what looked like an invitation, then its driver stepped on it and came over.",
+#:   "An oncoming bus brakes before the junction, which the turning VUT may interpret as ceding the way, and thereafter accelerates briskly along its straight path.",
+#:   "Never trust a dipping bonnet. He's braking for you, so it seems; wait for it; there, he's had second thoughts and he's belting across.",
+#:   "The colleague in the truck has braked when I wanted to turn, I thought thank you, but then he has given full gas and came.",
+#:   "I put it to you that, by reducing your speed, you held out a courtesy to my client which you withdrew by stepping on the accelerator.",
+#:   "Why slow down to let the robotaxi make its turn, only to put the hammer down and shoot through the moment it thinks it's been let in?",
+#:   "My bumper was torn off by a saloon coming the other way. I was signalling to turn, and its driver braked quite noticeably, so anyone would think he was letting me go. He wasn't. No sooner had I begun to roll than the thing sped up again and came straight over.",
+#:   "Safety driver's note: the oncoming NPC brakes to a modest speed short of the intersection, we read that as a yield and start our turn, and the NPC then opens the throttle and continues straight on. It never stands still. We want the planner to hold until the gap is really there.",
+#:   "There was a kind of politeness about the oncoming lorry; it lowered its nose, it seemed to bow. Anton was already thinking of lifting his hand in thanks when the diesel bellowed. The bow had been a crouch. It sprang forward over the crossing with all the horses it had.",
+#:   "Dash-cam night on the podcast, and this one's a beauty. Bloke's waiting to turn. There's an estate coming towards him, brakes go on, front dips, universal sign for \"you go, mate\". Then what does the estate do? Drops two gears and comes flying through. I'd have fallen for it as well.",
+#:   "The driver of the bus explained that he had first slowed because he believed Vehicle 1 would turn ahead of him. Seeing that it did not move at once, he accelerated. From the seat of Vehicle 1 the slowing had looked like a yield, and the picking up of speed came as a surprise.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Severe deceleration of passing vehicle within the adjacent lane",
 #:   "PASSES ME JUST TO SLAM HIS BRAKES (next lane)",
 #:   "The motorbike overhauls us and digs in on its own side.",
+#:   "Gets by us one lane across, then anchors up over there.",
+#:   "Biker zips past, then sheds speed savagely, no lane change.",
+#:   "Let a hatchback pass the AV, then decelerate brutally without merging.",
+#:   "No cut-in: overtaking cab, hard braking in its own lane afterwards.",
+#:   "SUV leaves us behind, then stamps on it in the adjacent lane.",
+#:   "The convertible went sailing past on the other strip of tarmac and, without ever moving over, put its brakes on as hard as they'd go.",
+#:   "First the motorcycle makes an overtaking of me, then it brakes very heavy, but always in the lane from the side.",
+#:   "Upon gaining a defined lead over the subject vehicle in the neighbouring lane, the passing vehicle shall execute emergency braking while remaining there.",
+#:   "He's come up alongside, he's past you, now his nose has gone down, hard braking, but see, he hasn't come into your lane.",
+#:   "Would someone explain the pickup that went round me in the outside lane only to jam its brakes on out there?",
+#:   "The brake lights I saw belonged to a saloon in the next lane, which had only just drawn ahead of me at some speed.",
+#:   "A young woman in a sports car was in a terrible hurry and left me standing. She stayed out in her lane, and a little farther up she must have seen the camera, for the car practically knelt down under its brakes.",
+#:   "V2 passed V1 in the number two lane. When approximately sixty feet ahead, V2 was subjected to maximum braking for reasons unknown; at no time did it enter the number one lane, in which V1 was traveling.",
+#:   "What happens with our following-distance logic if somebody goes by in the lane beside ours and then throws out everything he has? He mustn't merge. I want to see that the robotaxi doesn't brake along for nothing.",
+#:   "The motorbike came up behind his shoulder like a wasp, droned by on the far side of the dashed line, and was in front. There, still on its own side, it suddenly reared back on its brakes with a shriek of rubber.",
+#:   "Yesterday on ring road one car has overtaken me from the side lane with good speed. After going ahead he has applied brakes full force in his same lane, luggage falling and all, and I passed him comfortably.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

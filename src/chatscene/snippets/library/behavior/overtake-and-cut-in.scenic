@@ -24,6 +24,22 @@
 #:   "Overtaking with insufficient clearance on return to lane",
 #:   "Motorbike overtakes and nearly clips my FRONT BUMPER",
 #:   "The coupe leapfrogged us and shaved our nose.",
+#:   "goes by us and drops back in waaay too tight",
+#:   "Motorcyclist passed, then squeezed himself between us and nothing.",
+#:   "Overtaker returns to our lane with barely a car's length.",
+#:   "CLOSE SHAVE: SUV passes and chops across our nose",
+#:   "The cab went past and folded in hard on our bumper.",
+#:   "The saloon came up on the outside, passed the AV and returned to the lane so early that its rear bumper all but brushed the AV's wing.",
+#:   "I'd like a fast car to come from behind, go past us in the next lane, and then take our lane again with next to no clearance.",
+#:   "Having gone past, the target vehicle re-enters the lane of the VUT at a time gap of less than half a second and maintains its speed.",
+#:   "Why did he have to come back in so soon, when he had the entire road ahead of me to finish his pass in?",
+#:   "A motorbike which was behind has doubled us and has folded back just before our bumper, I could have touched it with the hand, and it continued.",
+#:   "Two feet, no more, was what the van left us when it slid over in front of our bonnet after it had gone by.",
+#:   "A people carrier came past me on the motorway with its box on the roof. Most people would have waited till they could see both my headlamps. She didn't, she pulled over into my lane the moment her tail was clear, and then carried on at speed.",
+#:   "Vehicle 2 passed Vehicle 1 in the adjoining lane at a speed difference of some 20 km/h. It then moved laterally into the lane of Vehicle 1 with a bumper-to-bumper distance of about two metres, did not brake, and continued along the lane ahead of it.",
+#:   "For the cut-in series please vary the clearance. The car approaches from the rear in the left-hand lane, gets ahead of the test vehicle and immediately comes across in front of it, close enough to violate the safety distance; after that it just drives on.",
+#:   "You've done nothing wrong there. That motorcyclist went round you, which is his right, but then he came in on you when he was hardly past your front wheel. Ease off a touch and let your gap grow again; he's away up the road now.",
+#:   "So there I am, bimbling along, and this Golf comes by me. Fair enough. Only he's still about half alongside in my head when he's already over in my lane, and I am staring straight at his tailgate. Never slowed, never waved, just trundled off ahead.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

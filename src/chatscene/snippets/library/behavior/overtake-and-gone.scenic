@@ -24,6 +24,22 @@
 #:   "High-speed passing in adjacent lane without lane change.",
 #:   "CAR PASSES ME AT WARP SPEED",
 #:   "A sports car vapourised past in its own lane.",
+#:   "Vroom, past our window, and already just a dot up the road",
+#:   "Superbike blasts by on the outside, holds its lane, vanishes.",
+#:   "Put a speeding saloon past the ego, staying in its lane throughout.",
+#:   "Something low and yellow whistled past, its own lane, and never lifted.",
+#:   "Unit passed by sports car, excessive speed, continued on in lane two.",
+#:   "motorbike came from behind like an arrow, level with me for a blink, then only its tail light getting tiny in the other lane lol",
+#:   "The faster target moves by the VUT in the adjoining lane with a large speed surplus and carries straight on without changing lanes.",
+#:   "He must have been doing double my speed when he went by on my flank, and he kept that up in the same lane until the bend swallowed him.",
+#:   "V2 overtook V1 in the adjacent lane at high velocity, made no movement toward V1's lane either during or after the pass, and left the area.",
+#:   "That one belongs to the let-him-go category: he's rocketing past you in the other lane, he's not interested in your bit of road, wave him goodbye.",
+#:   "Yesterday one car has overtaken me like a bullet in the side lane and he just went straight, straight, straight till I could not see him.",
+#:   "We felt it before we saw it, a thump of air against the doors. Then a grey coupé was beside the robotaxi, then it was in front but still one lane over, and then it wasn't anywhere at all, it had simply outrun the camera.",
+#:   "I would like to see whether our planner stays calm. From the rear, in the neighbouring lane, a motorbike approaches with a huge surplus of speed, sweeps past the AV and carries straight on in that lane, with no cut-in and no braking.",
+#:   "Nothing actually happened, as I explained to the nice young policeman. I was pootling along when a car tore by me at some ungodly speed in the lane next to mine, and it kept to that lane and kept up that speed until it was over the brow.",
+#:   "From up in the lorry you get a good view of lunacy. The hot hatch came howling up from behind, went by the little blue car as if that was nailed to the ground, and stayed flat out in its own lane all the way to the horizon.",
+#:   "The engine note rose, hung for an instant beside her ear and fell away. By the time she had turned her head the rider had passed, bent low over the tank, dead straight down his lane, growing small with absurd rapidity.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

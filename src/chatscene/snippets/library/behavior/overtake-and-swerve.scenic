@@ -24,6 +24,22 @@
 #:   "Lateral incursion by overtaking vehicle during the passing phase",
 #:   "SWINGS AT ME WHILE OVERTAKING",
 #:   "The passing car feints at us midway.",
+#:   "Coming by, the motorbike veers at my door, then rights itself.",
+#:   "Passes us, and halfway through has a swipe at our side.",
+#:   "Overtaking saloon: sudden lateral deviation towards VUT whilst alongside.",
+#:   "On its way past, the hatchback flinches over towards Granny's car.",
+#:   "WHY would you steer AT someone while you're passing them??",
+#:   "Let a sports car go past the ego in the neighbouring lane and, before it is through, twitch over in the ego's direction.",
+#:   "The rider came from behind, and as his back wheel drew even with my mirror the whole bike darted sideways at me and away again.",
+#:   "In passing V1, V2 made a brief steering input towards it, encroaching upon its lane, and went on ahead after correcting.",
+#:   "He overtakes me at the left side, and in the middle of it he makes a Schlenker to my side, I was shocked.",
+#:   "He's going by you now, hold it steady, he's a road-rage merchant and he's jinking in your direction as he goes.",
+#:   "An angry motorist, it is alleged, drove past a pensioner's car and wrenched his estate towards her in mid-pass before speeding on.",
+#:   "There's a sort of bully you get on the M6. He comes up behind, goes out to pass you, all normal, and when his back door is level with your front one he gives the wheel a flick at you, just to see you jump, and then off he goes.",
+#:   "As the faster vehicle went by the AV on the left, its driver was evidently handling a phone. It lurched to the right, towards the AV's flank, for about a second; he must have looked up then, because it straightened out and completed the pass.",
+#:   "I never heard the motorcycle, my ears not being what they were. The first I knew was a black shape going by my window, and hardly was it there than it leapt at me, sideways, so that I cried out. It recovered and was gone up the road.",
+#:   "The target vehicle approaches from behind in the adjacent lane at a higher speed. Once its front has gone past the front of the subject vehicle, it deviates abruptly towards the latter for a defined time, then resumes its straight course without slowing.",
+#:   "Side wind, that's what he told the insurers, but there was hardly a leaf moving. I had the kids in the back. His van came round us and, while still overlapping my bonnet, hurled itself at us like it meant business, then went straight again and left.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

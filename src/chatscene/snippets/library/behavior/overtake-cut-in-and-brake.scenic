@@ -24,6 +24,22 @@
 #:   "Overtaking with close lane return and immediate hard deceleration",
 #:   "BRAKE CHECKED by biker who just overtook me",
 #:   "The saloon leapfrogged us and clobbered its brakes.",
+#:   "Biker blasts by, nips in front, and it's stoppies on our bonnet.",
+#:   "Let a coupé pass the robotaxi, slice in and anchor up at once.",
+#:   "He got past me, parked his rear bumper in my lap and braked.",
+#:   "Pass, chop in, brake: coupé has just done all three to you.",
+#:   "Il me double, he throws himself in my front and brakes like an idiot.",
+#:   "First the taxi drew level and went by; next thing it was in our lane with a metre to spare, and its tail lights were glaring at us.",
+#:   "A passing vehicle re-occupied the lane directly ahead of the VUT at 4 m headway and thereupon decelerated at 6 m/s², completing the triple manoeuvre.",
+#:   "The motorcyclist wasn't content with having left us behind, so he veered over before our bumper and squeezed his brakes as hard as he dared.",
+#:   "My rear-ending him was his own doing, given that he'd only that instant come by in the outer lane, wedged himself ahead of me and jumped on his pedal.",
+#:   "See how he's going past you on the outside? He'll want back in. There, much too soon, no room, and now he's braking on top of it.",
+#:   "Was it in temper that you went by her, forced your car into the few feet before hers, and there pulled your speed right down?",
+#:   "Two miles of flashing his lights from the lane alongside, and then he finally gets ahead of my truck. Does he drive off? Not a bit of it: he swings his hatchback in right under my grille and stands on the brakes, so that I've got forty tonnes trying to climb over his roof.",
+#:   "V2 was to the left rear of V1 in the adjacent lane and travelling faster. After completing the pass it moved into V1's lane with roughly one car length of clearance, whereupon its operator made an abrupt brake application which V1's driver avoided by steering onto the shoulder.",
+#:   "I don't know what I'd done to upset the young man on the motorcycle. He came by me at the side with a rude gesture, pulled across so that his back wheel was almost touching my number plate, and then he slowed down with a jolt, on purpose, I am quite certain of that.",
+#:   "Aggressor template, please: it starts in the lane next to ours, a little behind, and goes faster than we do until it has put us behind it. It then moves over into our lane with hardly any gap and immediately brakes hard, so the AV has to deal with both at once.",
+#:   "Story time on the pod. I'm in a driverless cab, texting, when this red sports car goes sailing past the window. Fine. Except it then shoves itself in front, I mean tight, and bang, hits the brakes, probably for clicks, and my phone goes flying into the dashboard.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Passing and merge ahead of ego with subsequent unduly low speed.",
 #:   "OVERTAKES ME JUST TO DRIVE SLOWER",
 #:   "The motorcycle passed us, slipped in front and languished.",
+#:   "Scooter zips by, claims the space before us, then barely moves.",
+#:   "Went round us, got in line ahead, now dawdling at a jogger's pace.",
+#:   "The taxi leaves us behind, tucks in, and turns into a tortoise.",
+#:   "From behind: pass, change to VUT lane, proceed at 2 m/s.",
+#:   "Pottering along before us is the Jag that had just overtaken and pulled in.",
+#:   "A pickup came up from the rear, went by on the outside, took its place at the head of our little column and thereafter hardly exceeded walking speed.",
+#:   "Could you let a motorcyclist come past the ego, move across to the ego's lane and then plod on, so our car is stuck at his miserable speed?",
+#:   "Subject vehicle was passed on the left by V2, which then entered its lane and continued forward, never stopping, at what the driver called a creeping pace.",
+#:   "It isn't that he passed me or that he came in so early, officer, it's that he rolled along at five miles an hour once he was there.",
+#:   "He has made overtaking with full honking, came into my lane in the front, and from then he is driving like he is searching for a coin.",
+#:   "Don't get annoyed at the hatchback: yes, it flew past, yes, it has taken your lane, and yes, now it's tootling at ten, so just sit back.",
+#:   "I'd been doing a steady thirty when a red Mini filled my mirror, swung out and swept by. It came back in ahead of me, and there the hurry ended. From that bend up to the church I was in first gear behind it, with it rolling and rolling.",
+#:   "Phase one, the actor begins behind in the other lane and runs faster than the AV. Phase two, having got clear by a few metres, it merges to the AV's lane. Phase three, it drops to a crawling speed which it holds, without standstill, until the scenario ends.",
+#:   "we laughed about it afterwards this fellow on a motobike, lether fringes and all, thundered past the bus, slotted himself in at the front and then went along so slowly he had to wobble his handlebars to stay up, with forty pensioners looking down at him.",
+#:   "It had looked so purposeful while it was passing. But the long black car had no sooner slid across into their lane than all the purpose drained out of it, and it crept ahead of them up the avenue as if it were following a coffin.",
+#:   "Why do people do it? You're in a wagon, limited to fifty-six, so they simply must get by. By they go, over they come, in front of your grille, and what then? They sit there rolling at a speed my kids beat on their scooters.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Station-keeping of overtaking vehicle beside own front after speed reduction",
 #:   "OVERTAKES, THEN REFUSES TO LEAVE - lurks by my bonnet",
 #:   "The motorcycle edges past and then loiters at our front flank.",
+#:   "Taxi goes by from behind, throttles back, sits at our front wing.",
+#:   "Follower passes the ego on the side, then matches speed off its nose.",
+#:   "It overtake me and then stay all time at my front wheel.",
+#:   "Having reeled us in and passed, the rider dawdles beside our bonnet.",
+#:   "From rear, past, then station kept abreast of the robotaxi's front corner.",
+#:   "A sports car appeared from the back, drew past in the next lane and, when its boot was level with my headlamp, settled down to my speed.",
+#:   "Once the motorcycle that has come up from behind is ahead by a nose, let it roll off the throttle and accompany the AV's front end.",
+#:   "I can't be doing with folk who hurry up behind you, go by, and then slacken and ride along next to your bumper for miles.",
+#:   "The overtaking vehicle ceased to gain on V1 as soon as its rear axle was opposite V1's headlights, and there it stayed, at V1's own speed.",
+#:   "Don't move over, Priya. That cab has overtaken you, yes, but he has come off the gas and he's lodged next to your front wing.",
+#:   "What is the use of overtaking somebody, as this motorcyclist did, only to cut your speed and cruise along by his front tyre?",
+#:   "I was pulling thirty tonnes and he came up my offside like a rocket, a little white Fiat. The moment his back end was level with my front bumper he came off it, and there he hung, in the next lane, right by my front corner, same speed as me.",
+#:   "The target starts behind the ego in the lane adjacent to it, travelling faster. It passes the ego. As soon as it leads by the prescribed offset its speed is regulated to that of the ego, so that it continues next to the ego's front without entering its lane.",
+#:   "We'd heard it a good while before we saw it. The motorbike came up out of the noise behind us, slid along our windows from the rear one to the front one, ran out of hurry beside our headlamp, and there it purred, no faster and no slower than we.",
+#:   "Your Worship, I was in the left lane. The defendant came from behind in the right-hand one and overtook me, which is his right. But then he reduced his speed and stayed alongside the front of my car, so that I could neither see the junction nor pull out.",
+#:   "Weirdest thing on the motorway yesterday. A saloon comes steaming up behind, goes past on the outside, I expect him to be gone, only he lifts and stays there with his rear door next to my headlight, minute after minute. Never came in, never went on.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advLane"]

@@ -24,6 +24,22 @@
 #:   "Emergency stop of preceding cyclist with standstill in lane",
 #:   "CYCLIST SLAMS TO A HALT IN FRONT OF ME",
 #:   "The cyclist in front skids to rest.",
+#:   "Girl cycling ahead hauls both brakes on, stops, blocks the way.",
+#:   "Make the bike in front emergency-stop and remain in the lane.",
+#:   "Commuter on a racer, dead ahead: squeal, standstill, no way by.",
+#:   "Bike messenger we trailed clamped the discs and stood there.",
+#:   "Cyclist stationary before the AV after violent braking, lane obstructed.",
+#:   "The tandem in front of us went from twenty to nothing in a couple of metres and stood in the road like a gate.",
+#:   "The boy rides his bicycle before my car, abruptly he pulls the two brakes and then he is standing and doesn't go away.",
+#:   "When the trigger distance is reached, the preceding pedal cyclist brakes with the maximum possible force and stays at rest ahead of the ego.",
+#:   "She's stopped, right there in front of you, see how little warning a cyclist gives when she grabs the levers like that?",
+#:   "Because a pigeon flew up, the postman on his bike in front of our car jammed everything on and came to a stand.",
+#:   "lad on a fixie ahead of us locks up the back wheel, bike stops, he stops, whole lane stops",
+#:   "I had been pottering behind an elderly gentleman on his bicycle since the church. Without so much as a glance behind he squeezed the brakes for all they were worth and planted both shoes on the tarmac right ahead of me.",
+#:   "The bicyclist preceded V1 in the same lane at about 12 mph. A loose dog ran out, the bicyclist braked to the limit of traction, and he was standing astride the frame in the lane when V1's operator reacted.",
+#:   "From up in my cab you lose a pushbike under the windscreen if he's close. So when that delivery kid in front chucked out the anchors and just stood, I'd no more than a helmet to go by.",
+#:   "The little family rode in single file, Mum last, and we rolled along after her. A shoe came off, so she braked so sharply that her basket emptied itself, and she remained there in the middle of our lane, laughing.",
+#:   "Requirement for the bicycle scenario: the cyclist rides ahead of the robotaxi on the same line. He makes a panic braking and comes to complete stop. He doesn't move to side, he's not continuing, the lane is closed by him.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

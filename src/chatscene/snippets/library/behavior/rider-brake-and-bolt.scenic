@@ -24,6 +24,22 @@
 #:   "Crossing two-wheeler with intermediate stop in lane and abrupt flight to the far side",
 #:   "Scooter stops in front of me mid-crossing then ROCKETS away",
 #:   "The courier propped mid-lane, then scooted over.",
+#:   "Rides out, brakes before us, toe down, then scoots off across.",
+#:   "Cyclist stops mid-lane with one leg planted, then dashes over.",
+#:   "Crossing biker: brake in lane, foot on tarmac, full-throttle exit.",
+#:   "bmx kid crossing, brakes in my lane, foot down, then flees over lol",
+#:   "Motorcyclist crosses, pulls up in our path, props, blasts clear.",
+#:   "A scooter rolled across from the side, jammed on its brakes before us, stood there a moment on one leg and then shot to the other kerb.",
+#:   "Let the delivery rider come out over the AV's lane, stop in it with one shoe down, and a second later sprint for the far side.",
+#:   "The rider target is to cross at normal speed, brake inside the VUT's lane, stand briefly, and leave across the lane at its maximum acceleration.",
+#:   "He had one boot on the asphalt and was staring at us; then, just as I got the horn to sound, he took off and was over.",
+#:   "The cyclist has crossed until my lane, there he has braked and put one foot on ground, and after that he escaped very fast to the other border.",
+#:   "Caller almost hit a moped: it was coming across, stopped square in his lane, rider dabbed a foot, then it belted over to the verge opposite.",
+#:   "I was on the ring road when a girl on a bicycle came straight out of the cycle path and over my lane. She saw me, hauled on both levers and put her shoe on the ground. Then she stood up on the pedals and fairly flew to the other side.",
+#:   "V2, a motorcycle, entered the roadway from the right and was braked to a stop in V1's lane. The rider supported the machine with his left foot for about one second. He then departed at maximum acceleration, transversely to the road, and reached the opposite verge without contact.",
+#:   "It's the indecision and then the violence of it that we want to capture. The biker rides out across us, throws the anchors out in the middle of our lane, wobbles onto one foot as he sees us coming, and then explodes away toward the far pavement.",
+#:   "My neighbour's boy did it to me on his bike, the little devil. Out of the gateway and over the road, brakes squealing in front of my car, one foot down to steady himself. He grinned at me, and whoosh, he was across and up the bank on the other side.",
+#:   "Nobody teaches them, that's the trouble. They come across you, they take fright and stop right where you want to be, leg out for balance like that lad on the scooter. And while you wonder what next, he has twisted the throttle and vanished over to the other kerb.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

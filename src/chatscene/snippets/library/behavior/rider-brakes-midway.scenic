@@ -24,6 +24,22 @@
 #:   "Sudden mid-intersection stop of crossing two-wheeler in ego path.",
 #:   "BIKE SLAMS BRAKES IN MIDDLE OF INTERSECTION",
 #:   "The crossing moped rider seized up in mid-junction.",
+#:   "Moped going over the intersection stops like it hit a wall, blocks us",
+#:   "Cyclist halfway over, hauls on brakes, and stands right where I'm headed.",
+#:   "Boy on bike crossing stop braked violently in centre stop blocking car stop",
+#:   "Make the two-wheeler cross, then freeze hard in the junction's middle, obstructing the AV.",
+#:   "He crosses, then nose-dive in mid-intersection, and nobody gets by.",
+#:   "courier on a pushbike was riding over the crossroads, clamped both brakes on right in the centre and just stayed standing in our way",
+#:   "The PTW target traverses the intersection, decelerates to zero abruptly at its midpoint and remains there as an obstacle to the vehicle under test.",
+#:   "I thought she'd be over well before me, but the girl on the scooter panicked in the middle, squeezed everything and stood there, blocking my road.",
+#:   "In the middle of the crossing the biker who was riding to the other side made suddenly halt, exactly there where our car wanted to pass.",
+#:   "V2, a bicycle, was traversing the intersection from right to left when its rider braked heavily and stopped in the direct path of V1.",
+#:   "If a kid on a bike is going over the junction, ask yourself: what if he slams to a stop bang in the middle and I can't get round?",
+#:   "My chain came off, simple as that. I was two thirds of the way into the crossroads, riding over to the far side, when the pedals went, I snatched at the brakes out of fright and came to rest smack in front of an approaching taxi.",
+#:   "It started as an ordinary crossing. The rider set off over the junction with plenty of time, yet in the dead centre he hit the brakes so sharply that his back wheel hopped, and there he remained, broadside to us, with nowhere for us to go.",
+#:   "For the validation run we need a bicycle that invalidates the gap. It enters and rides over the intersection in a plausible way, then stops with maximum deceleration in the centre of it, inside the corridor of the ego, and doesn't move again.",
+#:   "An elderly gentleman on a moped caused a long tailback on Tuesday. Reports say he was on his way over the busy crossroads when he pulled up sharply in its very middle, apparently to catch his hat, and blocked a car that was coming.",
+#:   "M'lud, the motorcyclist had every opportunity to reach the other side. Instead, being squarely in the centre of the junction, he chose to brake with all his might and to remain at that spot, so that my client found her way barred.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

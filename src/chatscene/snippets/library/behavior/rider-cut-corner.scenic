@@ -24,6 +24,22 @@
 #:   "Shortened left-turn line of two-wheeler with use of opposing lane",
 #:   "BIKER SKIPS THE CORNER - wrong side!",
 #:   "The motorcyclist shears off the corner leftward over the wrong lane.",
+#:   "Moped nips left on the inside, wrong half of its street.",
+#:   "Motorbike's left turn: tight inside line, opposing side used.",
+#:   "Lazy left by the cyclist, straight over the wrong side.",
+#:   "Who taught him to swing left via the oncoming half?",
+#:   "Paperboy trims the corner going left, wrong side and everything.",
+#:   "Let a motorcyclist turn left on the shortest possible line, so that he passes over the half of his road which belongs to those coming towards him.",
+#:   "He should have gone out to the middle before turning left; the courier instead rode diagonally over the wrong part of the road he was quitting.",
+#:   "V2, a bicycle, turned left early and crossed the opposing half of the street from which it was emerging rather than following the proper arc.",
+#:   "The scooterist wants to go left, and he takes it so narrow that he is already before the corner on the side of the others.",
+#:   "Any cyclist knows you don't take a left like that, hugging the inside and ending up where the oncoming stuff would be.",
+#:   "Observe where the moped is when it goes left: well inside the normal line, over the half of the carriageway meant for vehicles entering that road.",
+#:   "I was behind my kitchen window, which looks out on the corner, so I know. The boy on the bicycle didn't go round the end of the white line as he ought to have. He went left before it, over the other side of the road, to save himself four yards.",
+#:   "With a nominal left turn the two-wheeler keeps to its own half until the apex. In this variant its path is displaced towards the inside of the turn, whereby it occupies the opposing half of the approach it is leaving and arrives earlier than predicted.",
+#:   "He'd got a pizza going cold in his box, so of course the rider wasn't going to do the turn by the book. He dropped his shoulder to the left a good ten metres too soon and went over the wrong half of his own road at the mouth.",
+#:   "Here's the learning point. Had you pulled right up, that motorbike would be on your bumper, since he's going left and he's doing it by the shortest way, across the portion of his road where you'd expect nobody to come out at all.",
+#:   "The pedal cyclist explained that she always turned left there \"the short way\". By this she meant, as the court understood it, that she would leave her side of the lane prior to the bend and pass the corner upon the side reserved to opposing traffic.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["acrossMeeting", "advMeeting", "advTrajectory", "egoRoute"]

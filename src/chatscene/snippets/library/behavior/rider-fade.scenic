@@ -24,6 +24,22 @@
 #:   "Initial sprint of leading cyclist followed by fatigue-related decline to very low speed",
 #:   "Cyclist sprints... then COMPLETELY runs out of steam",
 #:   "The cyclist ahead surged, wilted and plodded.",
+#:   "Cyclist in front bursts away, tanks, and is now barely rolling.",
+#:   "Bike up ahead: big kick, lungs gone, reduced to dawdling, over.",
+#:   "Have the pedaller in front charge off and then flag to near nothing.",
+#:   "El ciclista delante attacks like in the Tour, then he is muerto, very slow.",
+#:   "My big brother zoomed ahead on his bike and then got puffed, sooo slow.",
+#:   "Stung by my horn, the boy on the racer ahead pumped his legs for all he was worth, but it couldn't last, and presently he was down to a dribble.",
+#:   "The bicyclist target ahead of the VUT shall surge to 25 km/h for 4 s and thereafter, representing fatigue, proceed at 6 km/h.",
+#:   "She'd darted off in front of the bus like a champion, yet fifty yards on her strength deserted her and we were trailing along at her new, feeble pace.",
+#:   "A cyclist's early dash for the lights, carried out ahead of our robotaxi, ended in exhaustion and a rate of progress that pigeons could have matched.",
+#:   "What you've got there is a rider with more heart than lung; he's leapt ahead of you, now he's spent, so expect to close up on him quickly.",
+#:   "At length the bicycle before them was scarcely turning its wheels, its owner having squandered all his wind upon that first magnificent gallop.",
+#:   "I know the feeling, because I cycle too. The man in front of the car gave it everything from a rolling start, out of the saddle, elbows going, and opened up a good thirty metres. Then you could see the battery go flat: he sat down, drooped, and hardly had enough left to stay upright.",
+#:   "Following distance collapsed in this log although the ego never sped up. The lead bicycle put in a hard effort and pulled clear, we resumed set speed, and then the person on it ran dry and dropped to something like four km/h. They kept moving, feebly, and we came up on them fast.",
+#:   "From my lorry I had a lovely view of the young gentleman in Lycra ahead. He heard the engine, didn't fancy me behind him, and shot off up the road as if there were a medal in it. Halfway up the bank he'd shot his bolt, and from there I had him at a plod.",
+#:   "I'd like a bicycle in front of us that overestimates itself: it starts with a furious burst so that it gets away from the car, holds this for several seconds, and then, being worn out, goes along so weakly that we would catch it at walking speed.",
+#:   "In the evidence of Mrs Rao, the delivery boy on the cycle ahead suddenly began pedalling very strongly and went well in front of her car. After some time he had become fully tired, sir, and he was moving his pedals with such difficulty that even people walking were leaving him behind.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

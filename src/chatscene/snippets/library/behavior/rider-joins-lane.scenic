@@ -24,6 +24,22 @@
 #:   "Lateral lane entry by two-wheeler with slow onward travel ahead of ego.",
 #:   "CYCLIST MERGES IN FRONT OF ME AND TAKES HIS TIME",
 #:   "The moped slotted into our lane and ambled ahead.",
+#:   "Boy on a BMX leaves the pavement, takes our lane, pedals gently onward.",
+#:   "Moped in from the verge, now a slow leader for our AV.",
+#:   "Make a cyclist come off the side path and dawdle ahead of us.",
+#:   "From the roadside into lane, same heading, 12 km/h, that bike.",
+#:   "Stuck behind grandpa's bicycle, which had swung in from the edge.",
+#:   "A lady with a basket on the handlebars curved out of the park entrance into the lane in front of us and then went along in our direction at her own gentle speed.",
+#:   "The bicycle target starts beside the carriageway, turns into the VUT's lane ahead of it and from there travels in the same direction at low constant speed.",
+#:   "As I came past the chip shop a delivery moped came off the forecourt, bent into my lane and went puttering on ahead, so I had to brake down to fifteen.",
+#:   "I want a rider waiting at the side of the street to enter our lane when we're near and stay ahead of us, moving the way we do but much slower.",
+#:   "Investigating officer determined that the bicyclist had entered the lane of V1 from the right shoulder in a curving motion and was continuing northbound ahead of it at about eight mph.",
+#:   "Un vélo enters from the side in my lane, he turns in my sense of driving and then he pedals quietly, me I must stay behind.",
+#:   "I'd been waiting by the bus shelter for a gap and I thought that car was far enough away. So I pushed off, swung round into the lane and set off up the road with it behind me, and with my knees I don't go faster than a walk and a half.",
+#:   "Look at the fellow with the trailer, at the edge there, by the bins. He isn't crossing. He's coming into your lane and now he's turned the way we're going, and that's us behind a pushbike, nice and slow, keep your distance until he's settled.",
+#:   "The AV was doing about thirty when a small motorcycle left a field gate, joined the lane in front of it with an easy sweep, and kept on up the road at little more than a cycling pace. It never stopped; the AV just had to fall in behind.",
+#:   "Nobody at the village fete took much notice when the vicar wobbled off the green, steered into the lane in front of a driverless shuttle and led it, at the stately pace of a man thinking about his sermon, all the way along the high street.",
+#:   "Ticket: follower logic tailgates VRU. A scooter initially off to the side of the road turns in ahead of the ego, aligns with our heading and goes on at 3 m/s as new lead. It neither crosses out of the lane nor stands still, it is just slow.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Laterally oscillating opposing cyclist over the road centre",
 #:   "Wobbly cyclist heads my way ALL OVER the center line",
 #:   "The cyclist facing us meandered over the road's spine.",
+#:   "Pushbike facing us snakes over the centre line, left, right, left.",
+#:   "Opposing cyclist zigzagging about the dividing line, no straight riding.",
+#:   "Let the kid on the bike approach in wiggles round mid-road.",
+#:   "The boy rode to us like a worm, across the middle stripe.",
+#:   "Tandem heading my way, lurching to and fro over the white paint!",
+#:   "With a crate of beer on the carrier, a student cycled to meet us, swaying over the middle of the road and away from it in turns.",
+#:   "The bicyclist target travels opposite to the VUT along the centre of the road with a periodic lateral displacement to both sides of the marking.",
+#:   "Here's a bicycle coming; is he on your half, is he on his? He's on both, swapping every second, so slow right down for him.",
+#:   "That cyclist in contrary sense was dancing on the line of the centre, one time in my half, one time in his, until he arrived.",
+#:   "Our dash cam has an old woman pedalling at us on a course like knitting: over the middle, back, over the middle, back again.",
+#:   "What business had the rider coming the other way to be swinging pendulum-fashion about the crown of the road with a lorry bearing down?",
+#:   "I was in the cab with a full load of gravel when a lad on a racer came round the bend toward me. He was standing on the pedals and throwing the bike about, so he was a yard across the middle line one moment and a yard short of it the next.",
+#:   "Vehicle 1's driver first observed the bicyclist at about sixty metres, approaching. The bicyclist was not keeping to the right but described a wavy line around the centre of the roadway. He crossed into Vehicle 1's half at least four times before the two met, returning on each occasion.",
+#:   "Feature request, oncoming cyclist on a sine. Path oscillates about the road's centreline with two metres of amplitude, so for half of every period the bike intrudes on our side. It keeps coming at about 15 km/h. The planner sees the gap open and close and can't make its mind up; it should just wait.",
+#:   "There must have been a wind, or a wasp, or a girl watching from a window, for the butcher's boy didn't ride up the road to meet us so much as sew it together, his front wheel stitching across the middle and back across the middle, whistling all the while.",
+#:   "I ride to work every day so I don't like slagging off cyclists, but this one, oof. She's coming towards the car I'm tucked in behind, one hand on her phone, and drifting from her side to ours to hers to ours, the centre line just going under her wheels each time.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory"]

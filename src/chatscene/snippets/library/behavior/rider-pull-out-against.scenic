@@ -24,6 +24,22 @@
 #:   "Contraflow riding in ego lane after roadside entry by two-wheeler.",
 #:   "CYCLIST PULLS OUT AND RIDES HEAD ON INTO TRAFFIC",
 #:   "The moped peeled off the kerb and breasted the traffic in our lane.",
+#:   "Bike leaves the pavement, enters our lane, heads straight toward us.",
+#:   "Moped off the verge, into the ego's lane, riding at it contraflow.",
+#:   "Kid rolls off the kerb and pedals up my lane into my face.",
+#:   "From the roadside a motorbike joins our lane facing us and keeps coming.",
+#:   "Have a cyclist start roadside, then ride against the AV in its lane.",
+#:   "A courier who'd been standing by the shops bumped down into my lane and set a course for my radiator, the wrong way.",
+#:   "The scooter is waiting on the border, then enters my lane, but in the contrary sense, so we are driving one to the other.",
+#:   "After leaving its place beside the carriageway, the two-wheeler occupies the VUT's lane and approaches in it, opposed to the direction of traffic.",
+#:   "He's coming off the grass there on his bike, and he's turned to face you, he's riding up your lane, cover that brake.",
+#:   "Does nobody teach them, this student who hops off the kerb with her bicycle and meets us head-on in our own lane?",
+#:   "Caller says a motorcycle came out from the side of the road and is now going up the lane the wrong way, at him.",
+#:   "I'd barely noticed the old man with the bicycle beside the hedge. He swung a leg over, wobbled into my lane, and came up it toward me as though all the rest of us were driving on the wrong side.",
+#:   "The moped had been stationary on the sidewalk. Its operator entered the lane in which V1 was traveling, turned to face V1, and traveled against the designated direction of that lane with the distance to V1 steadily diminishing.",
+#:   "Salmon test. The e-bike idles next to the road; when we get near, it comes into our lane and travels down it in the wrong sense, keeping a little to one side, so that it and the shuttle close on each other.",
+#:   "He couldn't be troubled to wheel the thing over to the proper side. So from the edge of the field he simply rode into our lane and up it, against us, one hand in his pocket, the front lamp nodding nearer.",
+#:   "In my city it's normal but here I was surprised. A boy with food box was at the roadside with his scooter, he entered in my lane, and then he drove to my direction, so our two fronts were looking at each other.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Lane entry of two-wheeler from roadside with subsequent longitudinal acceleration away",
 #:   "BIKE JOINS FROM THE SIDE AND TAKES OFF",
 #:   "The cyclist slips in from the verge and sprints off along our lane.",
+#:   "cyclist sets off from the curb ahead and races along our lane",
+#:   "Bike joins from the verge, sprints on in our direction.",
+#:   "Pedal courier enters ego lane from edge, speeds off ahead.",
+#:   "WHERE DID HE COME FROM? Cyclist jumps in and pedals away",
+#:   "Have a racing cyclist leave the roadside and zip off before us.",
+#:   "A lad on a bike bumped down off the pavement in front of my car, turned the way I was going and put the hammer down.",
+#:   "The bicyclist target leaves the roadside, takes up the VUT's lane and rides on in the same direction as the VUT with increasing speed.",
+#:   "She had been waiting by the hedge with one foot on the pedal; then she swung into our lane and went tearing off along the road ahead.",
+#:   "A cyclist which was standing at the border has entered in my lane and, standing on the pedals, he has gone away in front of me.",
+#:   "From the lay-by a woman on an e-bike steered into our lane and, with the motor whirring, rapidly drew away down the street before us.",
+#:   "Look out for the rider at the edge, he's coming in ahead of you, but he's quick and he's going your way, the gap's opening already.",
+#:   "I was driving along the seafront when a man in lycra pushed off from the railings and came into my lane just ahead. I had to lift off a bit. He didn't hang about, though: head down, he wound it up and left me behind him.",
+#:   "Unit 2, a pedal cycle, was stationary beside the roadway. As Unit 1 approached it moved into the lane ahead, aligned itself with the direction of traffic and gathered speed along the lane until it was travelling at some 30 km/h, without ever crossing to the other side.",
+#:   "In this one the rider waits by the roadside until the robotaxi is near, rolls into the lane in front of it, and then pedals off along the very same lane as hard as he can. He neither stops again nor turns off, he simply leaves.",
+#:   "There's always one of the food-delivery boys hanging round outside the burger place. Tonight he gets his order, hops off the kerb right into my lane, I hit the brakes, and he's already halfway up the street, his legs going like pistons.",
+#:   "The boy had been leaning on the milestone. When the van was almost abreast he kicked away from the grass, slipped into the lane before its bonnet and bent over the handlebars, and by the time the driver had cursed him he was dwindling fast up the road.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["egoRoute"]

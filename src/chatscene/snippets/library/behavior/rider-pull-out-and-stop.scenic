@@ -24,6 +24,22 @@
 #:   "Two-wheeler joining the lane from the roadside with early braking to standstill",
 #:   "Scooter pulls out, rides 5 meters and STOPS DEAD",
 #:   "The moped hopped in, hummed along briefly and braked to nothing.",
+#:   "Scooter off the verge, in our lane, three lengths along, anchors, stationary.",
+#:   "Courier joined from the roadside, rolled a bit ahead, then stopped sharply.",
+#:   "Have a cyclist enter the lane, pedal briefly ahead, then brake to nought.",
+#:   "Bike came from grass to my lane, goes short piece, brakes, stands.",
+#:   "Kid wheels off the pavement, rides ahead a moment, skids to a halt",
+#:   "A moped that had been waiting at the edge of the road set out in front of me, buzzed along for a second or two and then braked until it stood.",
+#:   "The bicycle target departs from the roadside, aligns itself with the VUT's lane, covers roughly five metres ahead of it and decelerates to a standstill.",
+#:   "She'd scarcely found her balance after coming out into our lane, a handful of pedal turns maybe, when she pulled on the brakes and put a foot down.",
+#:   "V2 entered from the shoulder, proceeded a short distance in the same lane and direction as V1, and was then braked to a complete stop.",
+#:   "Why come off the side, go up my lane for the length of a bus, and then clap the brakes on and stand there looking at your phone?",
+#:   "From left side footpath one boy on cycle got into our lane, was going in front maybe five metres, and then full brake he put and stopped.",
+#:   "I saw him sitting on his motorbike by the hedge and I saw him look right at me. He came out all the same, trundled along in my lane for a few yards as though to warm up, and then hauled on the brake and stayed where he was.",
+#:   "A word about delivery riders, says the trucker. They hop off the kerb into your lane, they ride up it just far enough for you to think fine, he's off, and then they spot the house number and brake to a dead stand under your bumper.",
+#:   "The parcel bike's log is brief. Away from the roadside at 14:02:07, in the traffic lane at 14:02:09 and heading the same way as the robotaxi behind it, brakes fully applied at 14:02:11, stationary in that lane from then on.",
+#:   "He had been tying his shoe against a lamp post. He threw his leg over, wobbled from the gutter into the lane, rode five or six yards up it with his coat flapping, and there remembered something, gripped the brakes and stopped.",
+#:   "Pupils always ask how long they have to be careful once a cyclist has joined. Well, this one came out from the side, did barely a few metres along your lane and has braked to a standstill in it, so the answer is: the whole time.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Turnaround of two-wheeler inside ego lane with return to side of entry.",
 #:   "BIKER DOES A U-TURN IN MY LANE AND GOES BACK",
 #:   "The rider curled about in our lane and homed to his kerb.",
+#:   "Kid cycles out, pirouettes in my lane, cycles back.",
+#:   "Two-wheeler enters VUT lane laterally, reverses heading therein, exits same side.",
+#:   "Moped pops in from the side, wheels round, off home again.",
+#:   "Is that scooter only using my lane to turn round in?",
+#:   "Out of the driveway, round in our lane, into the driveway.",
+#:   "I want a boy on a bike to ride from the edge into the ego's lane, come about inside it and return to the edge he started from.",
+#:   "She never went right across; she came as far as our lane on her bicycle, bent it round, and made for the same pavement again.",
+#:   "The rider of V2 left the shoulder, turned about within the lane V1 was using, and was heading for that same shoulder when struck.",
+#:   "From the right side a motorino comes into my lane, makes half turn inside of it and goes to the right side another time.",
+#:   "They're practising turning circles, those two: see, the moped swings in before us, round he goes, and he's back by his gate.",
+#:   "Half a circle was drawn on the tarmac of our lane by a biker who'd emerged from the petrol station and who went back into it.",
+#:   "Our street's where the kids try their new bikes out. This little lass came off the pavement into the lane in front of the robotaxi, did a wide turn in it with her tongue sticking out, and pedalled straight back to her dad, who was on that same pavement.",
+#:   "The manoeuvre of the bicycle target has three phases: it enters the lane of the vehicle under test at right angles; it then describes an arc of about 180 degrees without leaving that lane; finally it moves away to the side from which it entered.",
+#:   "Wrong address, I thought, because the courier had barely ridden his scooter off the forecourt and into my lane when he looked up at the house numbers, slapped his helmet, swung the bars full lock and rode back round onto that forecourt.",
+#:   "When it gets to our lane the cyclist doesn't keep going to the far kerb like every other crosser in the dataset. He curves round inside the lane, spends about two seconds going more or less along with us, then heads for the kerb he set off from.",
+#:   "I was eating my sandwich in the cab. There's a track on the right, and out of it comes this motocross lad, into my lane, throws the bike round in a U right there under the windscreen and disappears up the track again. Didn't even look at the lorry.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

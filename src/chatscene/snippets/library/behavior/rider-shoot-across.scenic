@@ -24,6 +24,22 @@
 #:   "Accelerating lateral dash of two-wheeler from roadside through own lane",
 #:   "BMX KID FIRES ACROSS THE ROAD",
 #:   "The moped whizzes out and over, gaining pace.",
+#:   "Moped out of the alley, straight over, speed climbing all the way.",
+#:   "Give me a bike bursting from the verge and accelerating to the far kerb.",
+#:   "She flew across from the side, big sister, pedalling quicker and quicker and quicker!",
+#:   "Desde el lado comes one moto, crosses, each metre more rapid.",
+#:   "Dirt biker zips out sideways, opens it up, gone over before I blinked.",
+#:   "Out from behind the hedge popped a lass on a racer, and she was picking up speed with every yard of road until she'd vanished down the opposite bridleway.",
+#:   "Two-wheeler laterally released at trigger distance; traverses the roadway in one continuous motion under sustained positive acceleration; no speed reduction within the VUT's lane.",
+#:   "By the time he reached the other pavement that lad on the scooter must have been doing thirty, though he'd only been rolling when he emerged beside us.",
+#:   "V2, a motorcycle, launched from a field entrance on the right and gained velocity over the entire width of the highway, exiting on the left shoulder.",
+#:   "Had the cyclist held back for even an instant we'd have met; as it was, he spurted from the side and rode ever harder to the far edge.",
+#:   "A good rider would wait at that gap; this one's catapulted herself into the road and is winding it on and on as she goes over.",
+#:   "I was in the passenger seat of the cab when a boy on an electric bike sprang out of a passage between the shops. He didn't look, he simply kept the throttle open, and you could hear the motor whine higher and higher as he crossed both lanes to the park gates opposite.",
+#:   "The claimant's vehicle had almost reached the bridge. At this point a motorcyclist emerged from the footpath at its side and proceeded over the carriageway. Far from shutting off, he was speeding up continuously during the crossing, as the rising note of the exhaust on the recording confirms, until he was clear of the road.",
+#:   "What I'm after is a bold rider at the roadside. They set off as the AV nears, charge out at right angles to us, and carry on building speed the whole way over, so anyone extrapolating their first half-second will get the arrival time badly wrong. No braking or foot down in the middle.",
+#:   "We lorry drivers talk about the bike boys at that crossing place. Yesterday it was two wheels and a pizza box that came whizzing out from between parked vehicles on my nearside, and rather than think twice he leaned on the gas, more, more, more, until he was across and up the opposite ramp.",
+#:   "It all took perhaps two seconds. From the shadow of the barn a bicycle shot forth; its rider, head low, legs blurring, was swifter at the ditch on this side than she'd been at the gate, swifter in the middle of the road than at the ditch, and swiftest of all as the far lane swallowed her.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Slow roadside entry of two-wheeler with stall and transverse blockage",
 #:   "Motorbike creeps out, STALLS sideways in my lane",
 #:   "The moped seeped into our lane and conked out crossways.",
+#:   "Pizza moped limps off the pavement, cuts out, bars our lane.",
+#:   "E-bike crawls into our lane sideways and dies on the spot.",
+#:   "Broadside and lifeless: the motorbike that had just dawdled off the verge.",
+#:   "Make a scooter ease from the roadside into our path and conk out.",
+#:   "Slow entry of bicycle, chain off, standing square across the lane.",
+#:   "The pupil let the clutch up far too gently, trickled off the grass strip into the lane, felt the engine quit and sat there with the bike at right angles to us.",
+#:   "A powered two-wheeler enters from beside the carriageway at 1.5 m/s, loses propulsion on the VUT's path and remains there, its longitudinal axis perpendicular to the lane.",
+#:   "I had to stop because an old lady on a tricycle had rolled out of the hedge gap at a snail's pace, got stuck in my lane and couldn't move it.",
+#:   "Please simulate a moped that comes off the side at hardly any speed, has its motor give out in the ego's lane and blocks it lengthwise, rider still astride.",
+#:   "La moto go out very slowly from the border of the road, in my lane the engine he dies, and she remains there standing crossed.",
+#:   "Careful, that scooter's inching out from the lay-by, she hasn't got the revs, and there, it's gone quiet, she's stranded sideways right where we want to go.",
+#:   "I only wanted to get over to the petrol station. I let my old Honda roll gently out of the gateway, and with the front wheel about on the dotted line she coughed and gave up. There I was, side-on across the lane, kicking away like mad with a driverless car waiting.",
+#:   "Vehicle 2, a 49 cc motor scooter, departed the shoulder at very low speed on a path perpendicular to the lane of Vehicle 1. Its engine ceased to run while it was in that lane, and it was standing upright and crosswise there when struck.",
+#:   "It is a helpless sort of obstacle. First you see a cyclist with a loaded trailer pushing off laboriously from the roadside, hardly moving; then, in the middle of your lane, the legs give out, and bike and trailer are stuck athwart your way like a gate.",
+#:   "Message to all cars, Station Road, be aware of a motorcycle obstructing. Rider came off the footway dead slow, engine failed as he got into the lane, and he's now stationary at right angles to the traffic. He can't restart and he hasn't pushed it clear.",
+#:   "Did it come at you quickly, Mr Rao? No sir, very very slowly, from the mud side of the road. Then the motor went dut-dut and was finished, and the fellow was sitting on it there, handlebar to one side, back wheel to other side, my whole lane shut.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["egoRoute"]

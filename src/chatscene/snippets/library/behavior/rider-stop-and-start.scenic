@@ -24,6 +24,22 @@
 #:   "Temporary mid-lane halt of leading cyclist with brisk restart.",
 #:   "CYCLIST STOPS IN THE ROAD, LOOKS AROUND, TAKES OFF",
 #:   "The cyclist ahead paused, periscoped about and whizzed off.",
+#:   "Bike in front halts mid-lane, glances all round, departs at pace.",
+#:   "Leading cyclist: standstill, head turning, then brisk getaway.",
+#:   "La cycliste before me stops, she regards left and right, restarts very rapid.",
+#:   "Have the cyclist ahead stop, take stock, and whip away again.",
+#:   "Ahead of us a boy stops pedalling, stands, peers, then hares off.",
+#:   "The woman on the bicycle that we were following came to a stop in the lane, studied both sides of the street, and set off again with great energy.",
+#:   "A rider ahead of the AV drew to a halt on the lane, craned his neck for a house number, found it wasn't there and sprinted onward.",
+#:   "It was only a short stop: the courier in front braked to nothing, swivelled his head about, rose on his pedals and was on his way in a hurry.",
+#:   "Ahead of the test vehicle the bicycle target is braked to standstill, dwells while its dummy head rotates, and then resumes along the lane with lively acceleration.",
+#:   "Don't go round that cyclist yet; he has pulled up in your lane to see where he is, and, you see, he's pushing off again, and quickly.",
+#:   "V2, a bicycle leading V1, ceased to move in the travel lane, its operator was observed to scan the surroundings, and V2 then left forward at a fast rate.",
+#:   "I was behind an old gentleman on a racing bike of all things. On an open bit of road he came to a stop in my lane, one foot on the ground, turned his cap to the left and to the right, and then off he went, quicker than before.",
+#:   "What puzzled the prediction module was the middle phase. The cyclist in front of us had braked to zero in the lane, and with its shoulder checks it looked like someone about to turn off; instead, after the wait, it rode straight on and got up to speed fast.",
+#:   "She had lost her bearings, that was plain. The bicycle ahead of them ran out of way and stood; its rider looked up at the street sign, and over at the church, and up again; then something fell into place and she was off, standing on the pedals.",
+#:   "From my cab you look down on them. This student on a bike stops dead in front of my wagon, not at the side, in the lane. Has a look over one shoulder, has a look over the other, and then he's pumping those legs and away like the Tour de France.",
+#:   "When I was small my teacher said stop and look before you ride. The girl in front of our car did that, only she did it in the middle of our lane! She stopped, looked this way, looked that way, and then she whizzed on ahead of us.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Leftward swing-out of leading two-wheeler with blocking standstill",
 #:   "Biker ahead swings left and PARKS IT",
 #:   "The cyclist ahead lunged left and anchored himself.",
+#:   "Moped in front sheers off to the left and halts right there.",
+#:   "Let the leading cyclist dart leftwards, then stop and stay.",
+#:   "Biker ahead jinks left, pulls up, boots on the ground.",
+#:   "Lady on a bike before us veers leftward and comes to rest.",
+#:   "Preceding scooter: lateral step left, zero speed, stays in that spot.",
+#:   "The courier we were following sheered away toward the centre line on his left and stood his bicycle there like a bollard.",
+#:   "In front of me the motorcyclist makes a bow to the left and there he is stopping, so the place for passing is gone.",
+#:   "With the two-wheeler in front, first a leftward swing of about a metre is produced, and then a halt at that offset.",
+#:   "You were setting yourself up to pass that bicycle, weren't you, and look, it's kicked out left and come to a dead stand.",
+#:   "What on earth made the lad on the scooter ahead lurch out to his left hand and simply stand about there?",
+#:   "She's stationary by the middle of the road now, the cyclist who a second ago flicked left in front of the shuttle.",
+#:   "A motorbike had been leading us along at a modest pace. With a twitch of the bars it moved across to the left, its brake lamp came on, and it stayed there, engine ticking over, while the rider searched his jacket.",
+#:   "V1 was following a bicyclist at approximately 10 mph. The bicyclist steered sharply to the left, then brought the bicycle to rest at the left portion of the lane, stating afterwards that he had seen a nail in the road.",
+#:   "My claim is as follows. The moped before me was keeping right and I intended to go by it; instead it shot out leftwards and stopped on the spot, without turning off anywhere, so I had nowhere to put the car.",
+#:   "Please build me this: one cyclist ahead of the AV, steady at first. Next he goes wide, to the left, quickly, and as soon as he's out there he brakes and stands still, closing the side where we'd overtake.",
+#:   "On my ride home the woman cycling ahead must have spotted a friend over the road. She swept out to the left, no hand signal, clapped on the brakes and remained, one toe down, chatting, with a car waiting behind.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

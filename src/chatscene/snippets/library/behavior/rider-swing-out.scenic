@@ -24,6 +24,22 @@
 #:   "Gradual lateral excursion of preceding two-wheeler around object with return to line",
 #:   "CYCLIST TAKES THE SCENIC ROUTE ROUND A POTHOLE",
 #:   "The scooter in front arcs lazily round something and rejoins its line.",
+#:   "Bike ahead wanders gently round a branch, then falls into line.",
+#:   "moped infront gives a dead badger wide berth all unhurried then tucks in",
+#:   "Have the rider we follow skirt a puddle slowly and line up again.",
+#:   "Lead cyclist: slow bulge outward past grating, returns to former track.",
+#:   "She bikes so slow around the broken glass and back again, Mummy.",
+#:   "In front of us a scooter left its line at hardly more than a trot, went about a sack in the road and resumed its old one.",
+#:   "At low speed, the two-wheeled target preceding the VUT performs a lateral excursion to clear an object on the surface and regains its initial path.",
+#:   "There's a sunken manhole coming up, so the cyclist in front will move out for it, take her sweet time, and settle back afterwards. Sit tight.",
+#:   "The man with the bicycle before my car has made a small, slow arc because of a stone and then was again where he rode before.",
+#:   "Did the motorcyclist ahead pull out for good? No, he pottered round a fallen exhaust pipe and, once past it, slipped back to his old position.",
+#:   "Something lay by the kerb, a mattress perhaps; the rider ahead of the AV edged outward to clear it at a crawl, then regained his line.",
+#:   "I'd been following this old boy on his sit-up-and-beg for a while. There was a big wet patch, leaves and whatnot, and he steered out round it with the dignity of an ocean liner, hardly turning the pedals, then steered in again the same way. I just waited.",
+#:   "Vehicle 2, a motor scooter, was preceding Vehicle 1 near the edge of the lane. Its rider noticed roadkill and, without any abrupt movement, took the scooter outward around it at perhaps 10 km/h. Having cleared it he brought the scooter back to his original distance from the kerb.",
+#:   "Proposed test: leading cyclist detours round debris. Lateral offset grows smoothly to about one and a half metres, stays for a couple of seconds and returns to zero; speed is low throughout. Please check that ego neither squeezes past on the outside in the meantime nor treats this as a turn.",
+#:   "I cycle, so I'll tell you why we do it. There's a drain with slots the size of a tyre. Ahead of the red car a girl saw it in good time, and she bore out little by little, rolled by it at a snail's pace, and bore in to her line.",
+#:   "From the lorry you look down on everything. The fellow on the moped in front had spied some planks; out he swung, ever so lazy, like a man stepping round a sleeping dog, then in he swung, and he puttered on along the same strip of road he'd been on before.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

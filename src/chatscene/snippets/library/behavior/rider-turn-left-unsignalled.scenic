@@ -24,6 +24,22 @@
 #:   "Unannounced left turn with sudden braking by leading two-wheeler.",
 #:   "BIKER BRAKES AND TURNS LEFT - NO SIGNAL",
 #:   "The cyclist ahead checked, then veered off left unheralded.",
+#:   "Cyclist ahead pulls up sharp and bears left, no arm given.",
+#:   "Leading scooter: hard brake, left across road, indicator never used.",
+#:   "Biker in front slows abruptly, then sneaks off left without a sign.",
+#:   "NO SIGNAL, NO LOOK: bike ahead brakes, swings left",
+#:   "Guy ahead brakes, then leftward over our road, hands never leaving the bars.",
+#:   "The lad in front of me on a mountain bike squeezed his brakes and shot off to the left over the road, no arm out.",
+#:   "Let the moped in front of the AV brake out of the blue and veer away to the left over the carriageway, without any indication beforehand.",
+#:   "Had she put her left hand out before slowing and wheeling over to that side in front of you? No, sir, she had given nothing at all.",
+#:   "The leading bicyclist target keeps to the right, decelerates abruptly and departs to the left across the lane, the test deliberately omitting any hand signal.",
+#:   "The cycle man before our car has stopped pedalling and pressed brake, then he cut to left side of the road, hand he did not show.",
+#:   "Our motorcyclist, riding ahead, checked hard and took himself off to the left side of the road; that he meant to do so he told nobody.",
+#:   "I was about to go by an old gentleman on his bicycle, who was keeping well in to the right. Without looking or lifting an arm he braked and came round to the left, right over my lane, and disappeared into an allotment path on the other side.",
+#:   "V2, a moped travelling ahead of V1 near the right edge of the lane, was braked suddenly. Its rider then steered left and crossed the roadway at nearly a right angle. Neither direction indicator nor hand signal was in use, as the footage of V1 confirms.",
+#:   "You can't trust that they'll tell you. This girl ahead on the bike, watch her shoulders, she's stopped pedalling, she's braking, and off over the road she goes, leftward. She ought to have stuck her arm out for that, but she didn't, so you must read it.",
+#:   "Riders, please, I'm one of you, but signal! Chap in front of me today hit his brakes for no visible reason and then peeled away left in front of my wheel and of the car behind me, clean over the road, with both hands on the grips.",
+#:   "It is the missing warning that makes this case hard. The motorcycle leads, hugging the right of the lane so that you feel invited past it; it brakes, quite suddenly; and in the next instant it lies over to the left and leaves across the road with dark indicators.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Pronounced speed reduction of preceding two-wheeler ahead of right turn-off",
 #:   "BIKE ALMOST STOPS, THEN TURNS RIGHT",
 #:   "The cyclist in front dwindles to a crawl and ducks off right.",
+#:   "Scooter ahead fades to footpace, then peels away rightwards.",
+#:   "Let the leading cyclist ease nearly to a halt and take a right.",
+#:   "Lead bike bleeding speed to jogging rate, exits on our right side",
+#:   "The bicycle in front is going so slow like walking, then right side gone.",
+#:   "Postie in front dropped to snail speed and right-handed into somebody's drive.",
+#:   "The old boy on the pushbike in front of me let his speed run off till he was hardly pedalling, then steered himself away into a lane on the right.",
+#:   "The preceding PTW brakes to about 5 km/h in the lane of the vehicle under test and departs from it by way of a right-hand turn.",
+#:   "We were following a learner on a moped who slowed and slowed, feet dangling, until at last she tipped into the turning on our right-hand side.",
+#:   "V2, a motorcycle traveling ahead of V1, reduced to approximately walking speed before negotiating a right turn out of the roadway.",
+#:   "Before me the cyclist made himself very slow, I could have walked with him, and after this he went in the small street at the right.",
+#:   "Could you put a rider in front of the robotaxi who loses nearly all his pace and then bears away to the right, still dawdling?",
+#:   "She rang me afterwards quite cross about it. The lad on the bike in front of her had braked down until a toddler could have kept up, and at that same pace he rounded the corner to the right and went off between the houses.",
+#:   "Watch the delivery rider ahead of us. He's looking at door numbers, so he'll slow, and there you are, he's at a stroll; now he's leaning to the right and he's off into that courtyard, so you can have your speed back.",
+#:   "The motorcycle had led our little column for some miles. Near the mill its rider throttled down until the engine almost stalled, and then, unhurried, he guided it through the gap in the wall on his right and was lost to view.",
+#:   "Use case: a two-wheeler travels in the ego's lane in front of it. It sheds speed to little more than a walk, which obliges the ego to follow suit, and then it swings off to the right at that same low speed, freeing the lane.",
+#:   "Bike and me go way back, so no hard feelings, but I was in a loaded HGV. This fella in front on his racer comes right down to a walk, no arm out, and only then does he veer off into the farm track on our right.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

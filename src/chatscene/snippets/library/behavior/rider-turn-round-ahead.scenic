@@ -24,6 +24,22 @@
 #:   "Braking and about-turn of leading two-wheeler; subsequent opposing pass",
 #:   "Motorbike ahead spins around and rides BACK at me",
 #:   "The cyclist ahead boomeranged past us.",
+#:   "Cyclist ahead slows, about-turns, now meeting and passing us.",
+#:   "Scooter in front: brake, half-circle, opposite-direction pass.",
+#:   "The bike lady in front stopped pedalling, turned round and rode past us.",
+#:   "Where's he off to? Brakes on, round, and back past my window!",
+#:   "Motorbike ahead checks, pivots, returns along our flank.",
+#:   "Make the moped that leads the ego lose speed, swing about tightly and ride back in the opposite direction so that it goes by the ego.",
+#:   "His brake lamp glowed, the Vespa he was on curled round in its own length, and a moment later we were looking at his face going by.",
+#:   "V2 was a motorcycle travelling ahead of V1; its rider reduced speed, reversed his direction of travel by a turn, and passed V1 on the opposite heading.",
+#:   "First he is before me with his bicycle, then he brakes, he makes demi-tour, and at the end we cross each other.",
+#:   "Watch your paintwork, the lad on the bike in front has pulled his brakes and come about, and he's going to squeeze back by us.",
+#:   "He had dropped his wallet, and so the motorcyclist we were following braked, hauled the machine round and rode back beside our queue.",
+#:   "Now we were behind a cyclist, a chap in orange, keeping nicely over to the side as if inviting us past. Then his brakes squealed, he swung himself completely round in the road before us, and there he was coming back the other way, grinning as he went by.",
+#:   "The leading rider keeps to the right of the lane. When the subject vehicle has closed to the given headway, the rider sheds speed, executes a turn of 180 degrees, and thereupon becomes an opposing road user who passes the subject vehicle with little lateral clearance.",
+#:   "My pupil wanted to overtake the moped and I told her to hang on, as he'd been looking over his shoulder. And what does he do? Slams the anchors on, spins it round to face us, and rides off the way we'd all come, brushing past our mirror.",
+#:   "There's no lane change and no junction, so our tracker assumes he'll carry on. Instead the biker in front of the robotaxi brakes from twenty to ten, flips round, and drives back past the left-hand sensors with a relative speed that nobody had planned for.",
+#:   "\"He's forgotten the bread again,\" said my husband, for it was our neighbour on his bicycle there in front of us. He squeezed the brakes, teetered, went round in one sweep, and trundled past the car door homewards, not seeing us at all.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Loss of balance and fall of preceding two-wheeler rider into own lane",
 #:   "BIKER WOBBLES AND WIPES OUT ahead of me",
 #:   "The scooterist in front teeters and tumbles.",
+#:   "Postman's bike ahead shimmies, tips, and dumps him on the tarmac.",
+#:   "Motorcyclist in front fought the handlebars and ended up lying in our lane.",
+#:   "Ahead: rider swaying, balance lost, down he goes.",
+#:   "Let the leading cyclist totter and then drop onto the road.",
+#:   "Splat went my brother off his bicycle after wiggling before the car.",
+#:   "A carrier bag had got caught in her spokes, so the woman we were following on the bicycle began to rock from side to side and finally crashed onto the road.",
+#:   "The preceding two-wheeler executes lateral oscillations of growing size for three seconds and then comes to rest, lying on its side, within the lane of the VUT.",
+#:   "was about thirty yards behind this scooter when the back end startd snaking left n right and then he parted company with it middle of the lane",
+#:   "Please put a cyclist ahead of our robotaxi who becomes shaky, cannot catch his balance any more and keels over so that he lies in front of us.",
+#:   "Officers were told that the motorcycle leading the insured's vehicle developed a speed wobble which its rider couldn't control, and that both rider and machine finished up on the asphalt.",
+#:   "The uncle on the cycle ahead was carrying two gas cylinders, he went shaking this side that side, and then cycle and cylinders and uncle, all fell in my way.",
+#:   "See him in front, with the phone in one hand? His front wheel's going all over, little left, little right. Give him more room. More. And there you are, he's come off, he's sprawled in our lane, so it's a good thing you listened to me.",
+#:   "V1 was following a bicycle at fifteen miles per hour. The bicyclist, age seventy-one, was seen to waver with increasing swings for some yards, after which he toppled to the pavement in the lane ahead of V1 and did not get up before its arrival.",
+#:   "Diesel on the road, nothing you can do. I was leading the group on my old Triumph when the bars started to slap from lock to lock, I thought I'd got it, I hadn't, and next I'm on my back in the lane looking at the bumper of the car that'd been behind me.",
+#:   "Bug: perception loses a fallen VRU. The lead cyclist rides normally, then oscillates about the lane centre, then tips and is at ground level, stationary. From that frame on the track is dropped as debris although he's lying right in our lane, twelve metres off.",
+#:   "For a moment it was almost pretty, the way the girl on the bicycle in front of them swung to one side and the other like a leaf coming down. Then the swings grew too wide for her, and she fell, and the bicycle lay ticking in their lane.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory"]

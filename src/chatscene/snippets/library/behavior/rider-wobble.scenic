@@ -24,6 +24,22 @@
 #:   "Slow leading two-wheeler with pronounced lateral instability.",
 #:   "WOBBLIEST CYCLIST IN TOWN",
 #:   "The rider ahead joggled slowly left and right.",
+#:   "Cyclist in front, doing about nothing, tacking like a boat.",
+#:   "Have a feeble scooter ahead of us that totters left, right, left.",
+#:   "Bike ahead: jelly-legged, tortoise speed, all over its bit of lane.",
+#:   "Davanti a me one bicycle, piano piano, dancing left and right.",
+#:   "Boy on bike's so slow he keeps tipping one way then the other",
+#:   "My neighbour, ninety next week, was ahead of the taxi on her bicycle, proceeding at a dawdle and swerving a little this way and a little that.",
+#:   "Leading powered two-wheeler to be ridden at 7 km/h with a periodic weave of ±0.5 m for the whole run, upright and under way throughout.",
+#:   "A man balancing a ladder on his bicycle crept along the lane in front, and the ladder swung to and fro with each unsteady stroke of his pedals.",
+#:   "You can't sensibly pass a moped that's waggling about like that, so we'll sit back here at its five miles an hour and be patient, shall we?",
+#:   "At so low a speed no bicycle will run true, and the one ahead of the robotaxi rolled its front wheel continually leftward and rightward to keep from falling.",
+#:   "The reason I held up the traffic, officer, was a biker before me, hardly moving, whose machine lurched now to the kerb side and now to the other.",
+#:   "I got stuck going up Gallows Hill. There was a chap on a tourer in front of me with four panniers and no gears left, and he was grinding upwards slower than I could walk, with the bike squirming from one side to the other every time he pushed down on a pedal.",
+#:   "The planner's lateral-gap check flip-flops here. A cyclist ahead in our lane is riding at eight km/h, and because of the low speed their track oscillates, half a metre left, half a metre right, for the whole length of the log. They never come off, never turn away, never stop.",
+#:   "When you teach your daughter to ride on the road, pick a quieter one. Dad jogs alongside, and there she is, directly ahead of our car, at the speed of a toddler's tricycle, the handlebars twitching one way and then the other as she fights to keep the thing pointing forwards.",
+#:   "Newspaper letters page: Sir, must learner motorcyclists practise at rush hour? For a mile on Tuesday I was behind one who travelled at little more than a trot and whose machine swung across the lane in a kind of slow pendulum, to left and to right, with the rest of us strung out at the back.",
+#:   "Madam, the old uncle ahead was having two big milk cans hanging on his cycle. So he was going very slowly, and with the weight the cycle was rocking on both sides, once to the left, once to the right, like an elephant only, and I was going behind him fully careful.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory"]

@@ -24,6 +24,22 @@
 #:   "Red-signal violation of crossing vehicle with increasing speed inside intersection.",
 #:   "RUNS RED LIGHT THEN STEPS ON IT",
 #:   "The crossing van flouted red and surged.",
+#:   "Side-street bike defies the red, then whacks the throttle open.",
+#:   "Crossing coach, red showing, doesn't brake but gathers speed instead.",
+#:   "Let the cross-traffic lorry jump its red and pour on power.",
+#:   "His lamp was red, but he drove, and then still faster!",
+#:   "Vehicle from the side disobeyed signal, thereafter gaining speed, over.",
+#:   "The signal had been against the saloon for some seconds when it came over the line, and to everyone's surprise it then began to go faster and faster.",
+#:   "The crossing target violates its red phase, and at a defined distance the throttle is opened so that its velocity rises until it has cleared the junction.",
+#:   "Number one, he's got a red and he's coming out regardless. Number two, and who'd expect that, he's now got his boot to the boards.",
+#:   "My client had green. The van from Mill Lane did not respect its red light and, far from slowing when it saw her, put on a sudden burst.",
+#:   "Since the taxi from the left had red, I was sure he will stop; he has not stopped, he has even made the motor to scream.",
+#:   "Why didn't the robotaxi judge the crossing pickup right? Because, having burnt the red at thirty, it all of a sudden went up to fifty inside the crossroads.",
+#:   "It's not only that he went through on red, plenty do that here. It's that halfway he seemed to wake up and see my bus, and the only idea that came to him was more gas. The back of that SUV squatted right down and it leapt across in front of me.",
+#:   "On the evidence of the signal log, Vehicle 2 entered from the intersecting street three seconds after the onset of red. Its event recorder shows a steady 42 km/h on approach, then, immediately before impact, full accelerator and 61 km/h. The driver offers no explanation of why he sped up.",
+#:   "Paper, section four, red violators with late acceleration. The crossing car does not react to its red signal and keeps coming; then, when we're already committed, it stamps on the throttle. Time-to-conflict drops by about a second from one frame to the next. Constant-velocity predictor is useless here.",
+#:   "You could hear it more than see it, from the pavement where I was waiting with my bike. The motorcycle's light was as red as a tomato. It didn't lift off for that; it went over the line, there was a sort of shriek, and its front wheel came up as it sped across.",
+#:   "My late husband would have had words with him. There he came along the other road, lights dead against him, in one of those big vans, straight into the crossing as if it belonged to him. And then, if you please, he made it go quicker still, right before my eyes.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Red-signal violation of crossing vehicle with subsequent harsh deceleration",
 #:   "BLOWS THE RED, THEN PANIC BRAKES",
 #:   "The crossing truck ignores the red and suddenly clenches to slow.",
+#:   "Through a red from the side, then hard on the brakes.",
+#:   "Pickup from the left: red ignored, then an almighty stamp of the brakes.",
+#:   "Biker ignores his stop light, panics, grabs every bit of brake.",
+#:   "Have a lorry cross on red and abruptly decelerate inside the junction.",
+#:   "Coach jumped its red, next thing its brakes were screaming.",
+#:   "The signal facing the taxi had long been red; it sailed in from our right nonetheless, and then its driver stamped the pedal flat.",
+#:   "From the side street comes a bus, he doesn't look at his red lamp, he drives in, and there he makes suddenly full braking.",
+#:   "After violation of its stop signal the transverse vehicle shall enter the intersection and be decelerated abruptly on reaching the conflict zone.",
+#:   "\"He had no business being there, his light was against him,\" said a shopkeeper, \"and then I heard the tyres as he braked.\"",
+#:   "Did this hatchback honestly blow through the red only to slam on the moment it saw us coming over?",
+#:   "We've got a heavy goods gone past a red on the cross street, and now he's stood on everything in the middle.",
+#:   "Our side had been green for some seconds when a saloon came in off the cross road against its signal. Right before us the bonnet dipped sharply, smoke came off the front wheels, and my daughter shouted from the back.",
+#:   "Signal records confirm that V2 entered on a red indication four seconds old. Tire marks beginning beyond the crosswalk show that V2 was then braked heavily within the intersection, V1 having the green at that time.",
+#:   "The light-runner in this variant isn't smooth. He comes from the cross road, disregards the red, is already over the line and well into the box when he has a fright and brakes violently, which spoils our time-of-arrival estimate.",
+#:   "The young man on the motorcycle told me he thought it was still amber. It was not, it was red as a tomato. And having gone in, he lost heart and squeezed the lever till the back wheel came up.",
+#:   "I stand at the crossing with my scooter and I see it all. The van of the bakery has the red fire, it passes in spite of that, and after, in the centre, it brakes with a big cry of tyres.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Revoked stopping decision at red signal: late braking, then acceleration through",
 #:   "Biker brakes for the red light, then CHANGES HIS MIND",
 #:   "The coupe balked at the red, then bolted over it.",
+#:   "starts stoping for the red then reconsiders and zooms over the crossing",
+#:   "Crossing biker brakes late at red, then rushes the junction.",
+#:   "Cross traffic: red, hard brake, change of heart, full power.",
+#:   "HE WAS STOPPING! ...then he floors it through the red",
+#:   "Have the crossing coupe brake on red and then go for it.",
+#:   "The van coming from the side had its nose right down for the red light, but before it stood still he let go and shot over the intersection.",
+#:   "Against a red signal the crossing target applies its brake shortly ahead of the stop line, releases it prior to standstill and accelerates through the junction.",
+#:   "Late on the brakes for his red, and nearly stopped, the motorcyclist must have decided that stopping was for others, and he tore over in front of us.",
+#:   "I believed he will respect his red light because he braked, finally, at the last metre; but no, he put the gas again and crossed.",
+#:   "The grey estate on the side road was obliged by the red to wait, and for one second looked as if it would, before it leapt across.",
+#:   "Caller reports a taxi that was slowing for the red from the cross street, decided against it at the line and belted straight over the junction.",
+#:   "My light was green, so his was red. I watched the SUV on my right dip under braking as it reached the line, rather late, and I relaxed. Then its nose came up, the engine howled, and it flew across the intersection just in front of me.",
+#:   "According to the data recorder of V2, which faced a red signal, the brake was applied 1.6 seconds before the junction and released at a speed of 7 km/h. The accelerator was then fully depressed and V2 entered the intersection at increasing speed from V1's left.",
+#:   "This actor should look obedient and then betray us. It comes along the cross street to a red light, gets on its brakes at the very last moment as if to stop, and while still rolling abandons that idea and powers through the junction.",
+#:   "Never go by the first thing you see. The motorbike in the side road is braking for his red, yes, he's nearly at walking pace, you think he's done; and look, he can't be bothered to wait after all, he's opened it up and he's through.",
+#:   "I know the type from forty years on the road. Comes belting up to the lights from the side, they're against him, so he stamps on the brake, front end goes down. Then you can see him think, ah, the hell with it, and he boots it over.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Low-speed red-signal violation of crossing vehicle.",
 #:   "SLOWEST RED LIGHT RUNNER EVER",
 #:   "The crossing bus seeped past the red at a shuffle.",
+#:   "Cross traffic's on red and a taxi is tiptoeing over regardless.",
+#:   "Lorry from the side ignores red, takes an age to trundle across.",
+#:   "Have a scooter ooze past its red and amble over the junction.",
+#:   "Lights red stop van nosed out at funeral pace stop crossed entirely stop",
+#:   "That bus is going on red, and so slow like an old turtle!",
+#:   "From our left a hatchback slid forward past the stop line with the lamp still red against it and went over the junction hardly quicker than a pram.",
+#:   "Facing a red indication, the crossing target nevertheless advances beyond the stop line and maintains roughly 4 km/h through the intersection.",
+#:   "I couldn't believe the nerve of the cyclist, who had a perfectly good red lamp in front of him and pottered over in front of me all the same.",
+#:   "V2 entered from the intersecting street against a steady red and moved through the intersection at a very low, constant speed.",
+#:   "red for him, green for us, an still the coach from the side street comes sliding out and takes half a minute to get accross",
+#:   "In our city they do it so: signal is red, the auto from side is slowly rolling, rolling, till he has passed whole junction.",
+#:   "When they run a red they usually go for it, but not this gent. He let his Rover trickle over the line while the signal forbade it and went from one kerb to the other no faster than the ladies on the crossing.",
+#:   "The violation is easily missed because nothing about it is fast. The agent on the cross street starts rolling during its red phase, clears the stop line at a snail's pace and goes on crossing at that pace right in front of the AV.",
+#:   "I had the green, I'd have sworn it on the Bible, so the lorry on the side road must have had red. Yet out it came, inch by inch as if nobody would mind, and it plodded over until its tail was finally out of my way.",
+#:   "You'll meet them, the ones who think a red doesn't count so long as you don't hurry. That motorbike on the right has just dribbled over its line, feet down, and it's walking itself across the whole junction in front of you.",
+#:   "The lights had not changed in his favour; the footage leaves no doubt. Nevertheless the pickup's bonnet came over the line from the cross street, and it then proceeded, as one might follow a coffin, the full width of the crossroads.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

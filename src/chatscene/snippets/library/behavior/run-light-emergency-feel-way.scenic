@@ -24,6 +24,22 @@
 #:   "Cautious red-signal entry of emergency vehicle with check halt and subsequent acceleration",
 #:   "Ambulance sneaks out on red, PAUSES, then blasts across",
 #:   "The patrol car tiptoed over the red, paused, then pounced.",
+#:   "Ambulance from the side: inches over against red, stops, looks, powers across.",
+#:   "Fire engine peeped out on red, sat tight a sec, then legged it over.",
+#:   "Have a police car sneak past a red, wait, then surge across.",
+#:   "Die Ambulanz, by red, tastes forward, stands, looks, and then Vollgas over.",
+#:   "Nee-naw came out tiny bit on red, stopped, then went whoosh!",
+#:   "With its lights against it, the fire engine coming from our left ventured its front axle past the line, held still while the traffic froze, then thundered over.",
+#:   "The crossing emergency vehicle violates red at crawl speed, comes to zero velocity beyond the stop line for observation, and clears the junction under strong acceleration.",
+#:   "I'll give the police driver his due: he only trickled out against the red, made a proper stop to see who'd spotted him, then floored it to the other side.",
+#:   "Not until it had probed its way past the red, halted and satisfied itself that we were all standing did the ambulance put on speed and go over.",
+#:   "You hear the siren? She's on red, so she's nosing out gently, now she's stopped to check on us, and now she's off across like the clappers.",
+#:   "Did the appliance, having the red signal, not proceed cautiously past the line and stand there for a look before its driver sped over the crossing?",
+#:   "I was at the crossroads on my bicycle, next to one of those driverless taxis. An ambulance rolled over the line from the side street although it had red, so gingerly that it seemed to be on tiptoe; it paused, I saw the crew turn their heads, and then it stormed to the far side.",
+#:   "Control, from Engine Four, regarding the complaint. We had a red at Mill Street. I eased her over the line, brought her to a stand so that my mate could call \"clear left\", and once he had I gave it full throttle across. At no time did we just charge through that signal.",
+#:   "Priority-vehicle case for the AV: it comes along the cross street with siren on and a red light facing it. First it slips past the stop line barely moving, then it freezes for a second or so to see whether people give way, and after that it picks up speed hard and crosses ahead of us.",
+#:   "My wife grabbed my arm, for a patrol car was easing into the junction on its red, a foot at a time. There it stood, blue lamps turning, while the young constable peered up and down. Evidently he liked what he saw, as he then put his boot down and tore over to the other road.",
+#:   "What good blue-light driving looks like, in today's video: signal's red for the fire truck, so the driver doesn't trust anybody. He feeds it in beyond the line at a snail's speed, brings it to a halt, scans both ways, and only when the silver car has clocked him does he let it roar across.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

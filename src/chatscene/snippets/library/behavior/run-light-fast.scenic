@@ -24,6 +24,22 @@
 #:   "High-speed red-signal violation of crossing vehicle.",
 #:   "MANIAC BLASTS THROUGH RED LIGHT AT INSANE SPEED",
 #:   "The crossing car lanced through the red.",
+#:   "Sports bike whistles over the crossroads on red at a lunatic speed.",
+#:   "Red for him, ninety on the clock, and across our front.",
+#:   "Make a saloon from the cross street blow its red flat-out.",
+#:   "Like an arrow past the red lamp: a pickup from the right.",
+#:   "Stop signal showing, target crosses at 80 km/h nonetheless.",
+#:   "We'd had green for ages when a black hatchback from the cross street, already doing motorway speed, went sailing past its red light and over the junction ahead of us.",
+#:   "The crossing vehicle, whose signal head displays red, enters and leaves the junction at a velocity considerably above the limit, no deceleration being commanded at the stop line.",
+#:   "Camera footage shows V2 crossing the stop bar 3.2 seconds into red at an estimated 68 mph and clearing the intersection immediately ahead of the subject vehicle.",
+#:   "I want a motorbike coming from the side with its signal at red, going like the clappers, and blasting straight over the crossing in front of the AV.",
+#:   "Der Ampel was red for him since long, and this BMW comes with hundred things per hour from the side street and flies over.",
+#:   "His light's against him and he's not shifting off that speed, he's not going to stop, hold it, hold it, wow, did you see how quick that was?",
+#:   "I have stood at that bus stop for forty years and never saw the like. The lamp for the side road was as red as my coat, and a little white van came down at such a rate that you felt the wind, straight over the crossroads in front of everybody.",
+#:   "There was never any question of his not having seen it. Members of the jury, the signal facing the motorcycle had been red for four seconds; he approached it at over eighty miles per hour, he passed it at over eighty, and so he went across my client's bows.",
+#:   "Worst one this month. Robot car gets its green, is about to roll, and out of the cross street there's this blur. We froze the frame: it's a Mustang, the light on its side is bright red, and going by the markings it's travelling more than twice the limit.",
+#:   "To stress the emergency brake, we let the crossing traffic violate its signal in the nastiest way. The car is fast long before the line, it is fast at the line and it's fast in the middle of the junction, while its lamp stays on red throughout.",
+#:   "Dad says you must always wait when it's red. But the man on the motorbike didn't wait at all. He came from the other street, quick as a firework, and his light was red, I saw it, and he whizzed in front of our car and away.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Red-signal violation with momentary halt in mid-intersection and continued crossing",
 #:   "RED LIGHT RUNNER BUFFERS HALFWAY, then goes",
 #:   "The crossing van violates the red, balks midway and resumes.",
+#:   "On red the cab enters, baulks in the middle, then completes its crossing.",
+#:   "Crossing bus disobeys red, wavers mid-junction, drives on across.",
+#:   "It passes by red, in the half it stays a moment, it continues.",
+#:   "Moto from side: through red; brief halt centre; off and over.",
+#:   "Red was no obstacle; doubt was, for a second; then on he drove.",
+#:   "A crossing SUV took the red, seemed to notice us when it was in the middle, stood for a breath and then drove on out of the junction.",
+#:   "Make the truck from the side disobey its light, stand a moment half over the junction, as if unsure, and then finish going over.",
+#:   "The scooter had ridden out against the red; midway she put both feet down, looked at us, looked at the lamp, and rode over after all.",
+#:   "The lorry's passage on red was interrupted once: it was at rest in the centre of the crossing for about a second before it was driven on.",
+#:   "Entering on a red aspect, the crossing target shall halt temporarily at the midpoint of the intersection and then resume its original course at its original speed.",
+#:   "Did he go through? Well, by instalments: over the line on red, a pause slap bang halfway while he plucked up courage, and then the rest.",
+#:   "I was about to move off on my green when a hatchback came from the left in spite of its red. It got as far as the middle. There the driver must have thought better of it, since he stopped, but he thought worse again and carried on across.",
+#:   "V2 failed to obey the red signal and entered the intersection. At about the centre V2 was observed to stop. After an interval of one to two seconds V2 proceeded in its original direction and cleared the intersection. V1 had entered on green and was braking throughout.",
+#:   "With a bus it looks like a whale losing heart. It had passed the red lamp with a great sigh, come to the heart of the crossroads, and there it hung, rocking a little on its springs; then the sigh came again and it bore its passengers over to the far side.",
+#:   "You should have seen my wife's face. This motorbike jumps the lights on the other road, no shame at all, then he loses his bottle and he's sat there halfway over, wobbling, and I'm waiting, he's waiting, and then, right, on he goes, off over the other side.",
+#:   "Twelve seconds in you get the van in from the right, light's red for him, check the reflection in the bank window. Then he stops in the middle. I reckon he's going to sit there and block us, but no, he gets going again and clears it.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

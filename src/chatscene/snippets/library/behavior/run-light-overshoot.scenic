@@ -24,6 +24,22 @@
 #:   "Late braking at red signal with line overrun and residual front protrusion",
 #:   "Bus SLIDES past the red light and stops half in the intersection",
 #:   "The motorbike skated over the line on red and stuck its nose out.",
+#:   "Crossing cab brakes for red too late, ends bonnet-deep in junction.",
+#:   "Lorry misjudges red, skates beyond the line, halts poking into crossing.",
+#:   "Make the bus on the side road overrun its red and stop protruding.",
+#:   "He did want to stop for red, but his nose came in.",
+#:   "Tardy braking on red, line overrun, vehicle now static, front out.",
+#:   "By the time the motorcyclist had seen that his light was red there wasn't road enough left, so he slithered across the line and stood half out.",
+#:   "Owing to a delayed brake application at the red signal, the crossing target passes its stop line under braking and remains with its front part in the intersection.",
+#:   "Look left: his light's gone red, he's left it late, the wheels are locked, over the paint he goes, and there's his bumper sticking out at you.",
+#:   "The coach came from the cross street, it has braked in the last second for the red, glided over the line and stayed with its mouth inside.",
+#:   "The bonnet of a saloon was jutting out into the junction, having come to rest there after late braking and a skid past its line on red.",
+#:   "Do you accept that you applied the brakes too late for the red lamp, slid beyond the marking and were left standing with your cab in the crossroads?",
+#:   "It had rained for the first time in weeks. I saw the van on the other road, I saw that his light was red, and I heard the tyres give up. He tobogganed over the white line and finished with his grille a good two metres inside the crossing, looking very sheepish.",
+#:   "Vehicle 2 did attempt to comply with the red signal. Its braking, however, commenced only nine metres before the stop line; it therefore overran the line by some three metres and came to a standstill, its front end in the path of Vehicle 1, where it remained until the light changed.",
+#:   "Please build the late braker at red. Cross-traffic pickup decelerates hard but from too close, crosses its stop line with wheels sliding and stops with hood and front axle inside the box. It does not go on, it does not back off. Ego must get by the nose or wait behind its own line.",
+#:   "When you've got forty tonnes behind you and the lights drop, you learn humility. My mate on the ring road had been fiddling with the radio. On went everything, the whole rig juddered and slid across the line, and when it finally stood, his cab was out in the crossroads under a red light.",
+#:   "From the cycle lane I had a fine view of a young man in a hot hatch who found out that red means now. He braked, oh yes, but a second too late; the car glissaded across the line and then just sat there, with its chin out where all the others wanted to go.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

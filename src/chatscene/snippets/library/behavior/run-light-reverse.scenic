@@ -24,6 +24,22 @@
 #:   "Red-signal violation with mid-intersection halt and rearward withdrawal.",
 #:   "RUNS RED LIGHT, REGRETS IT, BACKS UP",
 #:   "The crossing truck trespassed on red, halted and backpedalled.",
+#:   "Van overran the red, came to a halt, and went back again.",
+#:   "Cross traffic: through red, pulls up in the junction, retreats astern.",
+#:   "Bus busts the signal, stands, then reverses out the way it came.",
+#:   "Make a saloon jump the red, halt, and shuffle backwards.",
+#:   "He ignored his red light, stopped, and hastily reversed again.",
+#:   "By the time I passed, it had backed up to where it started, having entered on red and stopped in the crossing.",
+#:   "The lorry from the left was over its line in spite of red, he saw the mistake, remained standing and then drove rearwards back.",
+#:   "In phase two the vehicle crossing on red is halted within the junction; in phase three it withdraws in reverse gear.",
+#:   "There goes a taxi through the red, now he's pulled up, and here he comes backing out again with a very red face.",
+#:   "What is the robotaxi meant to do about a coach that crosses on red, pulls up in mid-junction and then backs off?",
+#:   "My nan drove straight past the red light, stopped when everybody hooted, and had to go backwards with all those people watching.",
+#:   "I had the green and was rolling up to it. A delivery truck from the cross street had missed his red completely; he came to a stand half over the junction, put up his hand, and backed away to where he belonged.",
+#:   "V2 proceeded past a steady red indication into the intersection and came to rest short of V1's lane. Following a brief stop its reverse lamps illuminated and V2 moved rearward a distance of about eighteen feet.",
+#:   "The tourist in the hired saloon had been admiring the cathedral. He swam in under a red light, woke to a chorus of horns, brought the car to rest, and with much crunching of gears withdrew the way he had come.",
+#:   "Test idea: someone on the cross road doesn't obey the red. He's into the junction, realises, and stops completely; half a second later he begins to move the other way, tail first. Can the AV tell he's clearing the path for it?",
+#:   "This bus driver is well known for it. Signal was red from his side, still he came inside, then policeman has whistled, so he stopped the bus there only and slowly he took it behind again.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Propulsion loss of red-running vehicle with roll-out to standstill in the junction",
 #:   "INSTANT KARMA: runs red, engine CUTS OUT mid-intersection",
 #:   "The red-running bus expires and drifts to rest in the crossing.",
+#:   "Crosses on red, engine quits, rolls to nothing mid-junction.",
+#:   "Bus jumps its red, loses power, trickles to a standstill there.",
+#:   "Truck through red, no drive left, drifting to rest on crossing.",
+#:   "Let the crossing scooter run the red and die halfway.",
+#:   "RED LIGHT RUNNER BREAKS DOWN MID-JUNCTION, rolls to a stop",
+#:   "Coming from the left, the old Transit didn't heed its red, and then in the middle the power went and it just ran out slowly till it stood.",
+#:   "The crossing vehicle shall violate the red signal, thereupon lose its drive torque, and slow without appreciable braking to a standstill on the VUT's path.",
+#:   "He'd got past the red all right, but his motorbike had other ideas: it coughed, went silent and freewheeled to a standstill amid the crossroads.",
+#:   "There is in the crossing a car which is finished; it has passed by red and then without motor it only rolled until it stood.",
+#:   "The lorry that is now sitting lifeless on the junction had ignored the lights, after which its engine failed and it slowed gently until nothing moved.",
+#:   "Bad luck for the coach driver who disregarded his red: the engine expired under him and he came softly to rest on the crossing before us.",
+#:   "I had green and was nearly at the crossroads when a little car came over from the right on red. I expected it to fly past, but you could hear the engine cut. It rolled slower and slower and at last stood still, plumb in my way.",
+#:   "Vehicle 2 proceeded past a signal that had been red for two seconds. Inside the intersection it suffered a loss of propulsion; no brake lights are visible on the recording. It coasted at falling speed and came to a stop across the path of Vehicle 1.",
+#:   "We combine two faults in this one: first the violation, second the breakdown. A crossing minibus takes no notice of its red light, drives in, then its motor quits, so it decelerates gradually on its own momentum and ends up as a dead obstacle inside the junction.",
+#:   "God is watching, as my mother says. This auto came from the side with red signal against him, full confidence, and exactly in the middle his engine has gone off. Slowly, slowly it was rolling, and then it stopped there, and he is pressing the starter for nothing.",
+#:   "They both heard it, the shout of the motor as the bike ignored the red and came in from the river side, and then the silence. It ran on without a sound, with less and less life in it, and stood at last on the crossing before them.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Signal violation by crossing traffic with abrupt leftward evasion inside the junction",
 #:   "Ambulance blows red light and VEERS to its left",
 #:   "The biker burst over on red and jinked to his left.",
+#:   "Crossing saloon jumps its red, then flings itself leftward mid-box.",
+#:   "Have a side-road biker shoot the red and dodge to his left inside.",
+#:   "Patrol car through red, sharp jink to its left in junction, be careful.",
+#:   "Red was for him, he came, and inside the crossing made left jerk.",
+#:   "Who runs the lights and then yanks it to his left halfway over?",
+#:   "Out of the side street came a van that wouldn't stop for its red, and amid the crossroads it lurched bodily over towards its left.",
+#:   "The crossing target disregards the red signal and, once within the conflict area, performs a lane-change-like steering input towards its own left-hand side.",
+#:   "i had green, the motorcyclist on the cross road had red and came anyway, then midway he threw the bike to his left like dodgeing a pothole",
+#:   "V2 proceeded into the intersection on a red indication from the cross street and, near its center, deviated suddenly to the left of its course.",
+#:   "The ambulance ignored the red and, when it was already in the crossing, the driver gave a strong pull to his left, then went on like this.",
+#:   "Add a red-light offender on the crossing road which, midway over, kicks out to its left rather than holding a straight course through.",
+#:   "The grey SUV never so much as lifted for the red. It came in from the side at full speed, and when it was out there between the four corners it twitched hard over to the driver's left, the body leaning and the tyres complaining.",
+#:   "What confuses the tracker is the second event. First a crossing vehicle violates its red, which we handle; then, inside the junction, it shifts its line abruptly to its left without actually making a turn, and the predicted conflict point is wrong.",
+#:   "I'm a courier, I've seen folk jump lights for years. This one in the Astra went clean through his red from the cross street, got into the junction, and then wrenched the car leftwards as if a wasp had gone up his trouser leg.",
+#:   "Asked to describe it, the old lady drew a line on the tablecloth. The car had come across when its lamp was red, quite straight as far as here, she said, and then, in the middle of the crossroads, it had dodged to its left, like so.",
+#:   "The engine was coming from the right with its horn going and its signal at red, and the crew no doubt trusted us to wait. What we hadn't foreseen was that in mid-junction it would sheer away to its own left.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Unfinished left turn on red with stationary vehicle in intersection.",
 #:   "TURNS LEFT ON RED THEN JUST STOPS MID TURN",
 #:   "The crossing car stole a left on red and stalled in the arc.",
+#:   "Crossing taxi violates red, starts round to its left, gets stuck there.",
+#:   "Through a red, leftward bend begun, coach comes to rest within it.",
+#:   "He don't respect red, he turn on left and in the curve he stop.",
+#:   "Motorcycle from side street: jumps red, lefts, stands mid-arc.",
+#:   "Please: cross vehicle, red ignored, left turn begun, halted halfway.",
+#:   "The van stood with its nose pointing halfway between two streets, having driven out of the side road on red and given up its left turn.",
+#:   "An SUV that ought to have been waiting at its red swung out to the left ahead of the robotaxi and, half round, went no farther.",
+#:   "Crossing artic, red against him, pulls round left as far as the cab will go, then the whole lot stops in the bend and blocks it.",
+#:   "The defendant's motor scooter passed the red signal, was steered into a left-hand turn, and was stationary before that turn had been completed.",
+#:   "With the stop signal still burning, a bus came from the side and bent to its left, and in the bend its wheels ceased to turn.",
+#:   "After violating red, the crossing vehicle negotiates only part of a left turn: it decelerates and dwells on the turning arc inside the conflict zone.",
+#:   "We were the first at the green. From the right a cab shot its red light and turned, to its left, so I expected to see it off down the road ahead. It wasn't to be: in mid-turn it halted, and the passenger and I looked at each other.",
+#:   "The incident involved a removals truck on the intersecting street. Facing a red light, its driver nevertheless came on into the junction and began to turn left. Before the truck was straight again it had been brought to a stop, and it was standing diagonally over two lanes.",
+#:   "Examiner's note: the candidate dealt calmly with a motorcyclist who, from the crossing road, went over the line on red, leant into a left turn, and then, because something was in his way or he'd stalled, pulled up with his machine still leaning halfway round.",
+#:   "A lamp is red, a man is late, and the rest follows. He drove out past it, he laid the wheel over to the left, and in the very waist of the turn he saw what he was doing and stopped, and nothing in the world would make him finish it.",
+#:   "anyone else had this at the Kirkgate lights? pickup comes out of the side on a solid red, goes to turn left, i mean he's properly into it, and then he's stopped. not after the turn, IN the turn. sat there like a lemon while we all went amber",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

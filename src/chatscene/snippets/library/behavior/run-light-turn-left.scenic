@@ -24,6 +24,22 @@
 #:   "Abrupt left turn by vehicle in violation of red signal.",
 #:   "BLOWS RED LIGHT WITH A CRAZY LEFT TURN",
 #:   "The bus defied red and whirled left.",
+#:   "Lights against him, biker flings it left through the junction.",
+#:   "Coach: red disregarded, sudden left, drives off.",
+#:   "He was meant to wait, red and all, but shot in and veered left.",
+#:   "Hatchback barges past the red and jerks away to the left",
+#:   "Signal violation by crossing truck; sharp leftward turn, no halt.",
+#:   "I want a van that comes over the line although it has red and, inside the intersection, is pulled hard to the left without slowing to a stop.",
+#:   "According to the traffic camera the bus passed a signal that had been red for four seconds, and then hooked away abruptly leftwards.",
+#:   "V2 failed to obey the red, entered, and changed direction to the left so suddenly that its load shifted against the side of the trailer.",
+#:   "The motorcycle does not respect the red light, he passes it, and of a sudden he lies down to the left and goes.",
+#:   "Not only has the pickup treated the stop light as decoration, it's also thrown itself left in the middle of the junction like a rally car.",
+#:   "Left, and violently so, went the lorry, which by rights ought to have been standing at its red light all that time.",
+#:   "We had the green and the robotaxi was rolling. From the side comes a minicab that's got the red, doesn't so much as dab the pedal, and once he's in the middle he lobs it to the left with the tyres squealing, and off down the road he goes.",
+#:   "Infringement one: the driver did not comply with the red signal. Infringement two: having entered the junction, he made a turn to the left of such abruptness that no other user could have anticipated it. He completed the turn and left the scene.",
+#:   "I drive a tram, I see everything. This lady in the big SUV looked at the red light, I mean she looked straight at it, and drove in anyway. Then she must've realised it was her street, as she whirled the wheel to the left all at once and went round.",
+#:   "Actor ignores its signal phase (red) and enters the box at constant speed as if going straight on. Late in the box, at the given distance from our path, its heading steps to the left by about ninety degrees, and it departs along that new direction.",
+#:   "The scooter's lights were red. I know they were because mine had gone to green. Through it came all the same, wobbly little thing with a huge parcel on the back, and then it heeled over and darted left, quick as a fish, and kept going.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

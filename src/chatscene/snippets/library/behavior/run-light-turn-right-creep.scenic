@@ -24,6 +24,22 @@
 #:   "Right turn on red into own lane with persistent low speed",
 #:   "Cyclist turns right on RED then crawls in front of me",
 #:   "The lorry slunk right on red and dawdled ahead.",
+#:   "Pickup turns right through a red, then ambles along in our lane.",
+#:   "Jumps his red to go right, lands ahead, inches onwards.",
+#:   "Motorbike goes right against the signal into our lane and potters.",
+#:   "Let a bus make a right on red, then trundle before us.",
+#:   "Cyclist ignored the red, rounded right into my lane, barely moved along.",
+#:   "With the signal firmly against him the taxi driver came round to his right, joined my lane and proceeded to take the air.",
+#:   "A truck from the crossing street, red for him, bends right into our lane and from there he is rolling like a tractor.",
+#:   "The cross-street vehicle, facing red, is to enter the VUT's lane by means of a right turn and maintain a very low velocity afterwards.",
+#:   "You've a green, but that coach has nipped right on his red into your lane, and he's in no hurry now he's there.",
+#:   "Who turns right under a red light, straight into the lane I'm in, and then toddles along hunting for a parking space?",
+#:   "Going at a walk ahead of us was a saloon that had got there by rounding the corner, rightward, in defiance of its red light.",
+#:   "The lady had her light on red, I could see it from where I was. Still she steered out to her right, took up my lane, and after that she drove as one drives behind a coffin, without ever coming to a stop.",
+#:   "V2 faced a red indication on the intersecting roadway. V2 executed a right turn without regard to the signal, entered the lane of V1, and then traveled in it at an estimated five miles per hour until V1 had caught up.",
+#:   "A lad on a butcher's bicycle paid no heed to the red. He leaned round the corner on his right hand into the lane of those who had green, ourselves, and pedalled up it as idly as if it were his own orchard.",
+#:   "For this run the scooter shall misbehave doubly. It doesn't wait for its red to finish but turns to the right, onto the robotaxi's lane; once there it doesn't pick up any speed, it goes along like somebody window-shopping.",
+#:   "In my mirror is a queue of twenty and in front is why. The cement mixer came off the side road at the lights, red, mind you, hung a right into our lane, and has been grinding along at jogging speed ever since.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

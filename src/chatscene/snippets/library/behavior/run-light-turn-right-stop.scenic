@@ -24,6 +24,22 @@
 #:   "Red-signal right-hand entry to ego lane with immediate standstill.",
 #:   "RIGHT ON RED INTO MY LANE AND HE STOPS",
 #:   "The van rounded right on red and clogged our lane.",
+#:   "comes round to the right on red joins our lane and stops",
+#:   "Bus disregards red, bears right ahead of us, stands still.",
+#:   "Crossing van: red light ignored, right into ego lane, halt.",
+#:   "RIGHT THROUGH RED, then parks himself in front of me",
+#:   "Have a lorry take a right against the lights and stop before us.",
+#:   "A motorbike out of the side street didn't wait for green, peeled off to the right into the lane we were in and pulled up there.",
+#:   "The crossing target turns right in violation of its red signal, enters the lane of the VUT, travels a short distance and brakes to standstill.",
+#:   "His light was red as a tomato, still he rounded the corner to the right and into my lane, and having got there he stood.",
+#:   "By red the car has made the turn to the right, it was then in my lane in front of me, and there it has stopped completely.",
+#:   "The taxi now standing in our lane had got there by slipping round the right-hand corner against its signal, just to let somebody out.",
+#:   "Is it correct that you took the right-hand turn while the signal showed red, and that you then halted in the lane upon which my client was driving?",
+#:   "I was coming up to the lights, which were green for me. A delivery lorry from the side road ignored its red and came round to the right so it was in front of me in my lane. Then its brake lights came on and that was as far as it got.",
+#:   "V2, facing a red signal on the cross street, failed to wait and executed a right turn, which placed it in V1's lane ahead of V1. After some ten metres the driver of V2 brought it to a stop in the lane, stating later that he had been lost.",
+#:   "The adversary comes from the crossing road. It ought to hold at red but does not: it bends round to the right, merges into the lane of the robotaxi and, once it has straightened up there, brakes to zero. The robotaxi then has a stationary vehicle ahead.",
+#:   "Here the coach has a red, he's round to the right anyway, bless him, so now he's in your lane and you think he'll get going. He doesn't, he has pulled up to let his people off. Brake and stay behind him, don't argue.",
+#:   "It was the 38 bus, I take it every week, so I know it when I see it. It went right at the corner though its light was red, got in front of our car, and then it stopped in our lane and opened its doors.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

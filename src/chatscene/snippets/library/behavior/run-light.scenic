@@ -24,6 +24,22 @@
 #:   "Signal violation by crossing traffic at constant speed",
 #:   "Cyclist rolls right through a RED like it's nothing",
 #:   "The truck waltzed over on red.",
+#:   "Cross traffic: estate ignores its red, no change of pace.",
+#:   "Red for him, yet over he rides, neither quicker nor slower.",
+#:   "The bus drives by red through, always the same velocity.",
+#:   "Let a crossing scooter pass on red, speed constant throughout.",
+#:   "Stop light showing, lorry from the side rolls on over regardless.",
+#:   "A taxi coming from the side street took no notice of the red lamp facing it and went over the junction at the very speed it had come with.",
+#:   "Although their signal had been at stop for several seconds, the people in the minivan crossed in front of the robotaxi as evenly as a train.",
+#:   "I want the cyclist from the cross street to ride over in spite of a red light, with no burst of speed and no braking.",
+#:   "According to the red-light camera the motorcycle was doing 31 when it passed the stop line against the signal and 31 when it left the junction.",
+#:   "You've got green, they've got red, and still you look, because here comes a coach from the left that isn't stopping, just trundling across as if alone.",
+#:   "The crossing target vehicle maintains its initial velocity past a signal showing red and through the conflict area, without any longitudinal reaction.",
+#:   "We had the green and I had just said how well the lights were set on this road. From the right came a woman on a bicycle. Her light was red, I could see it from where I sat, and she went on turning the pedals, click, click, across and away.",
+#:   "It is the claimant's case that the signal controlling the defendant's approach was red. The defendant's van neither stopped at the line nor altered its speed in either direction; it simply proceeded over the crossroads, at about twenty-five miles an hour, into the claimant's path.",
+#:   "Four of us in the car and we all saw it. Big tipper from the side road, light's as red as a tomato, and he doesn't even look as though he's thinking about it. No racing, no slowing, he just drives over, steady as you like.",
+#:   "Down the avenue the lights had changed; the cross street's turned red. A motorcyclist came along it who seemed to be listening to music no one else heard, and at the same easy pace he passed beneath the lamp, over the crossing, and out of their lives.",
+#:   "Bug: AEB late on red-light runner. Actor comes from the crossing arm, its own lamp is red, it is to disregard that. Keep it at the set speed from spawn to despawn, we've other tickets for the ones that brake, turn or speed up.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "crossSignal", "egoMeeting", "egoRoute"]

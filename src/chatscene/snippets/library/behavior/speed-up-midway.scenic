@@ -24,6 +24,22 @@
 #:   "Pace change of crossing pedestrian from walk to run in mid-crossing",
 #:   "Pedestrian strolls out... then SPRINTS",
 #:   "The cyclist drifted out, then galvanised across.",
+#:   "Man dawdles into the road, then takes off at a gallop.",
+#:   "Cyclist rolls out gently, stamps on the pedals partway.",
+#:   "Crosser's first half: stroll. Second half: flat-out dash.",
+#:   "Granny was crossing slowly and then she zoomed!",
+#:   "Why saunter into the road only to tear across the rest?",
+#:   "Let a woman start over the street in no hurry at all and, somewhere on the way, switch to a run without looking up.",
+#:   "He'd begun so leisurely that I reckoned I could pass behind him; then the schoolboy suddenly shot forward and finished the crossing at speed.",
+#:   "The non-motorist left the curb at a slow walk and, when part of the way over, increased to a full run toward the far side.",
+#:   "The man goes to cross very tranquil, like on Sunday, and when he is at the half he starts to correr like crazy.",
+#:   "Careful, she might be slow now, that lady with the shopping, but if she spots her bus, there you go, she's pelting for it.",
+#:   "The bicycle crossed our bow in two gears, so to speak: a lazy wobble to begin with, and thereafter a furious burst to the other side.",
+#:   "There was a jogger who'd stopped to cool down. She set out over the road with her hands on her hips, practically at funeral pace, and just as the AV had worked out that it needn't hurry, she was up on her toes and racing for the opposite kerb.",
+#:   "Two constant-speed segments make up the trajectory of the pedestrian target: from the kerb to the changeover point it moves at slow walking speed, and from there to the opposite side at running speed. The change occurs within one second and isn't announced.",
+#:   "I'm on two wheels myself, so I know the feeling. The fella freewheeled into the road half asleep, caught sight of the van bearing down on him, and suddenly he was out of the saddle, going like a sprinter for the line, till he'd got across.",
+#:   "You could have boiled an egg in the time it took the old boy to get from the kerb to the first white line. I'd my window down to say something encouraging. And then, blow me, he tucked his stick under his arm and fairly flew over the rest.",
+#:   "phone zombie, takes like 5 tiny steps out from the pavement, no rush, doesnt even know shes in traffic. looks up, sees us, and then its full olympic hundred metres to the other side. our car had already planned to go past her and had to brake hard",
 #: ]
 #: adversaries = ["pedestrian", "bicycle"]
 #: requires = ["egoRoute"]

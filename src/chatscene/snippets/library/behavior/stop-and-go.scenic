@@ -23,6 +23,22 @@
 #:   "Intermittent crossing motion of pedestrian with multiple standstills in the carriageway",
 #:   "PEDESTRIAN KEEPS PAUSING - stop motion crossing",
 #:   "The woman jerks across the street, halting time after time.",
+#:   "drunk lad crosing in jerks forward freeze forward freeze forward",
+#:   "Have an old woman get over the road in many little instalments.",
+#:   "Crossing ped halts, restarts, halts, restarts; prediction useless.",
+#:   "Every few paces the boy with the kite came to a standstill while crossing.",
+#:   "Across by fits: walk, wait, walk, wait, walk, wait.",
+#:   "On her way over the road the lady with the pram kept pulling up, setting off again and pulling up once more, four or five times before she was across.",
+#:   "The dummy's crossing motion consists of short bursts at 1.4 m/s, each followed by a standstill, the pattern being repeated for the full width of the carriageway.",
+#:   "I must have braked half a dozen times, because whenever I believed the man would go he stood, and whenever I believed he'd stand he went another few feet.",
+#:   "Give me a tourist who crosses our street staring at a map, taking three steps, stopping, taking three more, stopping again, and so forth till the other kerb.",
+#:   "El niño crosses, he stops himself, he crosses a little more, again he stops, again he goes, so many times that I cannot calculate him.",
+#:   "Don't guess with that one on the road, she sets off, she sticks, she sets off, she sticks, so we'll wait until she's on the pavement.",
+#:   "You know the way a robin goes over a lawn? He was like that, the gentleman in the mac. A little run of steps and a stop, another little run and another stop, right over the street, and my number nine bus creeping and braking in time with him.",
+#:   "Several witnesses concur that Pedestrian 1 did not cross the roadway in a continuous movement. She would advance a yard or two, stand, advance and stand again, and this cycle had taken place at least five times when V1 reached the crosswalk.",
+#:   "Dash-cam gold: bloke's got a toddler's dropped biscuits or something to look at, so he makes a couple of steps over the road and stops, couple of steps and stops, and I'm counting out loud, six stops, seven stops, and he's still not at the far kerb.",
+#:   "Please file under prediction. A pedestrian crosses ahead of the AV, and the velocity is a square wave: on for a second, zero for a second, on again, zero again. Each zero makes the planner release the brake, and each restart makes it slam it on.",
+#:   "The lady was using a new hip, she told us later. It allowed her three steps at a time, and between one set of three and the next she had to stand and collect herself, and in this manner, starting and stopping, she won her way to the opposite side.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Compliant stop-line halt followed by mistimed full-throttle emergence",
 #:   "Driver stops, WAITS, then launches out in front of me",
 #:   "The truck sat at the line, then pounced.",
+#:   "Halts at the give-way line, bides, then full beans across our bows.",
+#:   "Crossing moped: stop at line, pause, max throttle out before ego.",
+#:   "It stops correct, attends a while, and then leaves with all the gas.",
+#:   "Bus obeys the stop line, lingers, then lunges out ahead, foot flat.",
+#:   "Let it wait at the line until we're near, then explode outward.",
+#:   "A van from the side road came to rest at its stop line, stayed put till I was nearly on it, and then roared out ahead of me.",
+#:   "The pickup did all that the sign demands, a proper stop and a good long look, and threw it away by flooring it out before us.",
+#:   "Crossing target to be stationary at the line for at least 0.4 s, and then released at full throttle into the VUT's path on the trigger.",
+#:   "That truck's standing at his line, he has been for a while, so you think you're safe, and out he comes with his boot to the floor.",
+#:   "With brakes squeaking the coach had stopped at the white line; everyone was sure it would let the robotaxi by; then it charged out in front, engine bawling.",
+#:   "Riding home, I saw the cabbie stop at the line, catch my eye, wait, and then wind it up to full power straight across my front wheel.",
+#:   "A motorcyclist was waiting at the mouth of Station Road. He'd stopped behind the line and had one boot on the ground, so I kept on. It was when there were only a few car lengths between us that he tore out in front of me with his throttle wide open.",
+#:   "The stop was textbook: V2's recorder gives zero speed, front axle just short of the line, for almost three seconds. The accelerator position then goes from zero to one hundred per cent, and V2 enters the intersection directly ahead of V1, which had no stop sign.",
+#:   "Where is the sense in it? He had waited. He had stood there at the line with his lorry like a lamb while the whole road was empty, and he chose the one moment when somebody was coming, me, to put everything the engine had through those wheels and come out.",
+#:   "Caller says a silver saloon on the side street pulled up at the stop line like it should and sat there. As caller's vehicle drew near, it took off at full power right out in front of her. Caller braked in time, no injuries, requests no unit.",
+#:   "In my village we call it the cat's way of crossing. The little bus came up to its line, it crouched there and did not stir, we came closer, it did not stir, and when we were as good as there it sprang out in front with all its might.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Incomplete stop at stop line with accelerated crossing.",
 #:   "CALIFORNIA STOP THEN GUNS IT ACROSS",
 #:   "The crossing motorbike curtsied at the stop line and scooted over.",
+#:   "Crossing cab dips its speed at the line, never halts, zips over.",
+#:   "Side-road van: token braking at STOP, then a spurt across.",
+#:   "Let the lorry nearly stop at its line, then hurry over.",
+#:   "He only made slow at the sign, then whoosh across, cheeky!",
+#:   "Biker scrubs off speed for the stop line, foot never down, blasts across.",
+#:   "We watched the saloon in the side road come down to a crawl at its line, but it never quite stood, and then it sprinted over.",
+#:   "The crossing target brakes towards its stop line to a residual speed above zero and then accelerates strongly so as to traverse the junction ahead of the VUT.",
+#:   "A stop is when the wheels don't turn. His turned. He slowed for the line, kept it rolling, and now he's given it the beans to get across.",
+#:   "The bus of the other street has braked at the line but not until the end, and afterwards he gave gas and came over quickly.",
+#:   "Accident was caused as motorbike fellow did half-braking only at the stop line, did not come to halt at all, and took pickup to cross.",
+#:   "Where the sign says stop, the pickup on the cross street did about three-quarters of a stop, and the missing quarter it turned into a dash over.",
+#:   "I always sit on the bench by that corner, and I can tell you that nobody stops. This one, a lady in a big estate, did touch the brake by the line so that the front dipped, but she was still moving when she put her foot down and flew over the crossroads.",
+#:   "Vehicle 2 was required to stop before entering the intersection from the minor road. Camera footage shows its speed falling to approximately 8 km/h at the line, at no time reaching zero, and then rising to 40 km/h as it went across in front of Vehicle 1, whose driver had taken the braking for compliance.",
+#:   "Ticket: NPC on the crossing arm brakes for the stop line and we classify it as stopping. Minimum speed is around 2 m/s. Then it picks up again, more strongly than it had slowed, and clears through the junction. Planner released its own brake too early; wait for true standstill next time.",
+#:   "The tipper had the decency to lower its gears for the line, so that for a second the AV's passengers believed in it. Its wheels went round slowly, then slower, but never not at all; and with that it had done its duty, growled, gathered itself and came charging over.",
+#:   "From where I was on my bicycle he and I made eye contact, and that's the annoying bit. He braked, the little van nearly stood at the line, I relaxed, the woman in the robotaxi relaxed. Still rolling, he checked nobody had a badge on and shot across before the lot of us.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

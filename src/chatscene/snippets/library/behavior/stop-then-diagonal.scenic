@@ -24,6 +24,22 @@
 #:   "Pedestrian entry with sudden halt and continuation on oblique trajectory",
 #:   "STEPS OUT, HALTS, THEN CUTS THE ANGLE",
 #:   "The man emerges, halts and then slants away over the road.",
+#:   "Walks out, stops dead, carries on at a slant.",
+#:   "Man enters the road, freezes, then wanders obliquely over the lane.",
+#:   "Let a jogger step out, abruptly halt, then proceed cornerwise.",
+#:   "Off the kerb, sudden standstill, away again on a skewed line.",
+#:   "She set foot in the road, checked herself, and then slanted across.",
+#:   "The old lady left the pavement, came to an abrupt stop as though somebody had called her, and resumed in a diagonal direction.",
+#:   "The person goes on the street, suddenly he is standing like frozen, and after that he walks further, but in a slope line.",
+#:   "A pedestrian shall enter, make one unexpected halt, dwell, and continue with the heading rotated so that the remaining path runs obliquely.",
+#:   "Watch him: he's out, he's stopped short, and now he's moving off again, only on the skew instead of straight over.",
+#:   "Why did the boy come out, pull up all of a sudden, and then keep going kind of sideways up the road?",
+#:   "The last leg was slantwise: it came after he'd stepped into the carriageway and stood stock-still there for a second.",
+#:   "A woman with a pram pushed off the kerb ahead of us. She stopped in an instant, I suppose because of a dropped dummy, and then set out once more, this time bearing away at an angle rather than going square across.",
+#:   "The pedestrian stepped from between two parked cars into the roadway and came to a sudden stop. When he began walking again his direction of travel had changed, being approximately forty degrees from the perpendicular, toward the bus stop.",
+#:   "Two things fool the tracker here. First the walker quits moving without warning just after stepping out, and we assume a yield. Then she's off again on a heading that isn't the one she arrived with, but cuts the lane diagonally.",
+#:   "He got off the pavement with his nose in his telephone. Something on it made him stop as if he'd hit glass; when his legs began again they bore him slantwise, along and over the street together, still reading.",
+#:   "My grandson, he is four, let go of my hand and was out on the road. There he stopped, quite suddenly, to look at the car, and then trotted on crookedly, slanting off in the direction of the swings.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Cyclic speed fluctuation of neighbouring traffic",
 #:   "Motorbike can't hold a speed: fast, slow, FAST, SLOW",
 #:   "The truck pulsed along.",
+#:   "keeps darting ahead and braking off agian and again and again",
+#:   "Its speed goes up, drops, goes up, drops, endlessly.",
+#:   "Bus driver can't hold one pace: spurt, check, spurt, check.",
+#:   "MAKE UP YOUR MIND! Car hurries, dawdles, hurries, dawdles",
+#:   "Vary the lorry's pace: throttle phase, braking phase, repeat.",
+#:   "The motorbike hurried for a few seconds and then held itself back for a few, and this game it played the whole length of the road.",
+#:   "The target vehicle's speed shall rise under throttle and fall under braking in regular alternation, its lateral position in the lane being unaffected and no standstill occurring.",
+#:   "One minute the van's pulling like a train, next it's braking, then it's off again, then it's braking again, and I've no idea what he's playing at.",
+#:   "The taxi makes all the time gas and brake, gas and brake, my stomach was not happy only from looking to it.",
+#:   "First it went whoosh and then it went slow, and then whoosh and slow again, and it would not stop doing that, said the little boy.",
+#:   "A coach whose driver was alternately on the accelerator and on the brake pedal, without any pattern of traffic to explain it, was reported by three motorists.",
+#:   "There was a hatchback near us on the way home whose driver, I can only suppose, was learning. She would put on a burst of speed, brake, put on another burst, brake once more, and so it went for as long as we had her in sight.",
+#:   "Examination of V2's telematics shows a speed trace resembling the teeth of a saw: acceleration for about three seconds, braking for about two, acceleration again, and so on for the whole approach. At no time did the vehicle stop or depart from its lane.",
+#:   "For this test the actor never travels at a constant speed. It presses on, it slackens by braking, it presses on anew, in cycles of a few seconds, so that any prediction which extrapolates the present speed will be wrong a moment later.",
+#:   "When you drive a truck you want to know what the other fellow's doing. This pickup had me guessing: up he'd go to fifty, brake lights, down to thirty-five, up to fifty again, brake lights. Ten, twelve times he did that, I swear.",
+#:   "It was as though two men were quarrelling over the pedals. The motorcycle sprang forward, shrank back on its brakes, sprang forward once more and shrank back once more, over and over, and nobody near it could tell which of the two would have the last word.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Momentary lateral excursion of vehicle toward ego lane with self-correction.",
 #:   "DRIVER NEARLY SIDESWIPES ME THEN CORRECTS",
 #:   "The truck feinted at our lane and steadied.",
+#:   "Neighbouring truck gave a lunge our way, then got itself straight.",
+#:   "Let the bus in the adjacent lane twitch egoward and recover.",
+#:   "He came over at me for a heartbeat, then held his lane.",
+#:   "Moto at side leans suddenly to us, after this goes straight again.",
+#:   "Nearly kissed our door, that cab, before it pulled itself together.",
+#:   "The lorry running next to us bulged over the dashed line without warning, hung there for a moment and slotted back where it belonged.",
+#:   "The adjacent target performs a brief lateral deviation towards the lane of the vehicle under test, whereupon it realigns itself with its own lane.",
+#:   "woman in the next lane mustve dropped something bc her car yawed in our direction, a second later she had it pointing forward again",
+#:   "V2 departed briefly toward the lane occupied by V1 before its driver steered back and resumed a straight course in the original lane.",
+#:   "If that coach beside you sways over like that again, don't retaliate; look, he's woken up, and he's running true in his own lane.",
+#:   "Side lane's pickup, he all of a sudden shook towards my car, my heart stopped, then he made his steering straight and continued.",
+#:   "I was alongside a furniture van on the ring road when it flinched in my direction, so near that I could have touched the lettering. Just as quickly it was upright and in its proper lane, going along as if nothing had occurred.",
+#:   "An agent in the neighbouring lane should produce a scare rather than a collision. It darts laterally at the ego's lane for about a second, then countersteers and goes on in its own lane at its former speed, never really joining ours.",
+#:   "Through the side window I watched the motorcyclist look over his shoulder, and as people do, he went where he looked. The bike dipped over towards us; then he caught it, set it upright and rode on parallel to us, shaking his head.",
+#:   "Old habits, said the coach driver when they asked him. He'd seen a bag in the road and his hands had done the rest, a quick tug at the wheel toward the car in the next lane and another to put the bus straight.",
+#:   "Ever had your life flash by at sixty? The saloon next door made a grab for our lane, mirrors almost touching, and while my passenger was still screaming it had already straightened its wheels and was sailing along on its own side of the dashes.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]

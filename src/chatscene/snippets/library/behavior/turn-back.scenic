@@ -24,6 +24,22 @@
 #:   "Pedestrian dash into lane with reversal to side of origin",
 #:   "NOPE! Runs out, spins round, runs back",
 #:   "The runner rushes in and retreats to where he started.",
+#:   "Girl races out, wheels about, races home to her kerb.",
+#:   "Pedestrian: runs in, reverses heading, leaves by entry side.",
+#:   "Out like a rabbit and back down the same hole.",
+#:   "Bloke dashes into traffic, regrets it, dashes back",
+#:   "Why run out at all if you're only going to run back?",
+#:   "I need a child who sprints into the lane and, without ever getting over, spins on its heel and heads for the pavement it left.",
+#:   "She was back beside the very lamp post she'd started from, having charged into the road and then thought again all in two seconds.",
+#:   "The pedestrian ran from the west curb into the roadway, did not reach the east curb, and turned and ran again toward the west.",
+#:   "The little boy comes running in the road, he turns himself around, and he is running to the same footpath where he was before.",
+#:   "A jogger went into the road in front of our car at full pace, did a one-eighty on the spot and went off the same way.",
+#:   "Mum shouted \"come here!\", and so the lad who had just pelted into our lane pelted right out of it again, to her side.",
+#:   "His football had gone over the road and he went after it at a run. Some way into the carriageway he must have remembered what they tell them at school, because well short of it he whipped round, empty-handed, and ran as fast as he could to where his friends were.",
+#:   "The runner enters the lane of the vehicle under test at constant running speed. As soon as the predetermined point in the lane is reached, the direction of movement is inverted and the runner goes back, at that same speed, to the side of departure.",
+#:   "You could hear the tram bell, that's what did it. The student had bolted off the platform into our lane, heard the bell, and turned as if on a spring, so by the time we stopped he was up on the platform again as though nothing had been.",
+#:   "Thing about the elderly is they don't trust their first idea. This dear old soul scuttled out in front of my truck faster than I'd have thought possible, took fright at the size of me, and straightaway scuttled back to the shop doorway she'd come out of.",
+#:   "It's the return that fools the planner. A pedestrian who's running in from the left is expected to exit on the right, so the AV steers behind her; instead she flips direction within the lane and leaves on the left, which is precisely where we were steering.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

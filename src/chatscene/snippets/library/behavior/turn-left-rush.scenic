@@ -24,6 +24,22 @@
 #:   "Accelerated left turn of cross traffic ahead of ego.",
 #:   "CAR LAUNCHES OUT OF SIDE STREET, LEFT TURN IN MY FACE",
 #:   "The police car sprang left out of the side road, quickening.",
+#:   "Minor-road Subaru catapults itself into a left turn ahead of the AV.",
+#:   "Left out of the cross street, revs climbing, inches from us.",
+#:   "Make the motorbike at the give-way go left before us under full power.",
+#:   "Quicker and quicker, the cab rounded leftwards out of Vine Street past our nose.",
+#:   "Crossing traffic, left turn, speed building from zero, ego in the way.",
+#:   "A saloon that had been held at the mouth of the side road took its chance, piled on the power and went round to its left in front of our car.",
+#:   "Starting at the line of the intersecting road, the target follows a left-turn path ahead of the VUT with a continuous positive acceleration of 3 m/s².",
+#:   "Witness was on the bench outside the bank and saw the ambulance pull from the lane by the bank, bearing left across the traffic and putting on speed all the while.",
+#:   "I'd like a car from the intersecting street which, just as the robotaxi arrives, steers left ahead of it and doesn't ease off but keeps pressing the gas.",
+#:   "L'auto at the side street, he starts with all the force, he turns to his left before my nose and he becomes only faster in the curve.",
+#:   "The lad in the Fiesta's looking your way from that side road, he's thinking about it, and he's off, left in front of you, gunning it the whole way round.",
+#:   "I was going straight on past the end of Quarry Lane and there was a biker waiting in it, one boot down. He gave it a fistful, pulled out and heeled over to the left right in front of my wheels, gaining speed with every yard he travelled.",
+#:   "V2 had halted on the minor leg, perpendicular to V1's travel. Its operator entered the intersection under heavy acceleration, steering left. Data from V2 shows eleven mph as it crossed the first lane and twenty-four mph on completion of the turn ahead of V1.",
+#:   "Blue lights coming out of the station road on my right, no siren. The fire engine dug its back wheels in and made its left, swinging by my front bumper, and I could hear the thing winding itself up through the gears while it was still in the bend.",
+#:   "Typical for taxi men at six in the evening. They don't wait in the side street for a hole in the traffic, they make one: foot down, wheel to the left, across your bonnet, and the closer you come the harder they push the accelerator.",
+#:   "Sim note on timing: the actor stands at the end of the crossing arm, not the opposite one. When the ego is near it begins a left turn through the ego's path, and because its throttle is held down, it is much faster at the exit than at the entry.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

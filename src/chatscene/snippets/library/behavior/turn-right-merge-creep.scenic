@@ -24,6 +24,22 @@
 #:   "Right-turn entry of crossing vehicle ahead of own vehicle with persistent crawl speed",
 #:   "COULDN'T WAIT TO PULL OUT... THEN DOES 3 MPH",
 #:   "The bus slips right into our lane and plods before us.",
+#:   "Cab hangs a right into our lane, then inches along ahead.",
+#:   "Cyclist from side street: right, into ego lane, remains very slow.",
+#:   "He rights himself into my lane from the lateral street and goes snail.",
+#:   "Side-road lorry joins our lane rightwards, then barely makes headway.",
+#:   "Having turned right, ahead of you, that moped will not get going.",
+#:   "A school bus came out of the side street to its right, took up the lane ahead of the robotaxi and went along it at a pushchair's pace.",
+#:   "Could the crossing van make a right turn that puts it in our lane, and then dribble along there so that the AV is held up?",
+#:   "From the minor arm a pickup rounded the corner to its right, straight into my lane, and then it was first gear and no more for ages.",
+#:   "The elderly gent on the tricycle bore right out of Mill Street into our lane, where he pedalled along ahead of us as if it were a park.",
+#:   "With a right turn the target vehicle transfers from the intersecting road to the VUT's lane, which it then occupies at 4 m/s as the leader.",
+#:   "A queue formed because a tanker that had emerged from the side road by a right turn was dragging itself up the claimant's lane at a trot.",
+#:   "It was the milk float, I suppose, or whatever they have nowadays. It came out of the lane on the left with its right-hand bend so wide that it was in front of me before I knew it, and then it hummed along ahead at the rate I walk.",
+#:   "Vehicle 2 entered the roadway from the intersecting street by means of a right turn, which placed it in the lane of, and ahead of, Vehicle 1. It continued in that lane at no more than seven miles per hour. Vehicle 1 closed rapidly and had to brake.",
+#:   "Pupil says: but he'd room enough to come out. Yes, if he'd pulled his finger out! A car that goes right out of a side road into your lane and then drives away is no bother; that hatchback went right into your lane and is crawling, so down through the gears.",
+#:   "Bike commuter's gripe number seven, other bikers. This fella on a chopper rumbles out of the cross street, swings to the right, plonks himself in the lane I'm using, and then we're off on parade, him in front at a brisk stroll and everyone else behind.",
+#:   "The side-street vehicle first slows for the mouth of the junction. When the ego comes near, it turns right at low speed into the ego's lane and sticks to that low speed as it follows the lane in front of the ego; no stop, no speeding up afterwards.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Right turn into own lane with subsequent hard braking to standstill",
 #:   "Biker turns right into my lane and STOPS DEAD",
 #:   "The pickup rounded rightward into our lane and clamped up.",
+#:   "Side-road bus goes right, joins our lane, brakes, stands.",
+#:   "pickup made the right in ahead of me then brakd n stopped stone dead",
+#:   "Let a biker take a right onto the ego's road and halt.",
+#:   "Veh 2 right turn, entered subject's lane, brake application, full stop.",
+#:   "He came out to the right, in my place, braked, no more moving!",
+#:   "From the street on the side a lorry made a right-hander into our lane, and before its tail had even straightened the driver had braked it to nothing.",
+#:   "After a right turn into the lane of the vehicle under test, the target proceeds for a short time and then applies its brakes until at rest.",
+#:   "Mirror, brakes, and watch the taxi: he turns right, now he's directly in front of you going your way, and blow me, he's pulling up.",
+#:   "The motorcycle has taken to the right for to come in my line, it has braked at once and has remained planted in front of me.",
+#:   "What do you call someone who turns right out of a side road into the lane you're in, slows hard and then won't go another inch?",
+#:   "Parked? No, it stood in the live lane, that coach, having reached it by a right turn from the crossroad and then been braked to a standstill.",
+#:   "I was on the main road and the young lady in the hatchback was waiting at the side. She turned right, which put her in my lane just before me, and I thought, well, she'll speed up. Instead her brake lights came on and stayed on until she'd stopped.",
+#:   "Vehicle 2, a box van, executed a right turn from the intersecting street into the lane occupied by Vehicle 1. Roughly two seconds afterward the van's driver, who was looking for a house number, braked firmly. The van had come to rest when the front of Vehicle 1 struck its doors.",
+#:   "Can we get a case for this? The crossing pickup turns right, aligns itself with our lane as a fresh lead vehicle, travels a few metres like that and then decelerates to v=0 and holds. ACC accepts the new lead too late. Don't confuse it with the variant that turns and merely crawls.",
+#:   "There are eighteen tonnes of me, so choose your moment, I say. This scooter lad picked the worst. Round to the right he comes, out of the lane by the church and smack into mine, with me thirty yards off; then he pulls both levers and stops there, feet down, to answer his phone.",
+#:   "We begin the podcast with Gerald, who is eighty and drives a bubble car. Gerald turns right out of his road, taking his place in the lane ahead of a robotaxi. Gerald then remembers the oven. Gerald stands on the brake till nothing moves, and the robotaxi has to do something about it.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advMeeting", "advTrajectory", "egoMeeting", "egoRoute"]

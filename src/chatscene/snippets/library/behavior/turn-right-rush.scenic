@@ -24,6 +24,22 @@
 #:   "Accelerated right-turn entry into ego lane from side street.",
 #:   "SPEEDS OUT OF SIDE STREET RIGHT INTO MY LANE",
 #:   "The motorcycle vaulted from the side street rightward into our lane.",
+#:   "Hot hatch darts from the lane, right turn, hard throttle, our lane.",
+#:   "Let a motorbike explode out of the side road rightwards before me.",
+#:   "Side-street ambulance barrels out rightward, engine roaring, into my lane.",
+#:   "He gunned it coming right out of the close, into my lane.",
+#:   "Impatient cab, side street: turns right before us with everything it's got.",
+#:   "The little Fiat had been at the give-way line, and as I came up it floored it round to the right, into my lane.",
+#:   "From the small street on the side comes a motorcyclist, he bends right in front of us and he's making more and more speed.",
+#:   "At the trigger the target leaves the minor arm, turning right into the ego's lane with a sustained positive acceleration of 3 m/s².",
+#:   "You see him inching there at the mouth of the side road? Off he goes, right, foot to the boards, in front of you.",
+#:   "Which is worse, that the police car emerged to the right just before me, or that it did so with its engine howling?",
+#:   "Pedal mashed, a silver saloon swept right from Chapel Lane into the path of a district nurse, gaining pace all the way.",
+#:   "There was a gap between me and the next man, not a big one. A girl in a convertible chose it, whipped the thing out of her street and round to its right, accelerating as if someone was timing her.",
+#:   "V2 had slowed at the mouth of the intersecting street. Its driver elected to enter ahead of V1 and made a right turn into V1's lane under heavy acceleration, leaving a short curved tire mark and continuing to increase speed thereafter.",
+#:   "This one's for the merging module. Somebody emerges from the side road, turning to the right and taking the lane we're in, and rather than dawdle he's on full power throughout, so the closing speed shrinks by itself if we lift.",
+#:   "The biker had waited and waited at the end of his road. Seeing us he must have thought it now or never, since out he catapulted, heeled over to the right, and drew off down our lane with the exhaust crackling.",
+#:   "I'm not fast on my bicycle, and I was about to pass the side turning. A big SUV that wanted my lane before I got there roared out of it, took its right-hander under my very wheel, and kept its foot buried.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoMeeting", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Longitudinal walking of pedestrian in own lane in direction opposite to traffic",
 #:   "MAN STROLLS DOWN MY LANE TOWARDS ME",
 #:   "The man marches up the lane to meet us.",
+#:   "Woman leaves the pavement and comes up our lane toward us.",
+#:   "Hitchhiker steps out, strolls down our lane to face us.",
+#:   "Ped enters ego lane, proceeds on foot contrary to traffic.",
+#:   "Have a man step off the kerb and walk at us.",
+#:   "FACE TO FACE: pedestrian wanders up MY lane at me",
+#:   "An old lady with a shopping trolley stepped down into the lane and set about walking along it, straight in the direction of our bonnet.",
+#:   "The adult dummy moves out into the VUT's lane, turns to face it and proceeds along that lane in opposition to traffic at walking speed.",
+#:   "he wasnt crossing at all officer he got into my lane and then kept coming up it on foot with his eyes on my windscreen",
+#:   "A person goes down from the sidewalk and afterwards is walking in my lane against the sense of the cars, so he comes to me.",
+#:   "We met him head-on, if one may say so of a gentleman on foot, he having left the verge and begun to stroll up our lane.",
+#:   "Put a walker in front of the AV who goes into its lane and marches up it toward the AV as though it were a footpath.",
+#:   "It was getting dark and I nearly didn't see her. A woman with a pushchair came off the pavement into the lane I was in and, instead of going over to the other side, walked along it towards me, right into the traffic.",
+#:   "The pedestrian stood at the edge of the road until V1 was near. He then entered V1's lane and turned through ninety degrees, so that he was walking against the traffic and toward V1's front. He did not run, and he did not leave the lane again.",
+#:   "There's a big difference between somebody who wants to cross and this chap. He's in your lane, yes, but he has turned towards you and he's walking up it, so he isn't going to be gone in a moment; the gap's closing from both ends.",
+#:   "Caller on the coast road says a male, dark coat, possibly confused, has stepped into the carriageway. He's on foot in the caller's own lane and heading toward him, against the traffic, at an ordinary walking pace, and takes no notice of the horn.",
+#:   "The soldier slung his bag over his shoulder, got down off the bank and took to the lane. He did not cross it. He walked up it, the wrong way, to meet the headlights, with the even step of a man who has far to go.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Same-direction walking pedestrian in ego lane, unaware of traffic at rear.",
 #:   "PEDESTRIAN WALKS DOWN THE MIDDLE OF MY LANE",
 #:   "A man moseyed along our lane ahead.",
+#:   "Hiker stepped in, now ambles down our lane, nothing but rucksack to see.",
+#:   "Put somebody in the lane ahead, walking away from the ego.",
+#:   "Ped left verge, now hiking up the carriageway, facing away from unit.",
+#:   "He comes on the road and walks before us, with his behind to us!",
+#:   "Lady with shopping steps in, then trudges ahead of us, never turning.",
+#:   "A festival-goer came off the pavement into our lane and tramped on along it in our direction of travel, showing us nothing but his hood.",
+#:   "The adult pedestrian target leaves the kerb, takes up the centre of the VUT's lane and proceeds along it with its back to the approaching vehicle.",
+#:   "I had the back of an anorak in my headlights: a man had taken to the road and was plodding along my lane the same way as me.",
+#:   "V1 came upon a pedestrian who had entered the travel lane and was proceeding on foot in the direction of traffic, facing away from V1.",
+#:   "There is no footpath, so what to do, the labourer has come into the lane itself and he is walking on in front, seeing only forward.",
+#:   "What's the AV meant to do about a woman with a pram who takes to the lane and wheels it along ahead, her back turned?",
+#:   "I'd been hearing about the blocked pavement at the building site, and here was the result. A gentleman stepped down from it into my lane and simply continued his walk there, going my way, so all I could do was follow his flat cap.",
+#:   "You can't make eye contact with the back of a head, and that's the danger. She's come off the kerb, she is strolling on along your lane with her earphones in, the same way you're driving, and as far as she's concerned you don't exist.",
+#:   "Scenario wish: a person goes from the edge of the road to the middle of our lane, makes a quarter turn away from us and then walks ahead at an easy pace. He does not leave the lane and he does not look behind him.",
+#:   "The road was white with frost and the path was worse, so the boy took the road. He went along before their car, in their lane, hands in pockets and shoulders up, and the lamps threw his shadow a long way ahead of him.",
+#:   "Forty-four tonnes behind him and he didn't hear a thing. This lad wandered off the lay-by into the carriageway, set off up my lane in the direction I was going, and all I ever saw of him was the soles of his trainers.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

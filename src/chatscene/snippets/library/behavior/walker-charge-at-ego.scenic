@@ -24,6 +24,22 @@
 #:   "Running frontal approach of pedestrian along own lane",
 #:   "PEDESTRIAN BULL-RUSHES MY CAR",
 #:   "The woman storms down the lane at our grille.",
+#:   "Runs out, swings toward us and rushes our front bumper.",
+#:   "Pedestrian: enters lane at run, continues longitudinally into VUT's face.",
+#:   "Some lunatic in the road is sprinting to meet my bonnet!",
+#:   "RAGING MAN TAKES ON SUV HEAD-FIRST",
+#:   "Who runs into a lane and then straight at the traffic in it?",
+#:   "Let a person rush from the side into the ego's lane, turn to face it, and come racing along that lane right up to its front.",
+#:   "He wasn't trying to get over the road at all; once he was in my lane he turned my way and hared towards my headlights.",
+#:   "The non-motorist ran into the northbound lane and then southward within it, directly toward the front of V1, at full speed.",
+#:   "One man runs on our lane and then he comes by running, frontally, to the car, with the arms high, I thought he is drunk.",
+#:   "Units be aware, female in the carriageway, she's going for the cars, running in lane one straight at the front of them.",
+#:   "The yelling protester bore down upon the robotaxi from the front, having burst into its lane from among the placards on the pavement.",
+#:   "You learn to read people in this job. This lad came off the pavement at a run, and I waited for him to go over. He didn't. He turned up the lane, towards my bus, and flew at me as though he intended to knock it backwards.",
+#:   "A dash across the lane must not be confused with this case. Here the pedestrian target leaves the kerb running, turns through about ninety degrees on reaching the middle of the lane, and advances at running speed along it, on a collision course with the front of the test vehicle.",
+#:   "Through the windscreen she saw him vault the barrier. She saw him land in the lane, saw his face swing round to her, and then he was growing, his coat streaming behind him, coming down the middle of that lane as fast as his legs would carry him, at her.",
+#:   "I want to see what the AV does with an attacker. So: someone hurtles out from between the parked cars, and rather than crossing, pounds down our lane in the opposite direction to ours, aiming for the badge on the bonnet, and doesn't step out of the way.",
+#:   "My window was open so I heard him roar. He'd had words with my mate in the lorry ahead, and now it was my turn: out into the road, a quarter turn, and up the lane he galloped, dead centre, like he would headbut my radiator.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

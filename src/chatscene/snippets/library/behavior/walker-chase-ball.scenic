@@ -24,6 +24,22 @@
 #:   "Ball-pursuing pedestrian entering the road and continuing lengthwise in lane",
 #:   "Kid chases ball onto road and KEEPS GOING",
 #:   "The toddler scampered after the ball and up our lane.",
+#:   "Kid's after his football, in the lane now, heading along it, brake!",
+#:   "Stray ball, small girl in hot pursuit, out and then down our lane.",
+#:   "Make a child rush out behind a ball and trail it up the lane.",
+#:   "Der Ball rolls in the street, the boy runs after, and then längs with it.",
+#:   "my little bro chased his ball into the street and kept going along it",
+#:   "The ball had the better of her, bouncing on down the lane, and the schoolgirl who'd sprinted off the pavement to fetch it went haring along in its wake.",
+#:   "The child dummy enters from the kerb at running speed, then alters heading so as to travel lengthways in the VUT's lane, as though pursuing a ball.",
+#:   "Don't look at the ball, look at the lad running out for it; see, he's turned with it and he's pelting up the lane in front of you.",
+#:   "Because the street slopes, the football didn't cross but went rolling along, and so did the teenager who'd rushed into the road to get it back.",
+#:   "A young boy was seen running up the middle of the lane ahead of Vehicle 1, having left the sidewalk in chase of a basketball.",
+#:   "Was the child not so taken up with her ball that she ran into the road for it and thereafter pursued it along your lane?",
+#:   "My grandson slipped my hand, and I shall never forgive myself. His new red ball had gone off the pavement, and he flew after it into the street. It wouldn't lie still, the wind had got it, so the pair of them went off along the lane, ball first, before that poor man's car.",
+#:   "For the play-street scenario I want a youngster who comes running into the road from the side. They should not go over to the other pavement: a ball is leading them on, so once in our lane they change direction and run the same way we're driving, right ahead of the bonnet.",
+#:   "From my cab I saw a tennis ball, then a bloke in shorts, who must've been forty and should've known better. Out he came at a run, missed it with his foot, and as it trickled on down the lane he went galloping after it, bent double, with me on the brakes at his back.",
+#:   "The cricket ball had been hit for four, it seems, and the fielder had no time to consider the traffic. He was over the low wall and in the road at a sprint; then, the ball having taken a turn along the tarmac, he too took a turn and raced away up the lane in front of us.",
+#:   "Robotaxi log, residential zone: pedestrian, short stature, fast entry from nearside following a small round object. The track then bends through some seventy degrees and continues parallel to the lane, ahead of ego, still running. The predictor had bet everything on a straight crossing and was surprised by the change of course.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

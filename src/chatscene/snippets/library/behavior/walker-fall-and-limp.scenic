@@ -24,6 +24,22 @@
 #:   "Fall of running pedestrian in carriageway with slow impaired continuation.",
 #:   "GUY RUNS OUT, FACEPLANTS, LIMPS AWAY",
 #:   "The runner tumbled, rose and shambled on.",
+#:   "kid ran out went facedown in the road got up hopped off on one leg",
+#:   "Simulate a jogger who dashes out, trips, rises, hobbles onward.",
+#:   "Up got the woman who had sprinted and fallen, and off she limped.",
+#:   "Ped: fast entry, tumble in lane, recovery, lame walk to far kerb.",
+#:   "Limping off the road: the student who'd charged in and gone sprawling.",
+#:   "A man late for his tram raced off the kerb, caught his toe, hit the ground in my lane, struggled to his feet and went on lamely, holding his knee.",
+#:   "The target is to enter at 3 m/s, drop to rest in the lane as if fallen, remain there for a given time and then move on at 0.7 m/s.",
+#:   "I saw the little girl tear into the street, I saw her tumble, and when she'd stood up again she could only drag herself on because her ankle was hurt.",
+#:   "We need a pedestrian who rushes out into the ego's lane, loses his footing, lies there a moment, gets upright and proceeds at a slow, injured gait.",
+#:   "Lady has come running in chappals, slipped in the middle, somehow got up, and then with paining foot she went little by little to other side.",
+#:   "Give him time, he came pelting out, he's had a nasty spill right here, he's up now, but look how he's dragging himself, he can't go any quicker.",
+#:   "It was icy and she was in heels. She flew out between the parked cars after her bus and both feet went from under her just where I needed to be. A second or two on the ground, then upright, shoe in hand, and she went on like a wounded hen.",
+#:   "Pedestrian 1 entered the roadway at a run from the west. He lost his footing and was on the pavement in V1's lane for approximately three seconds. He stood without assistance and continued eastward at a markedly reduced speed, favoring the left leg.",
+#:   "One for the compilation. Guy in a suit legs it into traffic with his coffee, the coffee goes one way, he goes the other, belly flop in front of my car. Then he peels himself off the tarmac and waddles away, ever so slowly, as though it'd been planned.",
+#:   "I'm not as young as I was and I shouldn't have run, I know it. Out into the road I went and down I came on my hip. When I had managed to get up the car was still waiting for me, so I shuffled on over with my bad leg as best I could.",
+#:   "He burst from the doorway and into the street as if all hell were behind him; a cobble took his foot, and he measured his length before the headlamps. Slowly he raised himself, slowly, with one leg trailing, he moved on out of the light.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Child incursion for object retrieval with stop in lane and return to side of origin",
 #:   "KID CHASES BALL, GRABS IT, RUNS BACK",
 #:   "The girl darts in, snatches up her toy and flees back.",
+#:   "Boy bolts in, halts for his kite, bolts out holding it.",
+#:   "Pedestrian: run into lane, stoop, gather object, run home.",
+#:   "Niña runs in the street, stays to take the doll, runs again back.",
+#:   "Jogger lost an earbud, sprints in, pauses over it, sprints back.",
+#:   "Have someone tear into our lane, retrieve a hat, tear back.",
+#:   "A schoolgirl came running off the pavement in front of the AV, stood there bent over her spilled books, and ran back to it hugging them.",
+#:   "The old man's cap had blown under our noses; he trotted out, stopped to pick it off the tarmac, and with it in hand trotted home.",
+#:   "The dummy enters the lane at 3 m/s, stands still over the item for two seconds and, item attached, returns at 3 m/s to its start.",
+#:   "Slow right down: that toddler's mum has raced out for the shoe he threw, she's stopped to get it, and with it she's racing back to the pram.",
+#:   "He was already safe again on his side with the frisbee under his arm, having rushed into my lane and stopped there to lift it from the road.",
+#:   "Running at full tilt, the market trader got into V1's lane, came to a stop to collect a fallen crate, and carried it back at the double.",
+#:   "It was a teddy bear that lay there, we saw afterwards. A woman in slippers flew out of a garden gate into our lane, stopped, crouched, had it by one ear, and was flying back through the same gate before our car had come to rest.",
+#:   "The pedestrian, aged nine, entered the traffic lane at a run from the north footway. He became stationary within the lane and took up a tennis ball from the surface, upon which he ran to the north footway with it. He at no time attempted to reach the south side.",
+#:   "You're all eyes on a delivery round. I see something shiny in the road, and I think, that's a phone, somebody'll want that. Sure enough out pelts a lad, skids to a halt in front of my van, snatches it, and off he pelts back to his mates.",
+#:   "The prediction should not extrapolate a crossing. Behaviour wanted: the person runs from the kerb to the ego's lane, makes a halt there long enough for grabbing a thing off the ground, does a 180 and runs with it to the kerb it came from.",
+#:   "My ball went on the road and I ran after it. I had to stop because it was under my foot and then it wasn't, and then I got it. The car was coming so I ran back to Tom with the ball. Mummy was very cross.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Pedestrian running lengthwise in own lane after leaving the pavement",
 #:   "Jogger runs down MY LANE like I'm not there",
 #:   "The jogger loped off the pavement and up our lane.",
+#:   "runner quits the footway trots off up our lane with us behind",
+#:   "Have a jogger leave the sidewalk and run ahead in ego's lane.",
+#:   "He jogs down from kerb and runs away before our car, same direction.",
+#:   "Kid scampers off the pavement and keeps legging it along our lane.",
+#:   "Jogger off footpath, now proceeding with traffic ahead of V1, at a run.",
+#:   "A woman in neon stepped up her pace, left the pavement behind her and settled into our lane, where all we saw was her ponytail bobbing on.",
+#:   "The pedestrian enters from the footway at a run, aligns with the longitudinal axis of the lane and continues running ahead of the VUT in its direction.",
+#:   "You can't pass this gentleman yet. He's come jogging down off the kerb and now he's using your lane as his running track, back to you.",
+#:   "Suddenly the man has run from the walkway to my road, and there he did not cross, he ran always forward, and I drove behind his shoes.",
+#:   "Because the pavement was full of bins, the runner moved onto the carriageway without breaking stride and carried on down it with the AV at his heels.",
+#:   "Where did he go after he had left the pavement? Nowhere, officer: he kept running along the lane, the way I was driving, just ahead.",
+#:   "My running club does this and I tell them off for it. Ahead of a grey minivan a tall fellow came off the pavement at a good trot and turned along the lane, the same way as the van was headed. He then ran and ran, right in the middle, deaf to its horn.",
+#:   "Jira says closed, I reopened it. Pedestrian comes off the footway at roughly 10 km/h, rotates into our heading and runs on along the lane ahead of us. Never reaches the other side, never turns to face us. Ego expects a crossing to finish and is confused that the obstacle keeps moving away slowly.",
+#:   "V1 was northbound. A pedestrian in athletic clothing ran from the sidewalk into the northbound lane in front of V1 and continued northbound therein at a jog. The operator of V1 followed at the jogger's speed for some distance, having first braked sharply, and stated that the jogger did not once look around.",
+#:   "From my cab I saw the postman's dog first and then the reason for the postman's haste. He trotted off the kerb into the lane before me, bag flying, and instead of making for the far side he kept right on up the road, the two of us travelling in procession, me in bottom gear.",
+#:   "She had run along the railings for as long as there was room. Where the scaffolding began she sprang lightly down, swung into the lane ahead of the evening traffic and ran on with it at her back, her breath white, as though all those headlamps had been lit to show her the way.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

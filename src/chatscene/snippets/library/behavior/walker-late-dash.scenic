@@ -24,6 +24,22 @@
 #:   "Deceptive waiting of pedestrian at road edge with last-instant running crossing.",
 #:   "WAITS AT THE CURB... THEN RUNS AT THE WORST MOMENT",
 #:   "A woman dallied at the kerb, then catapulted across at the end.",
+#:   "Kid hangs back at the kerb, then bolts over at the death.",
+#:   "Waits politely until we're nearly there, then tears across.",
+#:   "Let a jogger approach the edge, pause, then sprint over far too late.",
+#:   "Ped reaches roadside, stands as if yielding, late full-speed run across.",
+#:   "Old man lets us come, then scampers over at the last gasp.",
+#:   "She came up to the road, stopped with her bags as though inviting me through, and then galloped over in front of the bonnet.",
+#:   "The boy walks until the border and stays there, so I think I can pass, but in the last second he is running over.",
+#:   "The pedestrian shall halt at the lane border for the ego to pass; at two seconds' time to collision it shall run across.",
+#:   "Don't trust that one at the kerb; he looks as though he's giving way to you, and, see, there he goes, full tilt, late as can be.",
+#:   "How was I to know that a man who had walked up and was standing there so patiently would shoot across right before me?",
+#:   "bro walked up to the curb stood there like after you sir then yeeted himself across when the car was basically there",
+#:   "I saw the lady stroll to the pavement edge and come to a stop, and I took my foot off the brake again. We were only a few lengths off when she evidently thought better of it and pelted to the other side.",
+#:   "The pedestrian approached on foot from the east and remained standing at the edge line for several seconds. As V1 was about to pass, he took off at a run across the lane, and V1's automatic braking was too late.",
+#:   "False-courtesy run. The mannequin walks up, rests at the edge until the AV has decided that it's being let by, and then flies over the road at five metres a second with hardly any braking distance left to us.",
+#:   "A sandwich in one hand, he ambled to the brink of the road and stayed, looking at us with mild interest. He might have stood so forever; but just when our wheels were almost upon him, he fled across like a rabbit.",
+#:   "Auntie came to the side of road and stood, so I understood she's giving me way. When my car was reaching her only, that time she started running full speed to other side, God saved both of us.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

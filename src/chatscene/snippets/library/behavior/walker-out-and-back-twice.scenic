@@ -24,6 +24,22 @@
 #:   "Repeated (two-fold) lane entry and withdrawal of pedestrian without crossing",
 #:   "OUT, BACK, OUT, BACK - pedestrian trolls me twice",
 #:   "The man dips into the lane and out of it, two times over.",
+#:   "Two sorties into our lane, two retreats, no crossing.",
+#:   "kid comes out goes home comes out once more goes home once more",
+#:   "Ped: lane entry and withdrawal, same again, remains at edge.",
+#:   "Have the old man venture out and go back, two times.",
+#:   "HOKEY-COKEY: jogger in, out, in, out, still on the kerb",
+#:   "A woman with a pram pushed it into the lane, pulled it back, tried it a second time and pulled it back a second time as well.",
+#:   "The pedestrian target enters the lane and retreats to the edge, then performs the identical sequence once more and finally remains clear of the lane.",
+#:   "Both times he dared to come down off the kerb our car frightened him home again, and after the second go he let it be.",
+#:   "The boy makes one step in my lane and goes back, then he makes the same thing again, and at the end he stays on the sidewalk.",
+#:   "She's not going to go, you know; that's twice now she has come out in front of you and twice she's taken herself back.",
+#:   "Did the deceased's brother enter the road once or twice? Twice, and on each occasion he returned to the pavement that he had come from.",
+#:   "There was a gentleman on the kerb who plainly couldn't judge my speed. He came out into my lane, thought better of it and went back. No sooner was he on the pavement than he came out again, and blow me if he didn't go back again.",
+#:   "Pedestrian P1 moved from the sidewalk into the lane of V1 and withdrew to the curb. Some two seconds later P1 repeated the entry and likewise repeated the withdrawal. P1 was outside the lane when V1 passed and had at no point reached the opposite side.",
+#:   "I want to annoy the planner with a double feint. The person walks into the robotaxi's lane, turns and leaves it to the same side, and when the robotaxi has just begun to trust that, the whole thing happens once more: in, and out again.",
+#:   "A girl was fetching her ball, or wanted to. She ran down into the lane, saw us, skipped back to the grass. She gathered her courage, down into the lane a second time, and back to the grass a second time, and there she stayed crying.",
+#:   "My dears, it was like watching a cuckoo clock strike two. Out he popped in front of the motor, in he went; out he popped again, in he went again; and then the little door stayed shut, for he waited on the pavement until we had gone.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

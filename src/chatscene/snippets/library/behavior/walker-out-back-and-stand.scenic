@@ -24,6 +24,22 @@
 #:   "Repeated pedestrian entry with one withdrawal and final standstill in lane",
 #:   "Pedestrian in, out, in... and then JUST STANDS THERE",
 #:   "The walker ventured, recoiled, ventured anew and stuck.",
+#:   "Out on the tarmac, back on the kerb, out again: now standing there.",
+#:   "Let the walker start, withdraw, start afresh and then remain in the lane.",
+#:   "Granny came, granny went, granny came again, and then she didn't move any more!",
+#:   "Ped advanced stop withdrew stop advanced anew stop stationary in lane since",
+#:   "In lane, off again, in once more, and now rooted. Proceed with care.",
+#:   "lad puts himself in the lane, nah, back on the pavement, then enters a second time and just stays there like a post",
+#:   "The pedestrian target enters the lane, returns towards the kerb, enters for the second time and is thereafter stationary in front of the VUT.",
+#:   "I braked when she appeared, eased off as she skipped back, and had to brake all over again when she reappeared and stayed put in my lane.",
+#:   "The pedestrian came off the curb, reversed direction to get clear, came forward again and was standing in V1's lane at the time of impact.",
+#:   "He makes two steps on the street, two steps back, again two steps on the street, and this time he remains like a tree in my lane.",
+#:   "Did the old man want to cross or not, coming out, going back, coming out afresh and finally settling in the lane like a bollard?",
+#:   "I thought she had seen me, because she drew back to the kerb the instant she had left it. So I let the car roll; and out she came for the second time, and now nothing would shift her, she stood in my lane clutching her bag.",
+#:   "Two attempts, says the log. The first ends with the person retreating out of our lane; the second begins a moment later and ends with the person standing in it, speed zero, until we have stopped too and the run is over.",
+#:   "People waver, and you must give them room to waver. He's out, right, he's gone back, you're tempted to go; and see, he's on the road again, and now he's lost his nerve altogether and is standing in your lane looking at his shoes.",
+#:   "According to several onlookers the tourist first set foot in the lane, sprang back when somebody called, and then ventured in anew. On that second occasion he remained where he was, map in hand, while the robotaxi waited in front of him.",
+#:   "It was like watching a bather at a cold sea. In she went, and out; in she went again, a shade further, and there she stuck, arms hugging herself, in the middle of his lane, deaf to every word he said.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

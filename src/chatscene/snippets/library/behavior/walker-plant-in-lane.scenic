@@ -24,6 +24,22 @@
 #:   "Deliberate standing obstruction of ego lane by pedestrian.",
 #:   "MAN STANDS IN FRONT OF CAR AND REFUSES TO MOVE",
 #:   "A protester anchored himself in our lane.",
+#:   "Jogger trots in, halts before us, won't be shifted.",
+#:   "Woman enters our lane on foot and holds it like a sentry.",
+#:   "Target pedestrian: walks in, stops, remains for duration of test.",
+#:   "The man walked in front of our car and wouldn't ever go away.",
+#:   "How do you get past somebody who's walked in and won't leave?",
+#:   "I want a man who steps off the kerb, goes to the middle of the ego's lane, stands there and stays, come what may.",
+#:   "She had taken up residence in my lane, having walked to it quite calmly, and neither lights nor horn persuaded her to give it up.",
+#:   "The pedestrian proceeded on foot into V1's lane, ceased moving, and remained there for the entire time that V1 was waiting, ignoring verbal requests.",
+#:   "A señora walks to the middle of my lane and there she nails herself, I make pi-pi-pi, she doesn't go neither back nor forward.",
+#:   "Control, the demonstrators' leader has walked into the nearside lane, he's come to a stop there, and he says he's staying till the press arrive.",
+#:   "It's no use hooting, he walked there, he stopped there on purpose, and that's where he intends to be when you've gone home.",
+#:   "In twenty years on the buses I've had drunks and geese and a piano. Never had this. A young woman strolls into my lane, turns to face me, puts down her handbag, and that's it. She's stopping. I switched the engine off in the end.",
+#:   "Once the pedestrian target has walked from the roadside into the centre of the subject vehicle's lane and has come to rest, it shall not be moved again. The subject vehicle is required to stand before it, or to find a way around, but never to expect clearance.",
+#:   "The driverless taxi did all that could be asked of it: it slowed for the teenager who was walking into its lane, and when he stood still it waited. Then it waited some more. He knew perfectly well it couldn't run him over, so he simply stayed put.",
+#:   "Police were called when a farmer, angry about the bypass, walked out in front of a motorist and took his stand in the middle of her lane. He had been asked several times to move, a spokesman said, and had each time replied that he was comfortable.",
+#:   "Grandad's dementia was bad by then. He'd wandered from the garden into the road, right to where the lorry had to go, and come to a halt, staring up at it. And he stayed standing there however nicely the driver begged him, like a tree that had grown overnight.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Slow crossing of infirm pedestrian with recovery stop in own lane",
 #:   "GRANDPA TAKES A BREATHER IN MY LANE",
 #:   "The pensioner hobbles out, pants awhile in the lane and hobbles on.",
+#:   "Elderly lady, small steps, stops to puff in lane, small steps onward.",
+#:   "Let some frail person toddle over, rest before us, and toddle on.",
+#:   "Grandma went slow, then had a little rest, then went slow again.",
+#:   "La señora walks despacito, in my lane she takes air, then despacito continues.",
+#:   "Slow walker, winded, standing in lane... and moving again, same dawdle.",
+#:   "A man with an oxygen bottle came dragging his feet into our lane, stood there until his chest stopped heaving, and dragged them on to the far side.",
+#:   "She's taking it gently, bless her. She's had to pull up in your lane to get her wind back. Right, there she goes, gently as before.",
+#:   "Pedestrian target: traverse at 0.8 m/s, one dwell of 4 s inside the VUT's lane representing exhaustion, traverse continued at 0.8 m/s.",
+#:   "It wasn't confusion that made the old boy stand still before the robotaxi, merely lack of puff, and once he'd recovered he tottered along as slowly as ever.",
+#:   "Did the deceased's neighbour, crossing at a feeble pace, not have to remain in the lane to recover her breath before she could plod on to the other kerb?",
+#:   "Heavily pregnant and laden with bags, the woman waddled into the lane, needed a moment there with one hand on her back, and waddled on.",
+#:   "I am that old woman, so let me explain. My hip won't go faster than it goes, and halfway across your lane it was my lungs that gave up, so I had to stand for a bit and pant. You were kind enough to wait. Then I got along, one little step after another, and thank you.",
+#:   "The pedestrian, who used a walking frame, advanced into the roadway at a very low speed. In the lane of Vehicle 1 he became short of breath and ceased walking for some five seconds, supporting himself on the frame. After this interval he moved on, as slowly as at first, until he was across.",
+#:   "I'd like our car to be tested for manners. Somebody old and out of condition makes their way over, hardly lifting their feet, gives out just when they're in front of us, and needs several seconds to collect themselves. When they've got their strength back they make their way to the other side, no faster.",
+#:   "He walked as very old sailors walk, each step a negotiation. In the middle of our lane the negotiations broke down; he stood, one hand on his chest, drinking the air in great gulps, and no one in the line of cars dared to hoot. By and by he took up his journey, an inch at a time.",
+#:   "We delivery riders are always rushing, so I felt a bit ashamed. This granddad with two sticks was in the lane already, going at maybe half a step a second. Then he stopped to catch his breath, looked at us both, me and the car, shrugged, and in his own good time pottered off to the far kerb.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

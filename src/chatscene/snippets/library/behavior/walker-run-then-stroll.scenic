@@ -24,6 +24,22 @@
 #:   "Running road entry of pedestrian with pace collapse to slow walk in lane",
 #:   "Guy sprints out then STROLLS in front of my car",
 #:   "The lad dashed out and then moseyed through our lane.",
+#:   "Sprinted into the road, then ambled past our bumper like royalty.",
+#:   "Ped: run to ego lane, drop to slow walk, keep going.",
+#:   "In our lane the boy who'd raced out was merely sauntering.",
+#:   "Make a jogger charge off the kerb, then dawdle before the AV.",
+#:   "Ran into the road, then pure leisure in our lane, cheeky schoolgirl.",
+#:   "A bloke in a tracksuit came haring off the pavement, and once he was in front of my car he fell into the laziest of walks without ever standing still.",
+#:   "On reaching the VUT's lane, the pedestrian target, which has entered the road at running speed, is slowed to 0.8 m/s and continues its crossing at that value.",
+#:   "Policyholder braked for a woman who ran into the carriageway and who, having got into the policyholder's lane, eased down to a stroll and took her time getting out of it.",
+#:   "Can you have a teenager run into the street and then, just when he's before our robotaxi, throttle back to a relaxed wander for the rest of the way?",
+#:   "Zuerst the man is running in the street like for the Olympia, but before my car he makes it suddenly comfortable and goes slowly as on Sunday.",
+#:   "Don't take her sprint for a promise: she flew out, you thought she'd be gone, but now she's in your lane and she's only mooching along.",
+#:   "There were three of us in the cab of the tipper and we all expected him to keep running. He had come out of the yard at a real lick. But in our lane he sort of ran down, like a toy, to an idle walk, and wandered the rest with his hands in his pockets.",
+#:   "The model had him at 4 m/s and so predicted a free lane in a second and a half. He was at 4 m/s when he entered the road, yes. In the lane itself he came down to a slow walking speed, still upright, still moving, and the prediction was wrong.",
+#:   "You know what gets me, on the bike? People who bolt into the road, so you swerve your plan round them bolting, and then halfway, right in your lane, they decide there's no rush after all, and it's slow steps and a look at the phone until they're over.",
+#:   "Police are asking for witnesses after a man dashed into Harbour Road on Friday. A driver said he'd come out running at top speed but slackened to an unhurried walk as soon as he was before her car, so that she had to brake to a standstill while he passed.",
+#:   "She came out of the hotel at a run, skirts gathered. Then, as she gained the lane in which the car was approaching, she appeared to remember who she was; the run died away, and she proceeded before its headlights at the pace of a lady inspecting her garden.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Slow pedestrian lane entry with panicked running retreat.",
 #:   "PEDESTRIAN PANICS AND RUNS BACK TO CURB",
 #:   "A man dawdled out, spooked and skedaddled home.",
+#:   "Pensioner inches into our lane, panics, sprints for the pavement again.",
+#:   "Slow step in, shock, full-speed flight to the near kerb.",
+#:   "She enters slow like a duck, becomes fear, goes back running.",
+#:   "Let a pedestrian plod in, get scared, and race back out.",
+#:   "Out at a crawl, home at a gallop: one startled lady.",
+#:   "A man with a stick hobbled off the kerb into my lane, looked up, and found his legs again: he was back there in three bounds.",
+#:   "Ever so gradually the woman with the pram came out before the robotaxi, until it seemed to dawn on her, and she fled to the side with it.",
+#:   "The pedestrian's speed was 0.8 m/s on the way into the lane and, after a visible start, 3.5 m/s on the reverse course to the footway.",
+#:   "Our witness had ventured out at a dawdle; your horn, or your headlamps, gave her such a turn that she tore back to the pavement she had come from.",
+#:   "See, he's wandering in front of you with his paper, in no rush, and now that he's noticed us he's pelting back the way he came.",
+#:   "At a leisurely walk the young man entered the lane of V1, was alarmed at its nearness, turned about and fled from it as fast as he could run.",
+#:   "I am eighty-three and I do not run, as a rule. I had set out over the road in my own time, one foot and then the other, and I'd got to the lane when I saw that car. I can tell you I ran, all the way back to my gate.",
+#:   "Target profile, two phases of opposite direction. Phase one, entry into the VUT's lane at a shuffling speed. Phase two begins abruptly within the lane: the target turns by 180 degrees and returns to the edge it set out from at sprinting speed, where it stays.",
+#:   "Like a snail that's been touched. The little girl was coming out in front of our bus by tiny steps, pulling a toy dog, and the driver flashed his lights, and you never saw anything so quick: round she went and back into her mother's coat, dog flying.",
+#:   "I cycle past the care home daily. There's this gent who comes over the kerb as if the road were made of treacle, and I ring, and the car behind me hoots, and he gets such a jolt that he's off back to the kerb like a sprinter.",
+#:   "I'd like to test whether the AV waits for someone who's already gone. So: a person drifts slowly into its lane, appears to be frightened by it, whips round and goes running back to safety on the side where the thing had begun.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

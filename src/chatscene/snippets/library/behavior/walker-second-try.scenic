@@ -24,6 +24,22 @@
 #:   "Aborted pedestrian entry followed by wait at the edge and renewed rapid crossing",
 #:   "FALSE START! Attempt number two is a SPRINT",
 #:   "The girl ventures, retreats, lingers and then scoots across.",
+#:   "Steps off, scurries home to the kerb, ponders, then bolts over.",
+#:   "Ped enters, withdraws, short wait at edge, then crosses at a run.",
+#:   "Give me a jogger who aborts, lingers at the side, then sprints across.",
+#:   "First she came, then back, she waited, then quick quick over.",
+#:   "the kid went out went back counted to three n pelted across",
+#:   "An old man put himself into the road, backed out of it, stood awhile at the edge, and then made a dash for the other side.",
+#:   "The pedestrian target's first entry is cancelled by a return to the kerb; following a dwell time, it traverses the lane at sprint speed.",
+#:   "Fine, he's seen you, he's stepped back on the pavement and he's waiting. Don't speed up just yet... what did I say? There he goes, flat out.",
+#:   "The woman with the pram has come on the street, returned herself to the border, reflected one moment and after all she has run to the other side.",
+#:   "Who'd have thought that someone who had already retreated from the lane and stood there quietly would, moments later, fling himself across it at full speed?",
+#:   "On her second attempt she flew over the road in front of us, the first having ended in a retreat and a spell of waiting.",
+#:   "I was approaching at a moderate speed when a youth walked out from between the shops. He saw my car and went back to the side, where he remained, so I took my foot off the brake. At that very moment he changed his mind and came tearing over the road.",
+#:   "A witness on a bicycle told us that the pedestrian had been \"like somebody testing the water\". She entered the carriageway, drew back to its edge and hung about there for a second or two. Then, with Vehicle 1 now far closer, she shot out and ran the entire way across.",
+#:   "Parameter sheet, two-attempt crossing. Attempt one: pedestrian walks into the lane and reverses to the roadside. Dwell there, zero speed, one to three seconds. Attempt two: straight over at a sprint. Our intent estimator drops to \"not crossing\" during the dwell and the ego re-accelerates, which is exactly the wrong thing.",
+#:   "Three times I've told this at the depot. Little lad with a football comes off the kerb, sees my bus, hops back on it. Good lad, I think. He stands there, toes over the edge, looking at me, and I'm already rolling again when whoosh, over he goes like a rabbit, ball under his arm.",
+#:   "He ventured forth, and the headlights drove him home again; he stayed at the brink of the pavement with his hat in his hand, so that Marie took it for settled that she was to go first. It was then that he ran, coat-tails out, right across before her bonnet to the other shore.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

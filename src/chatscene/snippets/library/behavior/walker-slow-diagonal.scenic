@@ -24,6 +24,22 @@
 #:   "Slow oblique pedestrian crossing with extended exposure time",
 #:   "Grandma takes the LONG diagonal in slow motion",
 #:   "The old man inched slantwise over.",
+#:   "Granny toddles over the road slantwise, in no hurry whatsoever.",
+#:   "Someone ambling across obliquely, taking ages about it.",
+#:   "Let a man with a stick hobble over on a long diagonal.",
+#:   "Slow crosser, skewed path, stays before the AV forever.",
+#:   "Toddler-paced walker traverses the street at a shallow angle.",
+#:   "With her two sticks she inched over, and since she went cornerwise rather than straight, I switched off the engine and waited.",
+#:   "The old man needs a half eternity, because he goes with very little steps and not direct over the street but in oblique.",
+#:   "The mannequin travels at 0.6 m/s on a straight line inclined at forty-five degrees to the road axis, from one edge to the other.",
+#:   "He's plodding across to the post office, on a slant, so he's got twice as much road to cover at half the speed.",
+#:   "Have you ever seen anyone so leisurely, drifting from this corner to that one as though the street were a village green?",
+#:   "Please produce a woman with a pram who dawdles over my lane, and whose way is angled so that she's long in front of me.",
+#:   "The gentleman set out by the butcher's and was aiming for the bank, which is a good way up on the other side. He tottered there in one long slanting line, and it took him the whole of the news on the radio.",
+#:   "V1's video depicts the pedestrian, aged 84, moving at a shuffling gait from the northeast corner toward a point well down the opposite curb. Owing to the angle and the low walking speed, she was in the lane for eleven seconds.",
+#:   "Two blocks from the clinic a man with his leg in plaster came off the pavement. Clump by clump he made his way over, not square to the kerb but slanting along the street, and we in the queue could only admire him.",
+#:   "Our object predictor assumes that people take the shortest path at about one and a half metres per second. This pedestrian does neither, trudging over at a third of that and on a bearing which runs half along the lane.",
+#:   "My neighbour Mr. Wu is ninety and his feet don't lift. Every morning he goes over the road to buy bun, not straight, slant from our gate to the shop far there, and all cars must look at him long time.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

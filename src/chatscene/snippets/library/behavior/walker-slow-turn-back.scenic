@@ -24,6 +24,22 @@
 #:   "Unhurried pedestrian lane entry and equally unhurried retreat.",
 #:   "MAN WANDERS INTO ROAD, CHANGES MIND, WANDERS BACK",
 #:   "A woman meandered in and meandered home.",
+#:   "Ambles into our lane, wheels about, ambles off again.",
+#:   "Old man dawdles out, about-faces, dawdles back to his kerb.",
+#:   "Ped: leisurely entry, reversal, equally leisurely exit, same side.",
+#:   "Let somebody stroll out, turn and stroll back, no hurry.",
+#:   "DEMENTIA? Lady creeps into road, turns round, creeps home",
+#:   "A woman with her nose in her phone drifted off the pavement into my lane, swung round and drifted back to where she'd started, never quickening.",
+#:   "The pedestrian target moves into the VUT's lane at low walking speed, reverses its direction there and leaves by the same side, its speed unchanged.",
+#:   "The man walked into the lane as if he was in his garden, then he made a half-turn and went again to his side with the same calm.",
+#:   "took him ages to get into the lane and just as long to get out cos he turned on his heel there and ploded back",
+#:   "Grandpa went on the road very slowly because he thought he saw the bus, and when it wasn't the bus he turned and came very slowly back.",
+#:   "Why the hurry with the horn, when the poor soul was already facing about and shuffling back to the kerb she had shuffled out from?",
+#:   "I had plenty of time to look at him, that's how slow he was. He trailed out in his slippers until he was in front of me, stood round to face the way he had come, and trailed back to the pavement without once lifting his head.",
+#:   "The pedestrian entered the lane of Vehicle 1 at a pace put at less than one metre per second. Within the lane he turned around and walked to the side from which he had come, no faster than before, although Vehicle 1 was by then braking audibly.",
+#:   "What makes this one different is that nobody is startled. Our walker saunters into the lane of the AV, does a calm about-turn, and saunters out of it the way she came, at the very same low speed, so the lane is occupied for quite a while.",
+#:   "Never mind sighing at him. An old boy like that has gone out at a snail's pace, he's remembered his glasses or whatever, he's turning round, and he'll go home at a snail's pace too. You just sit here and give him his time.",
+#:   "She had come down from the kerb like somebody walking in her sleep, and in the middle of our lane she stood about, turned, and with the same sleepwalker's tread went up on the kerb again. I doubt that she ever knew there was a car.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

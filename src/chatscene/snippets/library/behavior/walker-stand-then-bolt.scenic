@@ -24,6 +24,22 @@
 #:   "Stationary pedestrian in own lane with escape at critically small distance",
 #:   "WAITS TILL THE LAST METRE THEN RUNS",
 #:   "The man in the lane stands fast and scrams when we are near.",
+#:   "Bloke's planted in our lane; only at the last gasp does he dash on over.",
+#:   "Ped motionless on the lane, flees onward just before the ego arrives.",
+#:   "Put a walker mid-lane who breaks into a sprint once we're close.",
+#:   "A boy made a statue in the road and zoomed to the other side very late.",
+#:   "She stands, stands, stands, and when the car is there she runs.",
+#:   "Someone was standing stock-still in our lane, and not before we were a few metres away did he tear off towards the far pavement.",
+#:   "The pedestrian target halts at lane centre, remains stationary and, at a small remaining distance of the VUT, completes the crossing at running speed.",
+#:   "hooted from miles off, man in the lane didnt stir, then once my bumper was basically at his knees he shot away over the road",
+#:   "The pedestrian remained standing in the path of V1 as it approached and took off running at the last instant, narrowly clearing the front end.",
+#:   "He is standing in the middle of lane like traffic police, and when the bumper is at two metres he becomes a hundred-metre runner.",
+#:   "Is this a dare among the kids now, to wait in the lane until the car's nearly there and then fly across out of its way?",
+#:   "We came round the church and there was a figure in the lane with its arms hanging down. We slowed and it stayed; we crept nearer and it stayed; and when we could make out its face it was off across the road at a gallop.",
+#:   "Never count on them going, and never count on them staying. That lady has been stuck in your lane all the time you were coming, hasn't twitched a muscle, and just now, with hardly a car's length left, she has bolted for the other pavement.",
+#:   "For the prediction team: the agent enters the lane and then shows zero velocity long enough to be filed as a static obstacle. When we're practically upon it, it accelerates hard and clears the lane at sprinting speed in the direction in which it was going.",
+#:   "My client did what any prudent driver would. He saw a man standing in the lane, he reduced his speed, he prepared to stop, and the man, who'd had all the time in the world, chose the very last moment to take to his heels.",
+#:   "Deer do that, I told my husband, not people. It stood there in the lane gazing into our lamps, a great tall fellow in a parka, and nothing moved but his breath until we were nearly touching him, and then he leapt away.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Pedestrian standing in lane with late running withdrawal to the side of origin",
 #:   "Man stands in the road, then RUNS BACK at the last second",
 #:   "The walker loitered in our lane, then skedaddled homeward.",
+#:   "Stands daring us, waits, then sprints home to his kerb.",
+#:   "Walker blocks lane; proximity trigger; runs off to entry side.",
+#:   "Boy in the road, doesn't budge, then zooms back where he was.",
+#:   "Stood in my lane till spitting distance, then tore back to her side.",
+#:   "Would you stand there until it's nearly on you, then run back?",
+#:   "Let a woman step into the ego's lane and wait there motionless, and when the ego has come near, flee at speed to the side she came from.",
+#:   "He'd been rooted in our lane all the while we approached, and it was only with us upon him that he raced for his pavement.",
+#:   "The pedestrian, having entered V1's lane, remained there immobile; when V1 was a short distance away, she ran in the direction of the curb she had left.",
+#:   "The girl has gone into my lane and stays, stays, stays, and when I am almost there she runs there where she has come from.",
+#:   "They do this for a dare on our estate, pupil mine: in he walks, he stands and waits for you, and now he's haring back again.",
+#:   "It ended with him scampering to his own side of the road, but until I was a car's length off he'd been holding his ground.",
+#:   "Like a heron in a stream he stood there, one hand on his hat, and I kept thinking he will surely move. Closer I came and closer. All at once the heron took wing; he fled, not forward to the baker's, but back to the churchyard gate he had come through.",
+#:   "The pedestrian target walks from the nearside into the lane and comes to rest. It holds that position until the vehicle under test is within the reaction distance, whereupon it turns about and leaves at running speed by the nearside, never touching the offside.",
+#:   "Bloody kids. One of 'em walks out in front of my wagon and just stands there, arms wide, his mates filming from the verge. I'm on the brakes, I'm on the horn, and at the last possible moment he scarpers, back to his mates, killing himself laughing.",
+#:   "Log review: VRU comes from the right and stops in our lane. AV decelerates, VRU doesn't react. With the distance down to about eight metres it breaks into a run, and the run goes to the right, i.e. back, while we'd already started nudging right to go behind him.",
+#:   "She must have frozen. There was I, coming along Harbour Street, and there was this lady with her terrier, stock-still in my way for ages. Only when she could practicaly feel the heat of the radiator did she wake up, and she flew back to the bus shelter she'd left.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

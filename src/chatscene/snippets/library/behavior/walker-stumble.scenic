@@ -24,6 +24,22 @@
 #:   "Trip and fall of running pedestrian, person lying in ego lane.",
 #:   "RUNNER TRIPS AND LANDS IN FRONT OF MY CAR",
 #:   "The crossing runner toppled in our lane.",
+#:   "Jogger going over, loses footing, flat on the deck before us.",
+#:   "Have somebody race out, catch a toe, and lie sprawling in our lane.",
+#:   "Ped was sprinting over, took a tumble, is down, not rising, lane one.",
+#:   "La fille court, her shoe breaks, she falls and stays on my road.",
+#:   "he ran out then went SPLAT right in front of us stayed down",
+#:   "Rushing for the tram on the other side, the clerk put his foot in a pothole and went headlong, and there he lay, in the ego's lane.",
+#:   "Target sequence: crossing at running speed; loss of balance with a short lateral stagger; dummy dropped to prone position in the VUT's lane, remaining there.",
+#:   "I found a lady lying across my lane when I'd stopped, and I'd watched her get there: running from the pavement, ankle over, and a dreadful crash to the ground.",
+#:   "Will he make it, running like that in flip-flops? No, he's come a cropper, he's face down in your lane, and that's where he's staying.",
+#:   "The man on the asphalt ahead of the robotaxi had been crossing at a run, and it was a loose paving slab that upended him and left him there.",
+#:   "Because her long coat had got between her legs, the woman who was hurrying across in front of V1 pitched forward and ended on the road surface.",
+#:   "I'd only just come off the roundabout on my bike. A student came running across with an armful of folders, and I thought he'd beat the car easily. Then he clipped the edge of a drain, did three or four drunken steps and hit the ground like a sack, papers everywhere, in front of the car. He stayed there.",
+#:   "The plaintiff does not dispute that he was running. He ran from the eastern pavement into the road, and in the lane of the defendant his foot struck a raised manhole cover. He staggered, fell at full length, and was unable to get himself off the ground, being stunned, before the defendant's car arrived.",
+#:   "Low-obstacle case for the perception group. A pedestrian comes across at a run, and we track them without difficulty as an upright figure. In our lane they trip, reel for half a second and go down, after which what's left is a person-sized shape on the tarmac that doesn't move any more. Most classifiers drop it.",
+#:   "There was ice about, and I'd told my pupil to expect the unexpected. Over came a woman at a trot, late for work I suppose, and when she got to our lane both her feet went from under her. Down she crashed. She lay there, dazed, and we sat with our hazards on to shield her.",
+#:   "She had escaped from the house and she was running, that was all anyone knew, barefoot, over the road. In the beam of our headlamps she seemed to trip upon nothing; she swayed, her arms went out, and she dropped. She didn't stir. Her hand was lying on the white line, palm upward, three yards from our wheel.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Split crossing of pedestrian in two rapid legs with wait at own lane boundary",
 #:   "CROSSES IN TWO INSTALMENTS: dash, wait, dash",
 #:   "The woman scurries to our lane's edge, waits and scurries over the rest.",
+#:   "Dashes up to our lane, holds at its border, dashes past us.",
+#:   "Two hops: kerb to lane marking, pause, lane marking to kerb.",
+#:   "Have the jogger rush to our lane line, wait, rush on.",
+#:   "Mum with pram trots out, stands beside our lane, trots through it.",
+#:   "Stage 1 quick to lane boundary, dwell, stage 2 quick over the remainder.",
+#:   "The waiter scurried over the far lanes with his tray, held back at the line that borders ours, and then scurried through ours to the other kerb.",
+#:   "The pedestrian target covers the first part at 2.5 m/s, is halted clear of the VUT's lane at its boundary, and after the dwell time covers the second part at 2.5 m/s.",
+#:   "I noticed her because she came quickly as far as the white line next to me, stood on it as on a tightrope, and then went quickly over my bit as well.",
+#:   "Set up a man with a suitcase who hastens to the side of the ego's lane but not into it, waits there a while and then hastens over what's left of the road.",
+#:   "La señora goes rapid until the line of my lane, there she waits very correct, and after this she goes rapid the second part to the other sidewalk.",
+#:   "He has run up to your lane and he's stopped short of it, good boy, but he'll want the other half, and now he's running that too.",
+#:   "My dispatcher always tells me to watch for people standing on the paint. This one had trotted out from the left, far lane first, and was stood on the line right beside where I'd be driving. He let a second or so go, and then he trotted in front of me and over.",
+#:   "Pedestrian 1 crossed in two movements. In the first she jogged from the east curb to the lane line on the left of V1's lane and remained there, outside the lane. In the second she jogged from that line through V1's lane to the west curb.",
+#:   "When you're eight you do as Gran does. Gran took my hand and we ran, and just before the part where the car was coming we stopped on the line and she said wait, and I waited, and then she said now and we ran the other part.",
+#:   "The crossing is divided like a play with an interval. Act one, the man hurries out, and breaks off at the very margin of the lane the AV is using; interval, he stands there with his toes at the marking; act two, he hurries over that lane and is off.",
+#:   "Nasty for a planner, this, since the person who comes up fast and halts neatly at the brink of the ego's lane looks exactly like someone who is going to give way. After the wait, though, she takes off again at the same fast clip and finishes the crossing.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

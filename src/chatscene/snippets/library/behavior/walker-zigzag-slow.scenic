@@ -24,6 +24,22 @@
 #:   "Slow pedestrian crossing with pronounced lateral sway",
 #:   "Drunk guy takes FOREVER swaying across the street",
 #:   "The tippler wallowed sluggishly over.",
+#:   "Unsteady man crosses at a creep, tilting left, then right.",
+#:   "Slow reeler on foot, over the road in lurches from side to side.",
+#:   "He traverse very slowly and balance himself to left, to right, always.",
+#:   "Crossing pedestrian, low speed, rolling gait, no straight line, ego waits.",
+#:   "Wobbly old woman, ever so slowly over our road, lurching sideways.",
+#:   "A man with a bottle took the best part of a minute to get over in front of the taxi, listing to one side and then the other.",
+#:   "Could you have somebody cross before the AV at a tottering pace, never in a straight line but lurching now to the left, now to the right?",
+#:   "She was making her way over the street in slow motion and, being ill as it turned out, kept swinging from one side to the other.",
+#:   "The pedestrian's crossing velocity did not exceed 0.7 m/s; the path exhibited alternating deviations to the left and to the right of the perpendicular.",
+#:   "Mind the gentleman who's come out of the pub: he's on his way over, bit by bit, tacking like a dinghy, so hang back until he's landed.",
+#:   "Slowly, terribly slowly, like a mast in a swell leaning to port and to starboard, the figure in the raincoat came over the road before us.",
+#:   "Officer, I'd have hooted, only it wouldn't have helped. The fellow was crossing as though the ground were a ship's deck, over to this side, over to that side, and he moved forward so little with each step that I turned my engine off and waited.",
+#:   "V1 approached an uncontrolled location. A pedestrian with a blood alcohol level of 0.21 was walking across V1's lane at a rate well below normal. The pedestrian swayed from left to right repeatedly, so that the driver of V1 was unable to judge on which side to pass.",
+#:   "Our dog walks straighter than that man did. Daddy stopped the car and we all watched him come over. He went a bit this way and a bit that way, like when you've been spinning, and he was so slow that I could count to forty.",
+#:   "Four in the morning, last load, and there's a lass in heels trying to get to the other pavement. She's weaving like a bee over a flower bed, left, right, left, and she's not getting there any faster than my wagon would on foot. I just sat and waited.",
+#:   "We classify such persons as slow lateral oscillators: they traverse the carriageway at far below the usual walking speed, and superimposed on this is a body sway which carries the track alternately to either side. A constant-velocity model predicts neither the duration of the crossing nor its course.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Repeated alternating lane changes of vehicle in neighbouring lane.",
 #:   "CAN'T PICK A LANE: IDIOT KEEPS SWITCHING",
 #:   "The motorcycle stitched its way between the lanes.",
+#:   "Hatchback next lane over keeps zigzagging across the dashes.",
+#:   "biker alongside swings betwen lanes like a metronome over and over",
+#:   "Let the lorry in the target lane wander back and forth across lanes.",
+#:   "Adjacent coach lane to lane to lane, cannot be predicted, over.",
+#:   "That car there goes wiggle waggle in two lanes, Papa!",
+#:   "The pickup where we wished to go would not stay in its own lane but drifted out of it and in again, out and in, all the time.",
+#:   "In the lane neighbouring that of the VUT, the target follows an oscillating path whose amplitude takes it repeatedly across the lane marking and back.",
+#:   "Don't go over yet, because the van in that lane can't make up its mind: a bit of this one, a bit of that one, forever swaying.",
+#:   "The driver on the other lane was surely tired, his bus was going like a pendulum from his lane to the next and always again back.",
+#:   "Is that motorcyclist warming his tyres? He's been swinging left and right over the lane line beside us for the last half mile without pause.",
+#:   "I did not change lanes since the saloon in the lane I needed was tacking to and fro across the markings like a dinghy in light wind.",
+#:   "It was about half past two in the morning and there was only this one van in the lane next to mine. It leaned over the white dashes, leaned back, leaned over, leaned back. I could see the driver's head nodding in time. I rang your people as I dared not go by.",
+#:   "Ticket: weaving neighbour. Actor in our merge target lane runs a sine-like lateral pattern that carries it over the lane boundary and back every few seconds, at steady speed. Lane assignment in the tracker flips with each swing and the merge decision with it. Should simply not merge until the thing has calmed down.",
+#:   "The police helicopter kept its camera on the silver coupé for nine minutes. During this time, the prosecution says, the car was seldom in one lane for longer than the blink of an eye; it curved from one into another and curved back again, to the alarm of the driver travelling next to it.",
+#:   "Thirty years in artics and I know the signs. This other rig, in the lane I was hoping to move to, its trailer's over the line, then it's gone, then it's over again, a slow wag from side to side as if the whole outfit were humming a tune. He's asleep or texting, I said.",
+#:   "Dash cam from a reader: the motorbike on the left of the frame, lane beside the cammer. Watch the dashes go under its wheels. There, there, there, there. Never commits to one side, merely swings across and returns, swings across and returns, while everyone around hangs back and prays. Comments: \"free snake charming\".",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advLane"]

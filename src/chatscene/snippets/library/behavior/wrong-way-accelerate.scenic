@@ -24,6 +24,22 @@
 #:   "Opposing vehicle in own lane for overtaking under increasing speed",
 #:   "OVERTAKES INTO ME AND SPEEDS UP",
 #:   "The oncoming truck sallies out into our lane and pours on speed to pass.",
+#:   "Oncoming coach comes out to pass someone and floors it at us.",
+#:   "Biker opposite leaves his lane to overtake, accelerating head-on in ours.",
+#:   "Let an approaching saloon start overtaking in my lane, gaining speed.",
+#:   "Opposing van, passing manoeuvre, our side, throttle wide open.",
+#:   "Police car from ahead swings onto our half, speeding up to get by.",
+#:   "A lorry driver approaching me ran out of patience with a caravan, moved over to my side and wound it up to get past.",
+#:   "The auto which was facing us comes out of his queue into my lane for overtaking, and on seeing me he's only going faster.",
+#:   "When the gap to the ego falls below the threshold the opposing vehicle takes the ego's lane and accelerates as though passing a slower one.",
+#:   "He's fed up sitting behind that tractor, so out he pops into your lane, coming at you, and he's giving it the beans.",
+#:   "What possessed the motorcyclist to pull into my lane from the other direction and open the throttle, instead of tucking in again?",
+#:   "Head-on! Fire engine overtaking traffic on the opposite side is now in OUR lane and getting quicker by the second",
+#:   "The queue was on the other side, nose to tail behind a milk tanker. A pickup broke out of it onto my side with a puff of black smoke, and every time I blinked it was coming at me faster than before.",
+#:   "V2, traveling in the opposite direction, crossed the double line to pass a slower vehicle. The event data show throttle at one hundred per cent and rising speed while V2 was wholly in V1's lane, facing V1, for the next four seconds.",
+#:   "All he saw at first was the bus, far off, sensible, in its place. But it had a timetable and a horse-box before it; and it leaned out, filled their lane from hedge to hedge, and gathered itself, and came on harder.",
+#:   "I need an overtaker on the opposite side who picks a gap that he doesn't have. The saloon leaves its own lane for ours, nose toward the robotaxi, and adds speed continuously, because he believes he'll be past in time.",
+#:   "We were on the national road in the direction of Lyon. An ambulance which came in face has gone out of its file for doubling a camion, and in place of renouncing it has pushed the accelerator, in my lane, against me.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

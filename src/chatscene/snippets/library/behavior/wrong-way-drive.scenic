@@ -24,6 +24,22 @@
 #:   "Sustained contraflow travel of opposing vehicle in ego lane.",
 #:   "WRONG WAY DRIVER HEAD ON IN MY LANE",
 #:   "The truck breasted the traffic in our lane.",
+#:   "Bus on our side, pointed at us, and it keeps on coming",
+#:   "Unit 6, vehicle in your lane proceeding contraflow towards you.",
+#:   "Moped riding against the stream, straight up the AV's lane.",
+#:   "Put an ambulance head-on in the ego's lane, holding a steady pace.",
+#:   "Why is that van in our lane facing us?",
+#:   "The pickup had no right to be where it was, on my half of the road, travelling steadily towards me against everybody who was going my way.",
+#:   "The oncoming target occupies the lane of the vehicle under test, opposed to the prescribed direction, and closes in at a constant 40 km/h.",
+#:   "I blinked my lights at the lorry, for it was driving up our lane from the other end, but the driver just carried on in the wrong direction.",
+#:   "V2 was proceeding in a direction opposite to that permitted and was in the same lane as V1, approaching it front to front at moderate speed.",
+#:   "A tourist car, I think from the left-driving country, was coming on my lane against me, not quick, not slow, he did not understand his mistake.",
+#:   "some delivery rider cycling the wrong way up my lane, towards me, keeping a nice even pace like thats totally normal??",
+#:   "At first we took the headlamps for somebody overtaking who would soon be back on his side. He wasn't overtaking anything; he was simply travelling up our lane in the wrong direction, mile after mile for all we know, and he came on without a waver.",
+#:   "Listeners, you've heard the traffic announcer say there's a vehicle going the wrong way. Well, I met it. It was a beige saloon, it had my lane to itself until I turned up, and it kept driving towards me as if I were the one in error.",
+#:   "The parameter set is simple: opposing agent, lateral position within our lane, heading reversed relative to the lane, speed constant. No lane departure back to its own side, no braking, no swaying; the AV has to solve the head-on conflict on its own.",
+#:   "He'd come out of the filling station by the wrong exit, I suppose, that motorcyclist. At any rate he was in the lane that belonged to us, riding against us and against the arrows on the tarmac, as regular as a clock.",
+#:   "Q. Which lane was the fire engine in? A. Mine. Q. And which way was it heading? A. Towards me, against the traffic, and it stayed in my lane the whole time I could see it, at the same speed.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]

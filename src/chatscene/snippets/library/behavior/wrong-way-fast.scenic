@@ -24,6 +24,22 @@
 #:   "High-speed counterflow travel of opposing vehicle in own lane",
 #:   "WRONG-WAY RACER HEADS STRAIGHT FOR ME",
 #:   "The wrong-way motorcycle thunders down our lane.",
+#:   "Ghost rider in our lane, coming at a hundred plus.",
+#:   "Oncoming sedan, contraflow in ego's lane, very high velocity, no yielding.",
+#:   "He's on our side of the road and he's absolutely caning it.",
+#:   "Why is a Porsche rocketing towards me in MY lane?",
+#:   "A motorbike came at us super fast on the side where we drive.",
+#:   "I want a getaway car that comes from the front at top speed, in the ego's lane, against the direction everybody drives in there.",
+#:   "What I saw was two headlamps dead ahead, in the lane I was in, getting bigger quicker than anything I've ever seen.",
+#:   "V2 was traveling southbound in the northbound lane occupied by V1, at an estimated ninety miles per hour, and took no evasive action.",
+#:   "A Geisterfahrer with an enormous speed was on my own lane against me, I had only to pull the wheel and to pray.",
+#:   "Get left, get left, there's a wrong-way Subaru heading for you in lane two and he must be doing a ton.",
+#:   "Closing speed was the killer: the biker opposing us was in our lane from the start and had the throttle pinned.",
+#:   "My old heart nearly gave out. We were pottering along to the garden centre, the two of us, and towards us, on our side of the dual carriageway, came a silver motor car at such a speed that it was there and gone by before I could say Jack Robinson.",
+#:   "Frontal encounter, high energy. The opposing vehicle uses the lane of the subject vehicle in the forbidden direction and maintains a speed well over that of the surrounding traffic. It neither slows nor goes back to its side; avoidance is left to the subject vehicle alone.",
+#:   "The suspects, chased by three units, had gone up the exit ramp. From then on they were barrelling along in the lane of the people who were heading home from the match, facing all of them, at a speed the pilot of the helicopter put at 160 km/h.",
+#:   "On the tape there's a dot in the middle of the AV's lane, way off where the road meets the sky. Two seconds on, the dot is a motorcycle. One more and it fills the picture, head-on, its rider flat on the tank and going like a bullet.",
+#:   "I've been driving artics on the autobahn since the Wall came down, and I've met wrong-way drivers, mostly confused old folk. This one wasn't confused. He was in my lane, facing me, full beam, and hammering on as if he had the whole road to himself.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

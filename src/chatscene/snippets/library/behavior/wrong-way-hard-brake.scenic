@@ -24,6 +24,22 @@
 #:   "Wrong-way opposing traffic in own lane with hard braking to standstill",
 #:   "WRONG WAY biker slams brakes nose to nose with me",
 #:   "The lorry charged up our lane from the wrong end and screeched still.",
+#:   "Van against the flow in your lane, now stopped, smoking tyres, over.",
+#:   "Ghost rider heading at me in my lane, grabs everything, halts.",
+#:   "I want a coach on our side, oncoming, that emergency-stops facing us.",
+#:   "Contromano in my lane he comes, frena fortissimo, and stays fermo before me.",
+#:   "That lorry came the wrong way in our lane and went SCREECH and stopped",
+#:   "When I'd got my eyes open again the taxi was stationary, its bumper to mine, having driven towards me in my lane and been braked to within an inch.",
+#:   "The opposing target occupies the VUT's lane contrary to the traffic direction, applies maximum deceleration at the trigger distance and remains at rest ahead of the VUT.",
+#:   "What saved us was that the tourist heading up our side of the road in his hired SUV woke up and braked with all his might to a dead stop.",
+#:   "A bus bound the wrong way along the robotaxi's lane was brought to a shuddering standstill yesterday when its driver, late in the day, noticed the taxi's lamps.",
+#:   "If you ever get one driving at you in your own lane like that pickup, ease over, flash him; there, he's locked up his wheels, he's stopped.",
+#:   "So it's your evidence that this motorcyclist, travelling in the lane meant for you and against you, braked as hard as he could and came to rest there?",
+#:   "I'm not a swearing woman, but I swore. A great big lorry was bearing down on me in the very lane I was driving in, no question about it, it was on my side. At last the driver must have seen me, because there was a hiss and a howl and smoke, and it stood still, towering over me.",
+#:   "V2 had entered the divided highway by an exit ramp and was proceeding south in a northbound lane, the same one as V1. Seeing V1, V2's operator made an emergency application of the brakes. The vehicle left fourteen metres of skid marks and stopped, still in V1's lane and still facing it.",
+#:   "Here's the one I need for the head-on suite. A car drives at us in the lane we're in, in the opposite direction to what's allowed. It then does a panic brake, everything it has, until it's at a standstill and blocking us. It shouldn't slow gently, and it shouldn't back off afterwards.",
+#:   "Everyone on the forum's blaming the sat nav. Anyway, foreign camper comes at me round the bend in MY lane, on MY side, wife screaming. He throws out the anchors so hard that the bikes on the back jump off their rack, and the whole thing grinds to a halt, and we just sit there, headlamp to headlamp.",
+#:   "In Germany the radio warns you of such people, but I heard no warning. I drive on the right lane and in exactly this lane comes a motorbike towards me, false direction. The man brakes so strongly that the back wheel lifts itself, and then he stands, directly before my car, and shakes.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Contraflow approach in ego lane with short interruption and resumption.",
 #:   "WRONG WAY DRIVER STOPS... THEN KEEPS COMING",
 #:   "The wrong-way cyclist faltered in our lane, then pressed on.",
+#:   "Ghost bus in our lane: comes at us, baulks, comes at us anew.",
+#:   "Oncoming in the wrong lane, the pickup froze briefly, then advanced again.",
+#:   "Make a cyclist ride at us in our lane, halt, think, ride on.",
+#:   "Contraflow truck, ego lane, two-second standstill, onward toward AV.",
+#:   "After a moment's stop the wrong-way taxi resumed bearing down on us.",
+#:   "A camper van was approaching on my side of the road, dead ahead of me, and although it did stop for a breath or two, the driver then let it roll towards me again.",
+#:   "Opposing target travels in the VUT's lane against its permitted direction, decelerates to rest, dwells for the specified stop time and proceeds once more in the direction of the VUT.",
+#:   "The driver of V2 admitted to having been in the northbound lane while heading south, to having stopped there from uncertainty, and to having continued southbound in it all the same.",
+#:   "I want an SUV meeting us head-on in our own lane, and it should brake to a halt as though it had noticed the mistake, and then keep coming anyway.",
+#:   "Lorry is coming wrong side, straight in my lane, stops for small time, I am thinking thank God, and again he has started coming towards me only.",
+#:   "ok hes in our lane facing us, hes stood still, so is he going back?? no he isnt hes moving up on us again the clown",
+#:   "Tourists, by the plates. They were driving on the left, which was my side, and were coming straight up my lane. They pulled up, I could see them arguing over the map, and then, to my horror, the car began to come at me again in that same lane.",
+#:   "All units, wrong-way vehicle on the A14, a blue artic, coming at traffic in the inside lane. It did stop, I repeat it did stop for a few seconds at marker twelve, but it has now moved off and is again running towards the oncoming cars in that lane.",
+#:   "You sit in a quiet robotaxi and there's this motorbike coming up your own lane with its headlamp in your eyes. It brakes, a boot goes down, and you breathe out. The boot comes up, and there's the headlamp growing again, because he's carrying on the same way.",
+#:   "It isn't the wrong-way drive as such that trips our stack up but the pause in it. The actor is in our lane, against us; it brakes to zero, which the planner reads as yielding; and just as we begin to move, it starts rolling at us again.",
+#:   "For an instant reason seemed to have got the better of the old gentleman. He had been steering his Rover towards them in the lane that was theirs; he stopped it; he looked about him through the glass. And then, with a little nod, he came on towards them as before.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Belated return of opposing overtaking vehicle from own lane",
 #:   "CLOSEST OVERTAKE EVER - swerves home with inches to spare",
 #:   "The oncoming van overtakes on our side and ducks home barely in time.",
+#:   "Oncoming saloon passes others in our lane, returns at the last gasp.",
+#:   "Facing biker, mid-overtake, our side: yanks it home desperately late.",
+#:   "He overtakes against me, and only before the crash he jumps back.",
+#:   "Head-on overtaking coach ducks into its own lane with nothing to spare.",
+#:   "An oncoming overtaker hogs our lane, then darts home, far too late.",
+#:   "A tipper from the other direction was getting past a tractor on our half of the road and flung itself back over the line when I'd given up hope.",
+#:   "Make the opposing car use the AV's lane for its overtaking, and don't let it swing back to where it belongs until a collision seems certain.",
+#:   "The motorcyclist who'd been coming at us in our lane, past a string of cars, jerked back among them with perhaps a bonnet's length left.",
+#:   "The opposing target, engaged in passing, remains in the VUT's lane down to a TTC of about 1 s, then steers sharply back to its own side.",
+#:   "That fool's passing the caravan straight towards us, there's no room, there's no room, and now he slings it back over, with you already on the verge.",
+#:   "What saved me was a twitch of his wheel: he'd been overtaking in my lane, coming at me, and at the eleventh hour he threw the van home.",
+#:   "Both of my passengers will confirm it. The bus came round the bend on our side of the line as it was passing a lorry. It kept coming on our side. I could read the destination board when at last its driver wrenched it back in front of the lorry.",
+#:   "V2 was southbound in the northbound lane for the purpose of overtaking a slower vehicle. V1 was northbound in that lane. V2 persisted until the vehicles were approximately fifteen metres apart, at which point V2 veered back into the southbound lane. There was no contact between V1 and V2.",
+#:   "There is a straight beyond Salas where young men go to prove things. This one came at her in her lane, beside the truck that he wished to have behind him, and he did not fall back, and he did not brake; he whipped in ahead of it with a second left him.",
+#:   "Thirty-one years on artics and I've never shut my eyes before. A little red hatchback's overtaking a horsebox, coming the other way, on my side, where I am. I'm flashing, I'm hooting. He leaves it and leaves it, then he flicks back onto his half and he's by my mirror.",
+#:   "Please add a near miss to the rural set. The other vehicle comes towards the ego in the ego's lane, since it is out overtaking, and stays there longer than any sane driver would; the swerve to its proper lane happens so late that the ego must have braked already.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Wrong-way opposing traffic in own lane with standstill and rearward withdrawal",
 #:   "Wrong-way truck realizes mistake and REVERSES OUT",
 #:   "The bus facing us in our lane stopped and backpedalled.",
+#:   "Van on our side, head-on, pulls up, beats a retreat in reverse.",
+#:   "Bus contraflow in ego's lane, halts short, retires rearward, lane clearing.",
+#:   "Have a lorry meet us in our own lane, stop, and back away.",
+#:   "He drives against us in our lane, stops, then goes away backwards.",
+#:   "Cab came up my lane nose to nose, stood, then reversed off sheepishly!",
+#:   "The pickup had taken the wrong half of the road and was coming straight at us; it drew up short and then rolled tail-first whence it came.",
+#:   "The opposing target travels in the VUT's lane contrary to its direction, decelerates to rest and subsequently enlarges the gap again by moving in reverse gear.",
+#:   "He's on your side of the road, that fellow, keep calm. He's stopped, he's looking over his shoulder, and there he goes backwards, problem solved.",
+#:   "A truck was falsely in my lane with its front to me. It came to stand, and then with beep-beep it drove in reverse away from me.",
+#:   "Would you not have done the same as the coach driver, who on meeting us in the lane that was ours came to a halt and backed off?",
+#:   "I want an oncoming hatchback that has strayed wholly into the ego's lane, comes to a standstill facing it, and then withdraws in reverse, leaving the ego unharmed.",
+#:   "The claimant was proceeding along Bath Street when she found a delivery van approaching in her lane, against the flow. Both vehicles were halted. The van's driver then engaged reverse and took his vehicle backwards, away from her, for about twenty yards; there was no contact and the claim concerns whiplash from braking.",
+#:   "New road layout, I suppose. There was this enormous coach coming at me in MY lane, full of tourists, every one of them pointing. Thank God it stopped. We stared at each other for a tick. Then on came white lights, and it trundled off in reverse the way it had come.",
+#:   "Simulator operator's remark on the ghost driver: Opposing car swaps onto our lane at some seventy metres and continues toward us. It brakes to zero at the trigger distance and pauses for a fraction of a second. Then its velocity turns negative, range opens. Ego should hold and must not try to swerve round it.",
+#:   "At first I believed I was the one who'd gone wrong, at my age you do. But no, my side was my side, and that lorry was on it, coming up to me with its lamps lit. It stood still. Then, beeping, it grew smaller and smaller, going backward, until I had my road again.",
+#:   "Two drunks in a white saloon, said the girl on the cargo bike. They were heading for the robotaxi along its own lane, singing; the song broke off, the saloon dipped and stood. After that she heard the whine you get from a small car in reverse, and saw it shrink away, tail leading.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Slow contraflow approach in ego lane ending in face-to-face standstill.",
 #:   "WRONG WAY DRIVER CRAWLS UP AND STOPS IN FRONT OF ME",
 #:   "The wrong-way bus trickled up our lane and moored there facing us.",
+#:   "Minibus tiptoes up our lane against us, then comes to rest.",
+#:   "Old boy on a bike wobbles slowly at us, contraflow, and stops.",
+#:   "Have a lorry inch the wrong way along my lane, then halt.",
+#:   "Facing us in our lane: a hatchback, dawdling, then gently stationary.",
+#:   "Wrong-direction cyclist in the AV's lane, very slow, finally at a stand.",
+#:   "The cab was in my lane, pointing at me, coming along at no more than a jog, and little by little it stopped altogether.",
+#:   "An old man drives his car on the false side, in my lane, quite slow towards me, and after some metres he stays standing.",
+#:   "The wrong-way target, having moved over into the VUT's lane, approaches at low constant speed and is gently brought to zero.",
+#:   "It came to rest with its headlamps facing mine, after a slow progress up my side of the street, which is no place for a coach.",
+#:   "That's your lane he's in, the milkman, and he's coming at you at a crawl; steady, he's running out of puff, he's stopped.",
+#:   "Did the saloon you met in your own lane, travelling contrary to you and scarcely faster than a walker, end up at a standstill?",
+#:   "I think the lady in the motorhome was a visitor here and had forgotten which side we use. She rolled along my lane toward me, very timidly, slower and slower, and at last she halted and put her hands over her face.",
+#:   "V2 was in V1's lane, oriented opposite to the direction of travel and moving at an estimated 6 mph. V2's speed decayed smoothly to nothing; V2 was stationary, facing V1, at the time V1's own brakes were applied.",
+#:   "The cyclist had his shopping on both handlebars and the whole street to choose from. He picked our lane, wrong way, pedalled up it as gently as you please, and finally got down off the saddle right where he was, facing the van.",
+#:   "I'm asking for an easy one for our new operators. A bus has strayed into the shuttle's lane, headed the wrong way; it approaches us at a jogger's speed and, well before we meet, softly pulls up and doesn't move again.",
+#:   "Look at this delivery driver, people. He's in my lane, he's coming straight at me, and he's doing maybe five miles an hour, like a cat that's been caught. And now he's just stopped there, nose to me, engine on.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

@@ -24,6 +24,22 @@
 #:   "Counterflow travel in own lane with unsteady lateral course",
 #:   "WRONG SIDE AND ALL OVER THE PLACE - drunk driver?",
 #:   "The wrong-way cyclist zigs and zags down our lane.",
+#:   "Wrong-way scooter approaches, snaking about within our lane.",
+#:   "Cyclist comes at us in our lane, wandering side to side.",
+#:   "Ghost driver, our lane, serpentine course, distance closing.",
+#:   "HEAD-ON DRUNK: car in my lane, swaying left and right",
+#:   "Have a motorbike slalom toward the AV inside the AV's lane.",
+#:   "The hatchback was where it shouldn't be, coming up my side, and it rolled from one edge of my lane to the other.",
+#:   "The opposing target travels in the lane of the VUT contrary to its permitted direction while oscillating laterally between the lane boundaries at a moderate speed.",
+#:   "He's in our lane and coming this way, the lad on the bike, and he can't keep it straight: kerb, middle, kerb, middle, all the way.",
+#:   "It is a motorcycle against us, on our own side, and it makes like a fish, to right and to left, one doesn't know where to pass.",
+#:   "A man who had been riding his bicycle the wrong way, and in wavy lines at that, along the lane of oncoming motorists was fined on Tuesday.",
+#:   "which side do i go when the taxi thats facing me in my lane swerves to the left one second and to the right the next??",
+#:   "I was on the lake road, in my own lane, when headlights came up it from the wrong end. The car wouldn't hold a line. It swung over to the bank, back to the centre marking, over to the bank again, always on my side and always nearer.",
+#:   "V2 had crossed to the wrong side of the road some seventy metres before and was proceeding toward V1 within V1's lane. Its course was sinuous, with three complete swings between the edge line and the centre line, which its driver ascribed to having fallen half asleep.",
+#:   "To make the head-on case harder, the counterflow car does not drive straight. It stays in the lane of the robotaxi, it faces the robotaxi, and the whole time it wobbles across the width of that lane, so that neither side offers a dependable way out.",
+#:   "Right, slow right down, this is a bad one. That moped oughtn't to be in your lane at all, he's coming up it the wrong way, and look at him zigzag. Don't try to guess which side he will be on, because he doesn't know himself.",
+#:   "We were nearly at Granny's when a lady on a bike came towards us on our side and not on hers. She had a dog on a lead and the dog kept pulling, so she went wibble-wobble from here to there in front of us, right up our lane.",
 #: ]
 #: adversaries = ["car", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]

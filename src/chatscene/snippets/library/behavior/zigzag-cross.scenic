@@ -24,6 +24,22 @@
 #:   "Erratic zigzag crossing path of pedestrian",
 #:   "Pedestrian ZIGZAGS across the road, where is he going??",
 #:   "The walker tacked and lurched across.",
+#:   "One tipsy reveller, crossing in lurches, one way, then the other",
+#:   "Let a pedestrian cross by way of a jagged, tottering course.",
+#:   "Ped going over, stumbling left, stumbling right, track like a sawtooth.",
+#:   "The man walked over the road like our dog sniffing, this way, that way!",
+#:   "Can't he walk straight over, instead of stitching his way across?",
+#:   "Coming out of the pub, a man went over the road before us in short slanting staggers, each one pointing somewhere other than the last.",
+#:   "The pedestrian target traverses the carriageway on a piecewise linear path, its heading alternating between left and right of the direct line at each segment.",
+#:   "I had no idea which side to leave for him, since he was reeling over to the far pavement by way of one corner after another.",
+#:   "The pedestrian, reportedly intoxicated, crossed the roadway in front of V1 on an irregular course, alternately veering in one direction and the other.",
+#:   "A young woman in one shoe was making it to the other side by zigs and zags, and her steps were anything but sure.",
+#:   "He is full of alcohol, my friend, he crosses street like a snake with sharp corners, now to right he is falling, now to left.",
+#:   "It was gone two when the hen party broke up. One of them made for the taxi rank opposite, and she did it the way a fly gets over a window, a bit to one side, a bit to the other, tottering at each corner.",
+#:   "Straight-line extrapolation fails on this one, and that's intended. The walker gets over the road in front of the AV at an ordinary pace but changes the slant of his path every half second, stumbling now leftwards, now rightwards, until he has reached the kerb.",
+#:   "Take your foot off, he's not well or he's had a drop too much. He wants the other side, fair enough, but look how he's getting there, tacking one way, catching himself, tacking the other, with all the width of the street for it.",
+#:   "The old sailor left the tavern and laid a course for the chandler's over the way. The street, it seemed, was heaving under him, for he lurched off to port, then to starboard, then to port again, and so gained the far shore.",
+#:   "From my saddle I watched the whole performance. A fellow with a kebab set out to get across in front of a grey estate, and his feet took him on a string of sharp bends, first towards the lights, then towards the church, then back again.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]

@@ -9,10 +9,29 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from statistics import fmean, pstdev
 
+from chatscene.program.sample import draw
+from chatscene.search.sampler import Proposal
+from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
 LEAST = 2  # collisions before anything moves
 DECIMALS = 2  # the released code rounds bounds
+
+
+class Paper:
+    """The rule of the paper; see `chatscene.search.sampler.Sampler` for the contract."""
+
+    def propose(
+        self,
+        declared: Sequence[ParameterRange],
+        done: Sequence[Sequence[Outcome]],
+        *,
+        count: int,  # noqa: ARG002 - every scene is drawn by itself
+        seed: int,  # noqa: ARG002
+    ) -> Proposal:
+        """Uniform in ranges around what collided."""
+        ranges = refine(declared, [outcome.values for block in done for outcome in block if outcome.collided])
+        return Proposal(ranges=ranges, draw=lambda scene_seed: draw(ranges, seed=scene_seed))
 
 
 def refine(declared: Sequence[ParameterRange], collided: Sequence[Mapping[str, float]]) -> tuple[ParameterRange, ...]:

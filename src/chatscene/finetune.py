@@ -1,0 +1,309 @@
+"""Step 9 of 9: fine-tune an ego on kept scenes, and say what it gained and what it lost.
+
+Paper: section 4.3 and appendix "Adversarial Finetuning Details". What departs from it and why: decision 0021.
+
+Like a training, a fine-tuning goes in rounds that are kept when they are done, so it can be killed at any moment; the
+same call goes on and ends in the same weights. It does not end in the last weights but in those of the checkpoint that
+is chosen, and drives ordinary routes before and after, so that an ego that learned to stand still cannot hide it.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from chatscene.ego.network import Network, NetworkEgo
+from chatscene.ego.policy import EGOS, load_ego
+from chatscene.errors import EgoError, MissingExtra, RunError
+from chatscene.evaluate.ordinary import drive_ordinary
+from chatscene.finetune_scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
+from chatscene.finetune_settings import PRESETS, FinetuneSettings
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import Progress
+from chatscene.program.ordinary import ordinary_courses
+from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
+from chatscene.simulate.backend import Backend, load_backend
+
+if TYPE_CHECKING:
+    from chatscene.finetune_learner import Learner
+
+__all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
+
+LEAST_COMPLETION = 0.3  # of a checkpoint that may be chosen (paper)
+ORDINARY = "ordinary"
+ORDINARY_SEED = 20_000  # of the traffic: neither a training's nor that of its evaluations
+Row = dict[str, Any]  # a row of the curve: numbers by name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finetuned:
+    """What a fine-tuning came to; `finetune.json` in its folder holds the same.
+
+    Attributes:
+        folder: Where everything is; `policy.npz` is the chosen ego, which ``--ego`` takes.
+        curve: One row per round: what was driven and learned and, from the first checkpoint on, the figures on the
+            scenes that choose.
+        chosen: The row of the ego that was kept.
+        reason: Why that one.
+        before: Figures of the start policy, by what was driven: ``train``, ``choice``, ``test``, ``ordinary``.
+        after: The same of the chosen ego.
+        skipped: Why a kept scene could not be driven, by scene.
+    """
+
+    folder: Path
+    curve: tuple[Row, ...]
+    chosen: Row
+    reason: str
+    before: dict[str, dict[str, float]]
+    after: dict[str, dict[str, float]]
+    skipped: dict[str, str]
+
+
+def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, *, progress: Progress) -> Finetuned:
+    """Fine-tune into a new folder, or go on in one where the same fine-tuning was cut.
+
+    Args:
+        folder: Where to.
+        sources: Run folders, finished; or folders with run folders somewhere below.
+        settings: What is done.
+        progress: Told what is done.
+
+    Raises:
+        MissingExtra: Stable-Baselines3 is not installed.
+        EgoError: The ego cannot be loaded, or is no SAC.
+        RunError: A source is not usable, there is nothing to train, choose or test on, or the folder holds something
+            else.
+    """
+    try:
+        from chatscene.finetune_learner import Learner, Schedule
+    except ImportError as error:
+        raise MissingExtra("fine-tuning needs Stable-Baselines3", extra="train") from error
+    start, network = _start(settings.ego)
+    progress("reading the scenes", 0, 0)
+    lessons = kept_scenes(sources)
+    parts = split(
+        lessons.scenes,
+        choice=settings.choice,
+        train_routes=settings.train_routes,
+        validation_routes=settings.validation_routes,
+    )
+    record = _open_folder(folder, settings, lessons, parts)
+    backend = load_backend("embedded", resolve_map(lessons.map_name), lessons.simulation)
+    judging = _Judging(parts, backend, lessons.map_name, start, progress)
+    if "before" not in record:
+        record["before"], record["skipped"] = judging.all(network, "driving before")
+        _write(folder, record)
+    schedule = Schedule(
+        scenes=_drivable(parts[TRAIN], record["skipped"]),
+        ordinary=ordinary_courses(backend) if settings.ordinary_share else (),
+        share=settings.ordinary_share,
+        seed=settings.seed,
+    )
+    if "chosen" not in record:
+        learner = Learner(network, start, settings, schedule, map_name=lessons.map_name, simulation=lessons.simulation)
+        _rounds(folder, record, learner, judging, settings, start, progress)
+        chosen, record["reason"] = choose(record["curve"])
+        write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
+        record["chosen"] = chosen
+        _write(folder, record)
+    if "after" not in record:
+        best = _network(load_ego(str(folder / "policy.npz")), "the chosen ego")
+        record["after"], _ = judging.all(best, "driving after")
+        _write(folder, record)
+    names = ("chosen", "reason", "before", "after", "skipped")
+    return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
+
+
+def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
+    """The checkpoint to keep, and why that one.
+
+    The lowest collision rate among those that complete more than `LEAST_COMPLETION` of their routes (paper); of equal
+    ones the higher overall score, then the earlier. Where none completes so much: the one that completes most.
+
+    Args:
+        curve: Rows; those without figures were not up for choice.
+
+    Raises:
+        RunError: None was.
+    """
+    rows = [dict(row) for row in curve if "collision_rate" in row]
+    if not rows:
+        raise RunError("no checkpoint has figures to choose by: none of the scenes that choose could be driven")
+    able = [row for row in rows if row["completion"] > LEAST_COMPLETION]
+    if able:
+        chosen = min(able, key=lambda row: (row["collision_rate"], -row["overall_score"], row["episode"]))
+        return chosen, f"lowest collision rate of those that complete more than {LEAST_COMPLETION}"
+    chosen = min(rows, key=lambda row: (-row["completion"], row["collision_rate"], row["episode"]))
+    return chosen, f"no checkpoint completes more than {LEAST_COMPLETION} of its routes; this one completes most"
+
+
+def _rounds(
+    folder: Path,
+    record: Row,
+    learner: Learner,
+    judging: _Judging,
+    settings: FinetuneSettings,
+    start: NetworkEgo,
+    progress: Progress,
+) -> None:
+    """Do the rounds that are not done."""
+    curve: list[Row] = record["curve"]
+    ends = settings.ends()
+    if curve:
+        learner.restore(_state(folder, curve[-1]))
+    else:
+        progress("teaching the critics", 0, 0)
+        record["warm_up"] = learner.warm_up()
+    for number in range(len(curve), len(ends)):
+        begin, end = ends[number - 1] if number else 0, ends[number]
+        progress("fine-tuning, episodes", begin, settings.episodes)
+        began = time.monotonic()
+        collisions = learner.learn(number, range(begin, end))
+        row: Row = {
+            "episode": end,
+            "steps": learner.steps,
+            "updates": learner.updates,
+            "training_collision_rate": collisions / (end - begin),
+            "seconds": round(time.monotonic() - began, 1),
+        }
+        network = learner.network()
+        if end >= settings.first_choice or end == settings.episodes:
+            row |= judging.choice(network)
+            about = {"observation": start.observation, "pedals": start.pedals, "algorithm": "sac"}
+            plain = {name: value for name, value in asdict(settings).items() if name not in about}
+            write_bytes(_checkpoint(folder, row), network.stored({**about, **plain, "episode": end}))
+        learner.keep(_state(folder, row))
+        curve.append(row)  # last: a row says that everything before it is on disk
+        _write(folder, record)
+        if number:
+            _state(folder, curve[-2]).unlink(missing_ok=True)
+    progress("fine-tuning, episodes", settings.episodes, settings.episodes)
+
+
+class _Judging:
+    """Drives an ego for its figures.
+
+    Args:
+        parts: Scenes by what they are for.
+        backend: Where they are driven.
+        map_name: Where ordinary routes are driven.
+        start: The ego that is fine-tuned, whose observation and pedals every policy has.
+        progress: Told what is done.
+    """
+
+    def __init__(
+        self,
+        parts: Mapping[str, tuple[KeptScene, ...]],
+        backend: Backend,
+        map_name: str,
+        start: NetworkEgo,
+        progress: Progress,
+    ) -> None:
+        self._parts = parts
+        self._backend = backend
+        self._map_name = map_name
+        self._start = start
+        self._progress = progress
+
+    def choice(self, network: Network) -> dict[str, float]:
+        """The figures on the scenes that choose."""
+        return judge(
+            self._ego(network), self._parts[CHOICE], self._backend, on_scene=lambda _done, _total: None
+        ).figures
+
+    def all(self, network: Network, what: str) -> tuple[dict[str, dict[str, float]], dict[str, str]]:
+        """The figures on everything, by what was driven, and why a scene could not be."""
+        ego = self._ego(network)
+        figures: dict[str, dict[str, float]] = {}
+        rejected: dict[str, str] = {}
+        for name in (TRAIN, CHOICE, TEST):
+            scenes = self._parts[name]
+            if name == TEST and scenes == self._parts[CHOICE]:
+                figures[name] = figures[CHOICE]
+                continue
+            on_scene = partial(self._progress, f"{what}, {name} scenes")
+            judged = judge(ego, scenes, self._backend, on_scene=on_scene)
+            figures[name] = judged.figures
+            rejected |= judged.rejected
+        self._progress(f"{what}, ordinary routes", 0, 0)
+        ordinary = drive_ordinary(ego, map_name=self._map_name, scenes=1, seed=ORDINARY_SEED)
+        figures[ORDINARY] = ordinary.figures()
+        return figures, rejected
+
+    def _ego(self, network: Network) -> NetworkEgo:
+        start = self._start
+        return NetworkEgo(network, name=start.name, observation=start.observation, pedals=start.pedals)
+
+
+def _start(name: str) -> tuple[NetworkEgo, Network]:
+    """The ego to fine-tune, and its network.
+
+    Raises:
+        EgoError: It cannot be loaded, or is no SAC.
+    """
+    path = Path(name) / "policy.npz" if Path(name).is_dir() else Path(name)
+    ego = load_ego(str(path))
+    network = _network(ego, name)
+    if (name in EGOS and name != "sac") or (network.hidden, network.output) != ("relu", "tanh"):
+        raise EgoError(f"{name} is no SAC, and nothing else can be fine-tuned; train one with: chatscene train")
+    assert isinstance(ego, NetworkEgo)
+    return ego, network
+
+
+def _network(ego: object, name: str) -> Network:
+    if not isinstance(ego, NetworkEgo):
+        raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
+    if ego._every != 1:  # pyright: ignore[reportPrivateUsage]
+        raise EgoError(f"{name} holds each action for several steps, as SafeBench's do, and a fine-tuning acts at each")
+    return ego._network  # pyright: ignore[reportPrivateUsage]
+
+
+def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[KeptScene, ...]:
+    """The training scenes that can be placed.
+
+    Raises:
+        RunError: There is none.
+    """
+    left = tuple(kept for kept in scenes if kept.scene.id not in skipped)
+    if not left:
+        reason = skipped[scenes[0].scene.id]
+        raise RunError(f"none of the {len(scenes)} training scenes can be driven ({reason}); search for them again")
+    return left
+
+
+def _open_folder(
+    folder: Path, settings: FinetuneSettings, lessons: Lessons, parts: Mapping[str, Sequence[KeptScene]]
+) -> Row:
+    """The record of what was done so far."""
+    path = folder / "finetune.json"
+    told = {"settings": asdict(settings), "scenes": {"digest": lessons.digest, **{k: len(v) for k, v in parts.items()}}}
+    if path.is_file():
+        record: Row = read_json(path)
+        if any(record.get(name) != value for name, value in told.items()):
+            raise RunError(f"{folder} holds a fine-tuning with other settings or scenes; choose another with --out")
+        return record
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise RunError(f"{folder} is not empty and holds no fine-tuning; choose another folder with --out")
+    record = {**told, "curve": []}
+    _write(folder, record)
+    return record
+
+
+def _write(folder: Path, record: Row) -> None:
+    write_json(folder / "finetune.json", record)
+
+
+def _state(folder: Path, row: Mapping[str, Any]) -> Path:
+    """Where the learner is kept after a round."""
+    return folder / f"state-{row['episode']:04d}.pt"
+
+
+def _checkpoint(folder: Path, row: Mapping[str, Any]) -> Path:
+    """Where the policy is kept after a round."""
+    return folder / "checkpoints" / f"policy-{row['episode']:04d}.npz"

@@ -1,0 +1,190 @@
+"""The scenes of a fine-tuning: which are trained on, chosen by and tested on, and how an ego fares on them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from chatscene import runs
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import RunError
+from chatscene.evaluate.score import measure, score, wilson
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import rebuild
+from chatscene.program.ordinary import Course
+from chatscene.search.generator import load_generator
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import Backend
+from chatscene.simulate.embedded.backend import EmbeddedBackend
+from chatscene.terms.metrics import Measurements
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+TRAIN, CHOICE, TEST = "train", "choice", "test"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KeptScene:
+    """A kept scene of a run, with what it takes to drive it.
+
+    Attributes:
+        program: The program, made again.
+        scene: The concrete values.
+    """
+
+    program: ScenicProgram
+    scene: Scene
+
+    @property
+    def course(self) -> Course:
+        """What a `DrivingEnv` drives."""
+        return Course(program=self.program, route=self.scene.route)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lessons:
+    """The kept scenes of some runs.
+
+    Attributes:
+        map_name: The map of all of them.
+        simulation: Step and limits of all of them.
+        scenes: In the order of the runs and their tables.
+    """
+
+    map_name: str
+    simulation: SimulationSettings
+    scenes: tuple[KeptScene, ...]
+
+    @property
+    def digest(self) -> str:
+        """Which scenes these are: of the programs and all values."""
+        told = [(kept.program.digest, kept.scene.id, dict(kept.scene.values)) for kept in self.scenes]
+        return hashlib.blake2b(json.dumps(told, sort_keys=True).encode(), digest_size=8).hexdigest()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """How an ego fared on some scenes.
+
+    Attributes:
+        figures: ``n``, ``collision_rate`` with the ends of its Wilson interval, ``overall_score`` (paper mode),
+            ``completion``, and ``rejected``; rates are left out where nothing could be driven.
+        rejected: Why a scene could not be driven, by scene.
+    """
+
+    figures: dict[str, float]
+    rejected: dict[str, str]
+
+
+def kept_scenes(sources: Sequence[Path]) -> Lessons:
+    """The kept scenes of finished runs among or below some folders.
+
+    Raises:
+        RunError: There is no run, one is not finished, they differ in map or step, or one is a program of the user's
+            own, which is run nowhere but in the sandbox.
+        Diverged: This version makes another program of a run's text.
+    """
+    found = [runs.Run(path) for path in _run_folders(sources)]
+    records = [runs.read_record(run) for run in found]
+    first = records[0]
+    map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation
+    scenes: list[KeptScene] = []
+    for run, record in zip(found, records, strict=True):
+        if record.status is not runs.Status.DONE:
+            raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        if (record.map_name, runs.settings_of(record).simulation) != (first.map_name, simulation):
+            raise RunError(f"{run.path} and {found[0].path} differ in map or step; fine-tune on them one by one")
+        if not isinstance(load_generator(record.generator).backend(map_path, simulation), EmbeddedBackend):
+            raise RunError(f"{run.path} holds a program of your own, which runs in the sandbox only; leave it out")
+        _, program = rebuild(run)
+        rows = [row for row in runs.read_scenes(run) if row["selected"]]
+        scenes += [KeptScene(program=program, scene=runs.scene_of(row, program)) for row in rows]
+    return Lessons(map_name=first.map_name, simulation=simulation, scenes=tuple(scenes))
+
+
+def _run_folders(sources: Sequence[Path]) -> list[Path]:
+    """Every run folder among or below some folders, in a fixed order."""
+    folders: list[Path] = []
+    for source in sources:
+        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
+        searches = [path for path in below if runs.read_record(runs.Run(path)).command == "run"]
+        if not searches:
+            raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
+        folders += searches
+    if not folders:
+        raise RunError("there is nothing to train on; give the folder of a run")
+    return list(dict.fromkeys(path.resolve() for path in folders))
+
+
+def split(
+    scenes: Iterable[KeptScene], *, choice: str, train_routes: int, validation_routes: int
+) -> dict[str, tuple[KeptScene, ...]]:
+    """Scenes by what they are for, told apart by the number of their route.
+
+    The first `train_routes` routes train, the rest test. With `choice` ``paper`` the test scenes also choose the
+    checkpoint; with ``held-out`` the last `validation_routes` of the training routes do, and are not trained on.
+
+    Raises:
+        RunError: There is no scene to train on, to choose by or to test on.
+    """
+    first_choice = train_routes if choice == "paper" else train_routes - validation_routes
+    parts: dict[str, list[KeptScene]] = {TRAIN: [], CHOICE: [], TEST: []}
+    for kept in scenes:
+        route = kept.scene.route
+        if route < first_choice:
+            parts[TRAIN].append(kept)
+        if route >= train_routes:
+            parts[TEST].append(kept)
+        if (choice == "paper" and route >= train_routes) or first_choice <= route < train_routes:
+            parts[CHOICE].append(kept)
+    routes = {TRAIN: f"below {first_choice}", CHOICE: f"from {first_choice}", TEST: f"from {train_routes}"}
+    for name, part in parts.items():
+        if not part:
+            raise RunError(
+                f"there is no kept scene on a route {routes[name]} (for: {name}); search with `--routes 10`, "
+                "or train on fewer routes with `--train-routes`"
+            )
+    return {name: tuple(part) for name, part in parts.items()}
+
+
+def judge(
+    ego: EgoPolicy, scenes: Sequence[KeptScene], backend: Backend, *, on_scene: Callable[[int, int], None]
+) -> Judged:
+    """Drive each scene once.
+
+    Args:
+        ego: Who drives.
+        scenes: What.
+        backend: Where.
+        on_scene: Told after each scene how many were driven, and of how many.
+
+    Raises:
+        EgoError: The ego fails.
+    """
+    measured: list[Measurements] = []
+    rejected: dict[str, str] = {}
+    for number, kept in enumerate(scenes, 1):
+        episode = backend.run(kept.program, kept.scene, ego)
+        if isinstance(episode, Rejected):
+            rejected[kept.scene.id] = episode.reason
+        else:
+            measured.append(measure(episode))
+        on_scene(number, len(scenes))
+    return Judged(figures={**_figures(measured), "rejected": float(len(rejected))}, rejected=rejected)
+
+
+def _figures(measured: Sequence[Measurements]) -> dict[str, float]:
+    if not measured:
+        return {"n": 0.0}
+    metrics = score(measured)
+    low, high = wilson(sum(m.collided for m in measured), len(measured))
+    return {
+        "n": float(len(measured)),
+        "collision_rate": metrics.collision_rate,
+        "collision_rate_low": low,
+        "collision_rate_high": high,
+        "overall_score": metrics.overall_score,
+        "completion": metrics.completion,
+    }

@@ -1,0 +1,51 @@
+"""Adversarial trajectory optimisation: black-box search over how far the adversary strays from its nominal path.
+
+Source: Q. Zhang, S. Hu, J. Sun, Q. A. Chen, Z. M. Mao, "On Adversarial Robustness of Trajectory Prediction for
+Autonomous Vehicles", CVPR 2022; offsets and their limits as SafeBench has them.
+"""
+
+from __future__ import annotations
+
+from chatscene.search.baselines.nominal import Baseline, Nominal
+from chatscene.terms.scenario import AdversaryKind
+from chatscene.terms.snippet import ParameterRange
+
+STRETCHES, SECONDS = 20, 0.5  # of the path, and how long each takes at the nominal speed
+LIMITS = {AdversaryKind.PEDESTRIAN: 1.0, AdversaryKind.BICYCLE: 1.0, AdversaryKind.CAR: 3.0}  # [m] to either side
+
+
+class AdversarialTrajectory(Baseline):
+    """A lateral offset for every half second, tracked at the nominal speed."""
+
+    name = "adversarial-trajectory"
+    title = "Adversarial Trajectory Optimization"
+    sampler = "cma-es"
+
+    def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
+        """Waits, then moves at the nominal speed beside its path, as far as the offsets say."""
+        limit, speed = LIMITS[nominal.adversary], f"{nominal.speed:g}"
+        body = f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}\n"
+        if nominal.path:
+            offset = 'globalParameters[f"OPT_OFFSET_{i:02d}"]'
+            body += (
+                f"for i in range({STRETCHES}):\n"
+                f"    do {nominal.moves(speed, offset)} for {SECONDS} seconds\n"
+                f"do {nominal.moves(speed, offset)}"
+            )
+        else:  # without a path, an offset is reached by a course, which turns by what the last one did not
+            body += (
+                "offset, course = 0, 0\n"
+                f"for i in range({STRETCHES}):\n"
+                '    wanted = globalParameters[f"OPT_OFFSET_{i:02d}"]\n'
+                f"    ahead = math.atan2(wanted - offset, {nominal.speed * SECONDS:g})\n"
+                f"    do {nominal.moves(speed, 'ahead - course')} for {SECONDS} seconds\n"
+                "    offset, course = wanted, ahead\n"
+                f"do {nominal.moves(speed, '-course')}"
+            )
+        return body, tuple(
+            ParameterRange(
+                name=f"OPT_OFFSET_{i:02d}", low=-limit, high=limit, unit="m",
+                meaning=f"how far to the left of its nominal path it is {i * SECONDS:g} s after it sets off",
+            )
+            for i in range(STRETCHES)
+        )  # fmt: skip

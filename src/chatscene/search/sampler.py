@@ -1,0 +1,74 @@
+"""Where a search looks next: one Protocol, one table of names.
+
+A sampler has no memory of its own. What it proposes for a block follows from the parameters, from what came of the
+blocks before and from the block's seed; so a search that was cut goes on exactly as if it had not been.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from chatscene.errors import SettingsError, no_such
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.snippet import ParameterRange
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Proposal:
+    """Where the scenes of a block lie.
+
+    Attributes:
+        ranges: What they are drawn from, a range per parameter; the declared ones where a sampler has no ranges.
+        draw: The values of the next scene, each within its declared range. Its argument is the scene's seed, which a
+            sampler whose scenes depend on each other may leave aside. A scene that cannot be placed is followed by
+            another draw.
+    """
+
+    ranges: tuple[ParameterRange, ...]
+    draw: Callable[[int], dict[str, float]]
+
+
+class Sampler(Protocol):
+    """Says where to look next."""
+
+    def propose(
+        self, declared: Sequence[ParameterRange], done: Sequence[Sequence[Outcome]], *, count: int, seed: int
+    ) -> Proposal:
+        """Where the next block lies.
+
+        Args:
+            declared: The parameters with the ranges that must be kept.
+            done: What came of each block before, scene by scene; rejected draws are not among them.
+            count: How many scenes the block is to have.
+            seed: Of the block.
+        """
+        ...
+
+
+SAMPLERS: dict[str, str] = {
+    "paper": "chatscene.search.samplers.paper:Paper",
+    "random": "chatscene.search.samplers.uniform:Uniform",
+    "grid": "chatscene.search.samplers.grid:Grid",
+    "policy-gradient": "chatscene.search.samplers.policy_gradient:PolicyGradient",
+    "cross-entropy": "chatscene.search.samplers.cross_entropy:CrossEntropy",
+    "tpe": "chatscene.search.samplers.tpe:TreeParzen",
+    "cma-es": "chatscene.search.samplers.cma_es:CmaEs",
+    "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity",
+}
+
+
+def load_sampler(name: str) -> Sampler:
+    """A sampler by its name in `SAMPLERS`.
+
+    Raises:
+        SettingsError: There is none of that name.
+        MissingExtra: Its package is missing.
+    """
+    if name not in SAMPLERS:
+        raise SettingsError(no_such("sampler", name, SAMPLERS))
+    module, _, cls = SAMPLERS[name].partition(":")
+    sampler: Sampler = getattr(importlib.import_module(module), cls)()
+    return sampler

@@ -1,0 +1,26 @@
+"""The opponent of every search: scenes drawn from the declared ranges, whatever came of the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from chatscene.program.sample import draw
+from chatscene.search.sampler import Proposal
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.snippet import ParameterRange
+
+
+class Uniform:
+    """Uniform in the declared ranges; see `chatscene.search.sampler.Sampler` for the contract."""
+
+    def propose(
+        self,
+        declared: Sequence[ParameterRange],
+        done: Sequence[Sequence[Outcome]],  # noqa: ARG002 - nothing is learned
+        *,
+        count: int,  # noqa: ARG002
+        seed: int,  # noqa: ARG002
+    ) -> Proposal:
+        """The declared ranges."""
+        ranges = tuple(declared)
+        return Proposal(ranges=ranges, draw=lambda scene_seed: draw(ranges, seed=scene_seed))

@@ -1,0 +1,142 @@
+"""Each baseline makes a program that runs on the routes of ChatScene, and finds the answer where there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from chatscene.ego.rule_based import RuleBased
+from chatscene.errors import SettingsError
+from chatscene.evaluate.drive import Ran
+from chatscene.maps.network import resolve_map
+from chatscene.program.check import check
+from chatscene.search import explore as exploring
+from chatscene.search.baselines.nominal import NOMINAL, Baseline
+from chatscene.search.explore import Block
+from chatscene.search.generator import load_generator
+from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.terms.scenario import BaseScenario, Slots
+from chatscene.terms.scene import Scene, ScenicProgram
+from fake_run import block
+
+NAMES = ("learning-to-collide", "advsim", "adversarial-trajectory", "carla-scenario-generator")
+SETTINGS = RetrievalSettings()
+CRASHED = next(ran for ran in block(0).ran if ran.episode.collision is not None)
+MISSED = next(ran for ran in block(0).ran if ran.episode.collision is None)
+Shares = Mapping[str, float]
+
+
+def program_of(name: str, base: BaseScenario) -> ScenicProgram:
+    generator = load_generator(name)
+    return generator.write(generator.read(generator.texts(base)[0], SETTINGS), SETTINGS).program
+
+
+def searched(
+    name: str, farness: Callable[[Shares], float], monkeypatch: pytest.MonkeyPatch, *, blocks: int, seed: int = 0
+) -> list[Block]:
+    """The search of a baseline in a world where a scene collides if its values are close enough to an answer.
+
+    `farness` tells by the places of the values in their ranges, in [0, 1], how far from colliding they are; 0 is a hit.
+    """
+    program = program_of(name, BaseScenario.CROSSING_NEGOTIATION)
+
+    def drive(_program: ScenicProgram, _slots: Slots, scene: Scene, **_: object) -> Ran:
+        shares = {p.name: (scene.values[p.name] - p.low) / (p.high - p.low) for p in program.parameters}
+        away = farness(shares)
+        if away <= 0.0:
+            return replace(CRASHED, scene=scene)
+        return replace(MISSED, scene=scene, criticality=replace(MISSED.criticality, distance=10.0 * away))
+
+    monkeypatch.setattr(exploring, "drive", drive)
+    return list(
+        load_generator(name).explore(
+            program,
+            Slots(),
+            0,
+            backend=SimpleNamespace(),  # type: ignore[arg-type]
+            ego=RuleBased(),
+            settings=SearchSettings(scenes=10 * blocks, block=10, seed=seed),
+            done=(),
+        )
+    )
+
+
+def hits(blocks: list[Block]) -> float:
+    """Share of scenes that collided."""
+    return float(np.mean([ran.episode.collision is not None for each in blocks for ran in each.ran]))
+
+
+def fast_and_late(shares: Shares) -> float:
+    """Hits where the speed is in its upper third and the trigger in its lower."""
+    return max(0.0, 0.67 - shares["OPT_ADV_SPEED"]) + max(0.0, shares["OPT_ADV_DISTANCE"] - 0.33)
+
+
+def first_fast_then_slow(shares: Shares) -> float:
+    """Hits where the profile starts high and goes on low; the tail does not matter."""
+    profile = [share for _, share in sorted(shares.items())]
+    return max(0.0, 0.8 - float(np.mean(profile[:3]))) + max(0.0, float(np.mean(profile[3:6])) - 0.2)
+
+
+@pytest.mark.parametrize(
+    ("name", "farness", "wanted"),
+    [
+        ("learning-to-collide", fast_and_late, 0.6),
+        ("advsim", first_fast_then_slow, 0.4),
+        ("adversarial-trajectory", first_fast_then_slow, 0.4),
+    ],
+)
+def test_a_baseline_that_learns_finds_the_answer_and_stays_there(
+    name: str, farness: Callable[[Shares], float], wanted: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = searched(name, farness, monkeypatch, blocks=30)
+    assert hits(found[:2]) < 0.3
+    assert hits(found[-5:]) > wanted
+
+
+def test_the_grid_reaches_every_corner_of_its_ranges_with_ten_scenes(monkeypatch: pytest.MonkeyPatch) -> None:
+    (first,) = searched("carla-scenario-generator", fast_and_late, monkeypatch, blocks=1)
+    assert 0.0 < hits([first]) < 0.5
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_baseline_is_determined_by_its_seed(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    one, same = (searched(name, lambda _: 1.0, monkeypatch, blocks=3) for _ in range(2))
+    assert [ran.scene for each in one for ran in each.ran] == [ran.scene for each in same for ran in each.ran]
+
+
+@pytest.mark.parametrize("base", list(BaseScenario))
+@pytest.mark.parametrize("name", NAMES)
+def test_a_baselines_program_climbs_the_ladder_on_every_base_scenario(name: str, base: BaseScenario) -> None:
+    backend = load_generator(name).backend(resolve_map("town"), SimulationSettings())
+    program = program_of(name, base)
+    checked = check(program, Slots(), backend, RuleBased(), drives=1)
+    assert checked.episodes[0].adversaries
+    assert backend.routes(program) >= 10
+
+
+def test_what_a_baseline_varies_is_its_own() -> None:
+    varied = {name: {p.name for p in program_of(name, BaseScenario.STRAIGHT_OBSTACLE).parameters} for name in NAMES}
+    assert varied["learning-to-collide"] == {
+        "OPT_ADV_DISTANCE", "OPT_ADV_SPEED", "OPT_ADV_TURN", "OPT_GEO_X", "OPT_GEO_Y",
+    }  # fmt: skip
+    assert varied["carla-scenario-generator"] == {"OPT_ADV_DISTANCE", "OPT_ADV_SPEED"}
+    assert varied["advsim"] == {f"OPT_SPEED_{i:02d}" for i in range(20)}
+    assert varied["adversarial-trajectory"] == {f"OPT_OFFSET_{i:02d}" for i in range(20)}
+
+
+def test_baselines_drive_where_chatscene_drives() -> None:
+    chatscene = load_generator("chatscene")
+    for base, nominal in NOMINAL.items():
+        programs = [chatscene.write(chatscene.read(text, SETTINGS), SETTINGS).program for text in chatscene.texts(base)]
+        assert f"geometry/{nominal.geometry}" in {program.snippet_ids[1] for program in programs}
+
+
+def test_a_sentence_is_no_scenario_of_a_baseline() -> None:
+    generator = load_generator("advsim")
+    assert isinstance(generator, Baseline)
+    with pytest.raises(SettingsError, match="such as 'AdvSim: straight-obstacle'"):
+        generator.read("A car brakes.", SETTINGS)
