@@ -79,4 +79,4 @@ behavior AdvBehavior():
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_THROTTLE_TIME seconds
     do BrakeOnPath(advTrajectory, 0.15) for 1.5 seconds
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for 0.6 * globalParameters.OPT_THROTTLE_TIME seconds
-    do BrakeOnPath(advTrajectory, 0.15)
+    do BrakeOnPath(advTrajectory, 0.35)

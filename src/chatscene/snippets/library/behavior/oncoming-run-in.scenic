@@ -84,4 +84,6 @@ advFacing = 3.14159
 behavior AdvBehavior():
     do Halt() until gap(self, ego) < 2 * globalParameters.OPT_ADV_DISTANCE
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until gap(self, ego) < globalParameters.OPT_ADV_DISTANCE
-    do MoveAhead(globalParameters.OPT_ADV_SPRINT, globalParameters.OPT_ADV_ANGLE if offsetFrom(egoRoute, self) > 0 else -globalParameters.OPT_ADV_ANGLE)
+    side = 1 if offsetFrom(egoRoute, self) > 0 else -1
+    do MoveAhead(globalParameters.OPT_ADV_SPRINT, side * globalParameters.OPT_ADV_ANGLE) until side * offsetFrom(egoRoute, self) < -1
+    do Halt()

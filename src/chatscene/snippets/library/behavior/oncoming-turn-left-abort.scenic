@@ -63,7 +63,7 @@
 #: meaning = "how fast it drives"
 #: [[parameters]]
 #: name = "OPT_STOP_DISTANCE"
-#: low = 4.5
+#: low = 5.5
 #: high = 8.0
 #: unit = "m"
 #: meaning = "how far beyond where their ways meet it comes to rest"
@@ -82,7 +82,7 @@
 
 param OPT_ADV_DISTANCE = Range(0, 25)
 param OPT_ADV_SPEED = Range(5, 8)
-param OPT_STOP_DISTANCE = Range(4.5, 8)
+param OPT_STOP_DISTANCE = Range(5.5, 8)
 param OPT_ADV_BACK = Range(1.5, 3)
 param OPT_ADV_BACK_TIME = Range(0.8, 2)
 

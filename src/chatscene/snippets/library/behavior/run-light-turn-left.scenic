@@ -64,13 +64,13 @@
 #: [[parameters]]
 #: name = "OPT_SWERVE_DISTANCE"
 #: low = 0.0
-#: high = 8.0
+#: high = 5.0
 #: unit = "m"
 #: meaning = "how far before the place where their ways meet it turns"
 
 param OPT_ADV_DISTANCE = Range(18, 42)
 param OPT_ADV_SPEED = Range(5, 10)
-param OPT_SWERVE_DISTANCE = Range(0, 8)
+param OPT_SWERVE_DISTANCE = Range(0, 5)
 
 advTurn = "straight"
 
