@@ -30,9 +30,9 @@ from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.finetune import PRESETS, FinetuneSettings, choose, finetune
-from chatscene.finetune_buffer import SplitBuffer
-from chatscene.finetune_learner import Learner, Schedule
-from chatscene.finetune_scenes import KeptScene, Lessons, kept_scenes, split
+from chatscene.finetune.buffer import SplitBuffer
+from chatscene.finetune.learner import Learner, Schedule
+from chatscene.finetune.scenes import KeptScene, Lessons, kept_scenes, split
 from chatscene.program.ordinary import Course
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.embedded.backend import EmbeddedBackend
@@ -223,7 +223,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 def learner(lessons: Lessons, **changes: Any) -> Learner:
     ego = sac()
     return Learner(
-        ego._network,  # pyright: ignore[reportPrivateUsage]
+        ego.network,
         ego,
         replace(TINY, **changes),
         Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0),
@@ -282,7 +282,7 @@ class TestWhole:
         for (w1, b1), (w2, b2) in zip(networks[0].layers, networks[1].layers, strict=True):
             assert np.array_equal(w1, w2)
             assert np.array_equal(b1, b2)
-        own = sac()._network  # pyright: ignore[reportPrivateUsage]
+        own = sac().network
         assert not np.array_equal(networks[0].layers[0][0], own.layers[0][0])
 
         assert [row["episode"] for row in whole.curve] == [2, 4, 6]
@@ -342,5 +342,5 @@ def test_only_sac_can_be_fine_tuned(tmp_path: Path) -> None:
     for ego in ("td3", "ppo", "rule-based"):
         with pytest.raises(EgoError, match=r"no SAC|no network"):
             finetune(tmp_path / "t", [], replace(TINY, ego=ego), progress=silent)
-    with pytest.raises(RunError, match="nothing to train on"):
+    with pytest.raises(RunError, match="no run is named"):
         finetune(tmp_path / "t", [], TINY, progress=silent)

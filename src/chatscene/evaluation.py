@@ -95,7 +95,7 @@ def evaluate(
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
     for ego in egos:
         load_ego(ego)
-    found = [runs.open_run(path) for path in _run_folders(sources)]
+    found = [runs.open_run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
@@ -111,18 +111,6 @@ def evaluate(
         sources=[_source(run, record) for run, record in zip(found, records, strict=True)],
     )
     return carry_on(kept, jobs=jobs, progress=progress)
-
-
-def _run_folders(sources: Sequence[Path]) -> list[Path]:
-    """Every run folder among or below some folders, in a fixed order."""
-    folders: list[Path] = []
-    for source in sources:
-        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
-        searches = [path for path in below if runs.read_record(runs.Run(path)).command == "run"]
-        if not searches:
-            raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
-        folders += searches
-    return list(dict.fromkeys(path.resolve() for path in folders))
 
 
 def _source(run: runs.Run, record: runs.RunRecord) -> runs.SourceRecord:

@@ -153,8 +153,8 @@ class NetworkEgo:
         self.name = name
         self.observation = observation
         self.pedals = pedals
-        self._network = network
-        self._every = every
+        self.network = network
+        self.every = every
         self.reset()
 
     def reset(self) -> None:
@@ -165,7 +165,7 @@ class NetworkEgo:
     def act(self, observation: Observation) -> tuple[float, float]:
         """Decide, or hold what was decided."""
         if self._left == 0:
-            self._left = self._every
-            self._held = self._network(observation)
+            self._left = self.every
+            self._held = self.network(observation)
         self._left -= 1
         return self._held

@@ -209,6 +209,24 @@ def read_explanation(run: Run) -> dict[str, Any]:
     return read_json(path) if path.is_file() else {}
 
 
+def run_folders(sources: Sequence[Path]) -> list[Path]:
+    """Every folder of a search among or below some folders, in a fixed order.
+
+    Raises:
+        RunError: There is none in one of them, or none is named.
+    """
+    folders: list[Path] = []
+    for source in sources:
+        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
+        searches = [path for path in below if read_record(Run(path)).command == "run"]
+        if not searches:
+            raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
+        folders += searches
+    if not folders:
+        raise RunError("no run is named; give the folder that `chatscene run` named")
+    return list(dict.fromkeys(path.resolve() for path in folders))
+
+
 def read_tried(run: Run) -> tuple[Tried, ...]:
     """The choices that were tried before the kept program was."""
     scenarios = read_explanation(run).get("scenarios", [])

@@ -86,7 +86,7 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
             own, which is run nowhere but in the sandbox.
         Diverged: This version makes another program of a run's text.
     """
-    found = [runs.Run(path) for path in _run_folders(sources)]
+    found = [runs.Run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
     first = records[0]
     map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation
@@ -102,20 +102,6 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
         rows = [row for row in runs.read_scenes(run) if row["selected"]]
         scenes += [KeptScene(program=program, scene=runs.scene_of(row, program)) for row in rows]
     return Lessons(map_name=first.map_name, simulation=simulation, scenes=tuple(scenes))
-
-
-def _run_folders(sources: Sequence[Path]) -> list[Path]:
-    """Every run folder among or below some folders, in a fixed order."""
-    folders: list[Path] = []
-    for source in sources:
-        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
-        searches = [path for path in below if runs.read_record(runs.Run(path)).command == "run"]
-        if not searches:
-            raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
-        folders += searches
-    if not folders:
-        raise RunError("there is nothing to train on; give the folder of a run")
-    return list(dict.fromkeys(path.resolve() for path in folders))
 
 
 def split(

@@ -20,8 +20,8 @@ from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.policy import EGOS, load_ego
 from chatscene.errors import EgoError, MissingExtra, RunError
 from chatscene.evaluate.ordinary import drive_ordinary
-from chatscene.finetune_scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
-from chatscene.finetune_settings import PRESETS, FinetuneSettings
+from chatscene.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
+from chatscene.finetune.settings import PRESETS, FinetuneSettings
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
 from chatscene.program.ordinary import ordinary_courses
@@ -29,7 +29,7 @@ from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
 from chatscene.simulate.backend import Backend, load_backend
 
 if TYPE_CHECKING:
-    from chatscene.finetune_learner import Learner
+    from chatscene.finetune.learner import Learner
 
 __all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
 
@@ -79,7 +79,7 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
             else.
     """
     try:
-        from chatscene.finetune_learner import Learner, Schedule
+        from chatscene.finetune.learner import Learner, Schedule
     except ImportError as error:
         raise MissingExtra("fine-tuning needs Stable-Baselines3", extra="train") from error
     start, network = _start(settings.ego)
@@ -257,9 +257,9 @@ def _start(name: str) -> tuple[NetworkEgo, Network]:
 def _network(ego: object, name: str) -> Network:
     if not isinstance(ego, NetworkEgo):
         raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
-    if ego._every != 1:  # pyright: ignore[reportPrivateUsage]
+    if ego.every != 1:
         raise EgoError(f"{name} holds each action for several steps, as SafeBench's do, and a fine-tuning acts at each")
-    return ego._network  # pyright: ignore[reportPrivateUsage]
+    return ego.network
 
 
 def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[KeptScene, ...]:

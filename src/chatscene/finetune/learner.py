@@ -24,9 +24,9 @@ from stable_baselines3.common.utils import set_random_seed
 from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import Network, NetworkEgo, layers_of
 from chatscene.errors import RunError
-from chatscene.finetune_buffer import SplitBuffer
-from chatscene.finetune_scenes import KeptScene
-from chatscene.finetune_settings import FinetuneSettings
+from chatscene.finetune.buffer import SplitBuffer
+from chatscene.finetune.scenes import KeptScene
+from chatscene.finetune.settings import FinetuneSettings
 from chatscene.program.ordinary import Course
 from chatscene.runs.atomic import write_bytes
 from chatscene.settings import SimulationSettings
