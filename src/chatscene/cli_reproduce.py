@@ -21,12 +21,22 @@ ALL = "all"
     help="'small': minutes; 'paper': every method as many simulations as the paper's; 'reference': each its own.",
 )
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@click.option("--preset", default="released", show_default=True, help="Gradient steps of table 3: released, or paper.")
+@click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
 @JSON
 def reproduce(
-    tables: tuple[str, ...], budget: str, avoidable: bool, seed: int, out: Path, jobs: int, as_json: bool
+    tables: tuple[str, ...],
+    budget: str,
+    avoidable: bool,
+    preset: str,
+    choice: str,
+    seed: int,
+    out: Path,
+    jobs: int,
+    as_json: bool,
 ) -> None:
     """Make the paper's tables, TABLE... being table1 to table5 or all, with its own numbers below ours.
 
@@ -46,6 +56,8 @@ def reproduce(
         TABLES if tables == (ALL,) else tables,
         budget=budget,
         avoidable_only=avoidable,
+        preset=preset,
+        choice=choice,
         seed=seed,
         jobs=jobs,
         progress=progress(),

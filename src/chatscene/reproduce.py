@@ -1,9 +1,9 @@
 """The paper's five tables, each from one command, with the paper's numbers below ours.
 
 What is missing is run, what was cut is gone on with, what is there is not done again. A folder holds, per method, a
-benchmark under ``generation/<method>``; for table 3 also a fine-tuning per method and base scenario under
-``finetune/<method>/<base scenario>`` and, per base scenario, all of these egos on all methods' scenes under
-``tested/<base scenario>``; and the tables under ``tables``.
+benchmark under ``generation/<method>``; for table 3 also, under ``finetuning/<preset>-<choice>``, a fine-tuning per
+method and base scenario (``egos``), and per base scenario all of these egos on all methods' scenes (``tested``); and
+``tables`` and ``figures``.
 """
 
 from __future__ import annotations
@@ -12,19 +12,22 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from statistics import fmean
 
 from chatscene import runs
 from chatscene.benchmark import benchmark
 from chatscene.errors import SettingsError, no_such
+from chatscene.evaluate.score import score
 from chatscene.evaluate.tables import avoidability_table, diagnostic_table, ego_table, generation_table
 from chatscene.evaluation import carry_on, evaluate, read_displacements, read_drives
 from chatscene.finetune import PRESETS, FinetuneSettings, finetune
 from chatscene.pipeline import Progress
 from chatscene.report.beside_paper import beside_paper
+from chatscene.report.figures import two_curves
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import read_json, write_json
-from chatscene.terms.metrics import Mode
-from chatscene.terms.results import Displacement, Drive, ResultTable
+from chatscene.terms.metrics import Measurements, Mode
+from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
 from chatscene.workers import spread
 
@@ -54,8 +57,8 @@ _SHORT = FinetuneSettings(
     warm_up_steps=400, critic_steps=100, updates_per_step=0.1,
 )  # fmt: skip
 BUDGETS: dict[str, Budget] = {
-    "paper": Budget(benchmark="paper", finetune=FinetuneSettings(**PRESETS["released"])),
-    "reference": Budget(benchmark="reference", finetune=FinetuneSettings(**PRESETS["released"])),
+    "paper": Budget(benchmark="paper", finetune=FinetuneSettings()),
+    "reference": Budget(benchmark="reference", finetune=FinetuneSettings()),
     "small": Budget(benchmark="small", finetune=_SHORT, bases=(BaseScenario.STRAIGHT_OBSTACLE,)),
 }
 
@@ -75,12 +78,29 @@ class Reproduced:
     seconds: dict[str, float]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Lesson:
-    """One fine-tuning."""
+@dataclass(frozen=True, slots=True)
+class _Lessons:
+    """The fine-tunings of a table 3.
+
+    Attributes:
+        folder: Of the whole reproduction.
+        where: Of these.
+        bases: One per method and each of these base scenarios.
+        settings: Of each.
+    """
 
     folder: Path
-    source: Path
+    where: Path
+    bases: tuple[BaseScenario, ...]
+    settings: FinetuneSettings
+
+    def scenes(self, method: str, base: BaseScenario) -> Path:
+        """The scenes of a method."""
+        return self.folder / "generation" / method / "scenes" / base
+
+    def ego(self, method: str, base: BaseScenario) -> Path:
+        """The folder of the ego that learned from them."""
+        return self.where / "egos" / method / base
 
 
 def reproduce(
@@ -89,6 +109,8 @@ def reproduce(
     *,
     budget: str = "small",
     avoidable_only: bool = False,
+    preset: str = "released",
+    choice: str = "paper",
     seed: int = 0,
     jobs: int = 1,
     progress: Progress,
@@ -100,6 +122,8 @@ def reproduce(
         tables: Which, of `TABLES`.
         budget: One of `BUDGETS`.
         avoidable_only: Keep no collision that a careful driver would not have avoided.
+        preset: How often a fine-tuning learns, of `chatscene.finetune.PRESETS`.
+        choice: Who chooses its checkpoint.
         seed: Of everything.
         jobs: Processes; any number gives the same.
         progress: Told what is done.
@@ -114,7 +138,10 @@ def reproduce(
             raise SettingsError(no_such("table", name, TABLES))
     if budget not in BUDGETS:
         raise SettingsError(no_such("budget", budget, BUDGETS))
+    if preset not in PRESETS:
+        raise SettingsError(no_such("preset", preset, PRESETS))
     chosen, clock = BUDGETS[budget], _Clock(folder / "reproduce.json")
+    settings = replace(chosen.finetune, **PRESETS[preset], ego=SURROGATE, choice=choice, seed=seed)
     drives: list[Drive] = []
     displacements: list[Displacement] = []
     for method in METHODS:
@@ -140,7 +167,12 @@ def reproduce(
         "table5": ego_table(drives, Mode.PAPER, which="overall_score"),
     }
     if "table3" in tables:
-        found["table3"] = _finetuned(folder, chosen, seed, jobs, clock, progress)
+        lessons = _Lessons(folder, folder / "finetuning" / f"{preset}-{choice}", chosen.bases, settings)
+        found["table3"] = _finetuned(lessons, jobs, clock, progress)
+    progress("drawing the search", 0, 0)
+    curves = {method: _searched(folder / "generation" / method / "scenes") for method in METHODS}
+    x = "share of the simulations"
+    two_curves(folder / "figures" / "search.svg", curves, x=x, second="overall score")
     made = {name: beside_paper(found[name], name) for name in TABLES if name in tables}
     made["avoidability"] = avoidability_table(drives)
     write_tables(folder / "tables", made)
@@ -160,65 +192,102 @@ class _Clock:
         write_json(self._path, {"seconds": self.seconds})
 
 
+def _searched(scenes: Path) -> list[tuple[float, float, float]]:
+    """Over the blocks of a search: the share of simulations done, collision rate and overall score of the block."""
+    blocks: dict[int, dict[str, list[Measurements]]] = {}
+    for run in map(runs.open_run, runs.run_folders([scenes])):
+        base = run.path.parent.name
+        for row in runs.read_scenes(run):
+            if row["status"] == "ran":
+                blocks.setdefault(row["block"], {}).setdefault(base, []).append(runs.measurements_of(row))
+    curve: list[tuple[float, float, float]] = []
+    for number, by_base in sorted(blocks.items()):
+        scores = [score(measured) for measured in by_base.values()]
+        curve.append(
+            (
+                (number + 1) / len(blocks),
+                fmean(each.collision_rate for each in scores),
+                fmean(each.overall_score for each in scores),
+            )
+        )
+    return curve
+
+
 # Table 3
 
 
-def _finetuned(folder: Path, budget: Budget, seed: int, jobs: int, clock: _Clock, progress: Progress) -> ResultTable:
+def _finetuned(lessons: _Lessons, jobs: int, clock: _Clock, progress: Progress) -> ResultTable:
     """The surrogate, and what it became on each method's scenes of the training routes, on all methods' others."""
-    settings = replace(budget.finetune, ego=SURROGATE, seed=seed)
     began = time.monotonic()
-    lessons = [
-        _Lesson(folder=folder / "finetune" / method / base, source=folder / "generation" / method / "scenes" / base)
-        for base in budget.bases
-        for method in METHODS
-    ]
-    for count, _ in enumerate(spread(_Tutor, settings, lessons, jobs=jobs), 1):
-        progress("fine-tuning", count, len(lessons))
-    clock.spent("fine-tuning", began)
+    tasks = [(method, base) for base in lessons.bases for method in METHODS]
+    for count, _ in enumerate(spread(_Tutor, lessons, tasks, jobs=jobs), 1):
+        progress("fine-tuning", count, len(tasks))
+    clock.spent(f"fine-tuning, {lessons.where.name}", began)
+    curves = {method: _learned([lessons.ego(method, base) for base in lessons.bases]) for method in METHODS}
+    two_curves(lessons.where / "figures" / "finetuning.svg", curves, x="episodes", second="completion")
     began = time.monotonic()
-    drives: list[Drive] = []
-    for base in budget.bases:
-        drives += _tested(folder, base, settings.train_routes, jobs, progress)
-    clock.spent("testing the fine-tuned", began)
-    collided, scored = (ego_table(drives, Mode.PAPER, which=which) for which in ("collision_rate", "overall_score"))
+    drives = [drive for base in lessons.bases for drive in _tested(lessons, base, jobs, progress)]
+    clock.spent(f"testing, {lessons.where.name}", began)
+    collided = ego_table(drives, Mode.PAPER, which="collision_rate")
+    scored = ego_table(drives, Mode.PAPER, which="overall_score")
+    completed = ego_table(drives, Mode.PAPER, which="completion")
     return replace(
         collided,
-        title="Fine-tuned egos on the scenes of all methods on the routes that they did not train on",
-        rows=(*_named("CR", collided), *_named("OS", scored)),
+        title="Fine-tuned egos on the scenes of all methods, on the routes that they did not train on",
+        rows=(
+            *_named("CR", collided.rows),
+            *_named("OS", scored.rows),
+            *_named("Comp", completed.rows),
+        ),
         notes=(
             *collided.notes,
-            f"{BEFORE}: {SURROGATE} before fine-tuning; others: fine-tuned on the scenes of that method.",
+            f"{BEFORE}: {SURROGATE} before fine-tuning; the others: fine-tuned on the scenes of that method.",
         ),
     )
-
-
-def _named(what: str, table: ResultTable) -> list[tuple[str, tuple[object, ...]]]:
-    return [(f"{what}, {label.partition(',')[0]}", cells) for label, cells in table.rows]
 
 
 class _Tutor:
     """Fine-tunes one ego after another."""
 
-    def __init__(self, settings: FinetuneSettings) -> None:
-        self._settings = settings
+    def __init__(self, lessons: _Lessons) -> None:
+        self._lessons = lessons
 
-    def __call__(self, lesson: _Lesson) -> Path:
-        return finetune(lesson.folder, [lesson.source], self._settings, progress=_silent).folder
+    def __call__(self, task: tuple[str, BaseScenario]) -> Path:
+        scenes, ego = self._lessons.scenes(*task), self._lessons.ego(*task)
+        return finetune(ego, [scenes], self._lessons.settings, progress=_silent).folder
 
 
 def _silent(_what: str, _done: int, _total: int) -> None:
     pass
 
 
-def _tested(folder: Path, base: BaseScenario, train_routes: int, jobs: int, progress: Progress) -> list[Drive]:
+def _learned(egos: Sequence[Path]) -> list[tuple[float, float, float]]:
+    """Over the checkpoints of a method: episodes, collision rate and completion where they are chosen; means of all."""
+    checkpoints: dict[float, list[dict[str, float]]] = {}
+    for ego in egos:
+        for row in read_json(ego / "finetune.json")["curve"]:
+            if "collision_rate" in row:
+                checkpoints.setdefault(float(row["episode"]), []).append(row)
+    return [
+        (episodes, fmean(row["collision_rate"] for row in rows), fmean(row["completion"] for row in rows))
+        for episodes, rows in sorted(checkpoints.items())
+    ]
+
+
+def _named(what: str, rows: Sequence[tuple[str, tuple[Cell, ...]]]) -> list[tuple[str, tuple[Cell, ...]]]:
+    return [(f"{what}, {label.partition(',')[0]}", cells) for label, cells in rows]
+
+
+def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress) -> list[Drive]:
     """The egos of a base scenario on all methods' scenes, on the routes that none of them trained on."""
-    egos = {SURROGATE: BEFORE} | {str(folder / "finetune" / m / base / "policy.npz"): m for m in METHODS}
-    where = folder / "tested" / base
+    egos = {SURROGATE: BEFORE} | {str(lessons.ego(method, base) / "policy.npz"): method for method in METHODS}
+    where = lessons.where / "tested" / base
     if (where / "run.json").exists():
         done = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
     else:
-        sources = [folder / "generation" / method / "scenes" / base for method in METHODS]
+        sources = [lessons.scenes(method, base) for method in METHODS]
         done = evaluate(sources, where, egos=list(egos), jobs=jobs, progress=progress)
     run = runs.open_run(done.folder)
     drives = read_drives(run, runs.read_record(run))
-    return [replace(d, ego=egos[d.ego], generator="all") for d in drives if d.route >= train_routes]
+    tested = [drive for drive in drives if drive.route >= lessons.settings.train_routes]
+    return [replace(drive, ego=egos[drive.ego], generator="all") for drive in tested]

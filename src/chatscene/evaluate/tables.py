@@ -22,7 +22,7 @@ from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
 
-Which = Literal["collision_rate", "overall_score"]
+Which = Literal["collision_rate", "overall_score", "completion"]
 Row = tuple[str, tuple[Cell, ...]]
 D = TypeVar("D", Drive, Displacement)
 K = TypeVar("K", bound=str)
@@ -37,6 +37,7 @@ ABBREVIATIONS = {
 TITLES: dict[Which, str] = {
     "collision_rate": "Collision rate (CR) of each ego",
     "overall_score": "Overall score (OS) of each ego",
+    "completion": "Route completion (Comp) of each ego",
 }
 
 WILSON = "95 % Wilson interval that takes drives for independent"
@@ -105,7 +106,7 @@ def ego_table(drives: Sequence[Drive], mode: Mode, *, which: Which) -> ResultTab
     Args:
         drives: Of any generators and egos, in any order.
         mode: How the overall score is computed.
-        which: Table 4 (``collision_rate``) or 5 (``overall_score``).
+        which: Table 4 (``collision_rate``), 5 (``overall_score``), or the completion that must stand beside them.
     """
     rows = [
         (f"{ego}, {generator}", _cells(_scores(own, mode), which))
