@@ -24,6 +24,10 @@ from chatscene.terms.snippet import Tried
 
 SCENARIO = decompose("A car brakes.")
 SETTINGS = RetrievalSettings()
+# Its best triple starts too far away for "a few metres".
+CYCLIST = (
+    "A cyclist at the right roadside, only a few metres ahead of us, crosses in front of us; we drive straight on."
+)
 CLIMBED = Checked(episodes=(), meaning=(), rejected=())
 
 
@@ -89,7 +93,7 @@ def test_a_program_without_snippets_is_tried_once(monkeypatch: pytest.MonkeyPatc
 
 
 def test_what_was_tried_together_is_not_chosen_together_again() -> None:
-    scenario = Retrieved().read("A truck far ahead in our lane brakes hard.", SETTINGS)
+    scenario = Retrieved().read(CYCLIST, SETTINGS)
     chosen = [Retrieved().write(scenario, SETTINGS)]
     for _ in range(3):
         ids = chosen[-1].program.snippet_ids
@@ -101,7 +105,7 @@ def test_what_was_tried_together_is_not_chosen_together_again() -> None:
 
 def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path) -> None:
     few = Settings(search=SearchSettings(scenes=2, block=2))
-    text = "A truck far ahead in our lane brakes hard."
+    text = CYCLIST
     run(text, tmp_path / "run", settings=few, ego_name="rule-based")
     kept = open_run(tmp_path / "run")
     assert read_tried(kept)

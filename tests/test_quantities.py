@@ -12,7 +12,7 @@ from chatscene.agent.decompose import decompose
 from chatscene.errors import NothingFits
 from chatscene.snippets.bind import Triple, bound, distances, out_of_reach
 from chatscene.snippets.library import load_library, names_of
-from chatscene.terms.scenario import FAR, NEAR, Distance, Measure, Quantity, Scenario, Slots
+from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots
 
 LIBRARY = load_library()
 TRIPLE = (
@@ -59,7 +59,11 @@ def start_of(triple: Triple) -> tuple[float, float]:
 
 @pytest.mark.parametrize(
     ("spawn", "distance", "begins", "ends"),
-    [("ahead-right-edge", Distance.NEAR, 12.0, NEAR), ("roadside-right", Distance.FAR, FAR, 50.0)],
+    [
+        ("ahead-right-edge", Distance.NEAR, 12.0, NEAR),
+        ("oncoming-lane-close", Distance.NEAR, 24.0, NEAR_ONCOMING),
+        ("roadside-right", Distance.FAR, FAR, 50.0),
+    ],
 )
 def test_a_start_that_was_said_to_be_near_or_far_is_narrowed(
     spawn: str, distance: Distance, begins: float, ends: float

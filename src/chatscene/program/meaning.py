@@ -17,10 +17,7 @@ from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.episode import Ending, Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import (
-    FAR,
-    NEAR,
     WAITING,
-    Distance,
     Maneuver,
     Occluder,
     Place,
@@ -136,13 +133,20 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
         failures.append("leader: no slow vehicle leads the ego")
     if slots.blocker and not any(_blocks(track, route) for track in _others(episode, Role.OCCLUDER)):
         failures.append("blocker: nothing is parked in the ego's lane")
-    if slots.distance is not None and not any(
-        map(DISTANCES[slots.distance], away := _away(seen, waits=slots.position in WAITING))
-    ):
-        failures.append(f"distance: said {slots.distance}, it is {', then '.join(f'{d:.0f}' for d in away)} m away")
+    failures += _distance_failures(slots, seen)
     if slots.group and not any(_accompanies(other, track) for other in episode.adversaries[1:]):
         failures.append("group: the adversary is alone")
     return failures
+
+
+def _distance_failures(slots: Slots, seen: Seen) -> list[str]:
+    if slots.distance is None:
+        return []
+    least, most = slots.distance.bounds(slots.position)
+    away = _away(seen, waits=slots.position in WAITING)
+    if any(least <= metres <= most for metres in away):
+        return []
+    return [f"distance: said {slots.distance}, it is {', then '.join(f'{metres:.0f}' for metres in away)} m away"]
 
 
 def _away(seen: Seen, *, waits: bool) -> tuple[float, ...]:
@@ -224,11 +228,6 @@ def _blocks(track: Track, route: Route) -> bool:
 def _accompanies(other: Track, track: Track) -> bool:
     return other.kind == track.kind and math.hypot(other.x[0] - track.x[0], other.y[0] - track.y[0]) < 5.0
 
-
-DISTANCES: dict[Distance, Callable[[float], bool]] = {
-    Distance.NEAR: lambda d: d <= NEAR,
-    Distance.FAR: lambda d: d >= FAR,
-}
 
 POSITIONS: dict[Position, Callable[[Seen], bool]] = {
     Position.AHEAD: lambda s: s.along[0] > 2.0 and abs(s.offset[0]) < 1.8,

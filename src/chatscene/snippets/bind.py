@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
-from chatscene.terms.scenario import FAR, NEAR, WAITING, Distance, Measure, Quantity, Scenario
+from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
@@ -22,7 +21,6 @@ _NAMES = {
     Measure.TIME: "OPT_STOP_TIME",
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
 }
-_STARTS = {Distance.NEAR: (-NEAR, NEAR), Distance.FAR: (FAR, math.inf)}
 _FROM_EGO = re.compile(r"how far (?:ahead of|behind|along) the ego")  # other distances start elsewhere
 
 
@@ -62,7 +60,9 @@ def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float,
     """The parameter that says how far from the ego the adversary starts, and the part of its range that is said."""
     for parameter in snippet.parameters:
         if parameter.name == _NAMES[Measure.DISTANCE] and _FROM_EGO.match(parameter.meaning):
-            low, high = max(parameter.low, _STARTS[distance][0]), min(parameter.high, _STARTS[distance][1])
+            least, most = distance.bounds(snippet.slots.position)
+            low = parameter.low if distance is Distance.NEAR else max(parameter.low, least)
+            high = min(parameter.high, most)
             return (parameter, low, high) if low < high else None
     return None
 

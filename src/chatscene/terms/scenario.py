@@ -5,6 +5,7 @@ Paper: section 3.1 (notations), appendix A (components).
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 from enum import StrEnum
 
@@ -97,6 +98,7 @@ class Position(StrEnum):
 
 WAITING = (Position.ROADSIDE, Position.FAR_CORNER, Position.KERB)  # beside the road, until the ego comes near
 NEAR, FAR = 20.0, 35.0  # [m] at most, at least
+NEAR_ONCOMING = 2 * NEAR  # [m]: both close in
 
 
 class Distance(StrEnum):
@@ -104,6 +106,12 @@ class Distance(StrEnum):
 
     NEAR = "near"
     FAR = "far"
+
+    def bounds(self, position: Position | None) -> tuple[float, float]:
+        """From where to where [m] an adversary that starts at a position counts as near or far."""
+        if self is Distance.FAR:
+            return FAR, math.inf
+        return 0.0, NEAR_ONCOMING if position is Position.ONCOMING else NEAR
 
 
 class Occluder(StrEnum):

@@ -41,7 +41,7 @@
 #:   "Dear insurer, the ambulance before me was not on a call. It simply ceased to be driven, if I may put it so, letting its speed leak away along the avenue without any braking until it trundled at the pace of a tired horse.",
 #:   "Truckers do this to save diesel, coming up to a red half a mile off. The one I was behind lifted his boot off the pedal and let forty tonnes run itself down till we were doing next to nothing, but he never let it come to rest.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "own code"

@@ -58,7 +58,7 @@
 #: meaning = "how far before the start of its manoeuvre the ego is when the adversary acts"
 #: [[parameters]]
 #: name = "OPT_THROTTLE"
-#: low = 0.4
+#: low = 0.5
 #: high = 0.8
 #: unit = "1"
 #: meaning = "how far the pedal is pressed"
@@ -70,7 +70,7 @@
 #: meaning = "for how long it presses the pedal"
 
 param OPT_ADV_DISTANCE = Range(0, 30)
-param OPT_THROTTLE = Range(0.4, 0.8)
+param OPT_THROTTLE = Range(0.5, 0.8)
 param OPT_THROTTLE_TIME = Range(0.6, 1.2)
 
 behavior AdvBehavior():
@@ -79,4 +79,4 @@ behavior AdvBehavior():
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_THROTTLE_TIME seconds
     do BrakeOnPath(advTrajectory, 0.15) for 1.5 seconds
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for 0.6 * globalParameters.OPT_THROTTLE_TIME seconds
-    do BrakeOnPath(advTrajectory, 0.35)
+    do BrakeOnPath(advTrajectory, 0.5)

@@ -41,7 +41,7 @@
 #:   "Scenario request from the taxi-rank pilot: the lead car, travelling in the ego's lane ahead, decelerates sharply and performs a turn-around over the opposing lane, ending up driving toward where the ego came from. For part of this time it is broadside on and fills the road.",
 #:   "Dash cam comment: everyone's slating the SUV but cammer was too close. Yes, it braked in front of him, and yes, it then doubled round on itself across the road like it owned the place, but if you leave two seconds you simply sit and watch it finish.",
 #: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "NHTSA pre-crash typology: making a U-turn; own code"

@@ -7,7 +7,7 @@
 #:   "The target is located in the path of the VUT at a large initial distance.",
 #:   "It is far before the ego in the same lane.",
 #: ]
-#: adversaries = ["car", "motorcycle", "bicycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "own code"
