@@ -81,7 +81,7 @@ NOMINAL: dict[BaseScenario, Nominal] = {
     BaseScenario.LANE_CHANGING: Nominal(
         adversary=AdversaryKind.CAR, geometry="lane-change-left", spawn="adjacent-lane-ahead-leader",
         waits="KeepStation(advTrajectory, ego)", left="distanceLeft(egoRoute, ego, egoRoute.eventAt)",
-        speed=8.0, trigger=15.0,
+        speed=3.0, trigger=15.0,
     ),
     BaseScenario.VEHICLE_PASSING: Nominal(
         adversary=AdversaryKind.CAR, geometry="bypass", spawn="oncoming-beyond-blocker",
