@@ -20,7 +20,7 @@ from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.evaluate import ordinary
 from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
-from chatscene.evaluation import carry_on, evaluate
+from chatscene.evaluation import carry_on, evaluate, read_drives
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.search.explore import Block, outcomes
@@ -154,6 +154,13 @@ def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     record = runs.read_record(runs.open_run(tmp_path / "both"))
     assert record.failures == both.failures
     assert {row["ego"] for row in runs.read_scenes(runs.open_run(tmp_path / "both"))} == {"idm"}
+
+
+def test_scenes_on_earlier_routes_can_be_left_out(searched: Path, tmp_path: Path) -> None:
+    done = runs.open_run(evaluate([searched], tmp_path / "e", egos=["idm"], first_route=1, progress=silent).folder)
+    drives = read_drives(done, runs.read_record(done))
+    assert drives
+    assert {drive.route for drive in drives} == {1}
 
 
 def test_what_cannot_be_evaluated_is_said(searched: Path, tmp_path: Path) -> None:

@@ -73,6 +73,7 @@ def evaluate(
     *,
     egos: Sequence[str] = EGOS,
     every_scene: bool = False,
+    first_route: int = 0,
     jobs: int = 1,
     progress: Progress,
 ) -> Evaluated:
@@ -83,6 +84,7 @@ def evaluate(
         folder: Where to.
         egos: By name, file or ``package.module:factory``.
         every_scene: Not only the kept scenes but all that ran.
+        first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
         jobs: Processes.
         progress: Told what is done.
 
@@ -108,12 +110,12 @@ def evaluate(
         settings=runs.settings_of(records[0]),
         map_name=records[0].map_name,
         ego=",".join(egos),
-        sources=[_source(run, record) for run, record in zip(found, records, strict=True)],
+        sources=[_source(run, record, first_route) for run, record in zip(found, records, strict=True)],
     )
     return carry_on(kept, jobs=jobs, progress=progress)
 
 
-def _source(run: runs.Run, record: runs.RunRecord) -> runs.SourceRecord:
+def _source(run: runs.Run, record: runs.RunRecord, first_route: int) -> runs.SourceRecord:
     scenario = runs.read_explanation(run)["scenarios"][0]
     if scenario["base"] is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
@@ -122,6 +124,7 @@ def _source(run: runs.Run, record: runs.RunRecord) -> runs.SourceRecord:
         scenario_id=scenario["scenario_id"],
         base=scenario["base"],
         generator=record.generator,
+        first_route=first_route,
     )
 
 
@@ -181,7 +184,8 @@ def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, 
     return [
         (runs.route_index(row["route_id"]), row)
         for row in rows
-        if row["selected"] or (every and row["status"] == "ran")
+        if (row["selected"] or (every and row["status"] == "ran"))
+        and runs.route_index(row["route_id"]) >= source.first_route
     ]
 
 

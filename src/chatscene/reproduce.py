@@ -286,8 +286,7 @@ def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress
         done = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
     else:
         sources = [lessons.scenes(method, base) for method in METHODS]
-        done = evaluate(sources, where, egos=list(egos), jobs=jobs, progress=progress)
+        first = lessons.settings.train_routes
+        done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
     run = runs.open_run(done.folder)
-    drives = read_drives(run, runs.read_record(run))
-    tested = [drive for drive in drives if drive.route >= lessons.settings.train_routes]
-    return [replace(drive, ego=egos[drive.ego], generator="all") for drive in tested]
+    return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run, runs.read_record(run))]

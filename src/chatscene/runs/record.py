@@ -35,12 +35,14 @@ class SourceRecord(_Frozen):
         scenario_id: Its scenario.
         base: The base scenario it belongs to.
         generator: Who made its scenes.
+        first_route: Scenes on earlier routes are left out.
     """
 
     folder: str
     scenario_id: str
     base: str
     generator: str
+    first_route: int = 0
 
 
 class RunRecord(_Frozen):
