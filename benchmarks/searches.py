@@ -1,6 +1,6 @@
 """Searches against each other on the same programs: hits, distinct failures, severity and avoidability by budget.
 
-    python benchmarks/searches.py [--seeds 3] [--routes 2] [--jobs 2]
+    python benchmarks/searches.py [--ego sac] [--seeds 3] [--routes 2] [--jobs 2]
 
 Each search of each seed drives 200 scenes a route in blocks of ten; the smaller budgets are its first scenes. A cell
 of failures divides every parameter's declared range into four; what counts is how many have a collision.
@@ -57,9 +57,9 @@ class Found:
 class Searcher:
     """Does tasks in one process."""
 
-    def __init__(self, _: None) -> None:
+    def __init__(self, ego: str) -> None:
         self._backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
-        self._ego = load_ego("sac")
+        self._ego = load_ego(ego)
 
     def __call__(self, task: Task) -> tuple[Task, list[Found]]:
         """Search; what was found on each route."""
@@ -94,7 +94,10 @@ def cell(declared: Sequence[ParameterRange], values: Mapping[str, float]) -> tup
 
 
 def row(found: Sequence[Found], budget: int) -> tuple[float, ...]:
-    """Hit rate, failing cells, mean and greatest speed of impact, avoidable share of the hits; means of all."""
+    """Hit rate, failing cells, mean and greatest speed of impact, avoidable share of the hits; means of all.
+
+    The last three are means of the searches that hit anything, and 0 if none did.
+    """
     values: list[tuple[float, ...]] = []
     for one in found:
         hits = one.hits[:budget]
@@ -109,11 +112,14 @@ def row(found: Sequence[Found], budget: int) -> tuple[float, ...]:
                 float(one.avoidable[:budget][hits].mean()) if hits.any() else np.nan,
             )
         )
-    return tuple(np.nanmean(np.array(values), axis=0).tolist())
+    found_any = np.array([value for value in values if value[0] > 0.0])
+    rate, distinct = np.array(values)[:, :2].mean(axis=0).tolist()
+    return (rate, distinct, *(found_any[:, 2:].mean(axis=0).tolist() if len(found_any) else [0.0] * 3))
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--ego", default="sac")
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--routes", type=int, default=2)
     parser.add_argument("--jobs", type=int, default=1)
@@ -123,7 +129,7 @@ def main() -> None:
         for scenario, sampler, seed in product(SCENARIOS, SAMPLERS, range(given.seeds))
     ]
     results: dict[tuple[str, str], list[Found]] = {}
-    for task, found in spread(Searcher, None, tasks, jobs=given.jobs):
+    for task, found in spread(Searcher, given.ego, tasks, jobs=given.jobs):
         results.setdefault((task.scenario, task.sampler), []).extend(found)
     for scenario, text in SCENARIOS.items():
         print(f"\n**{scenario}**: {text}\n")
