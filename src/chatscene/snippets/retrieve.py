@@ -120,7 +120,7 @@ def retrieve(
         adversary=_adversary(scenario, triple),
         confidence=confidence,
         candidates={component: ranking.best(settings.candidates) for component, ranking in ranked.items()},
-        ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary),
+        ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary, tried),
         tried=tuple(tried),
     )
 
@@ -444,12 +444,14 @@ def _ruled_out(
     ranked: dict[Component, _Ranking],
     triple: tuple[Match, ...],
     kind: AdversaryKind | None,
+    tried: Sequence[Tried],
 ) -> tuple[RuledOut, ...]:
-    """For each component, the best-scoring snippets that beat the chosen one but fit no chosen partner."""
+    """For each component, the best-scoring snippets that beat the chosen one but fit no chosen partner; none tried."""
     chosen = {match.snippet.component: match.snippet for match in triple}
     out: list[RuledOut] = []
     for component, match in zip(Component, triple, strict=True):
-        better = [m for m in ranked[component].best(2) if m.score > match.score]
+        gone = {name for one in tried for name in one.snippet_ids}
+        better = [m for m in ranked[component].best(2) if m.score > match.score and m.snippet.id not in gone]
         for candidate in better:
             swapped = {**chosen, component: candidate.snippet}
             reason = incompatibility(*(swapped[c] for c in Component))
