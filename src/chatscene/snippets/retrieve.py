@@ -128,7 +128,8 @@ def retrieve(
 def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedder, likely: Probabilities) -> Slots:
     """What was read, made whole with the library in mind: facts that only together are likely are read together.
 
-    A fact that the best triple contradicts, and that may as well be what the triple does, is taken to be that.
+    A fact that the best triple contradicts is taken to be what the triple does, if the patterns read that or if it may
+    as well be.
 
     Args:
         scenario: What was read, fact by fact.
