@@ -24,14 +24,17 @@ from gymnasium import spaces
 from chatscene import finetune as finetuning
 from chatscene import pipeline
 from chatscene.cli_finetune import finetune as command
+from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.finetune import PRESETS, FinetuneSettings, choose, finetune
+from chatscene.finetune import pupil as learning
 from chatscene.finetune.buffer import SplitBuffer
 from chatscene.finetune.learner import Learner, Schedule
+from chatscene.finetune.pupil import Pupil
 from chatscene.finetune.scenes import KeptScene, Lessons, kept_scenes, split
 from chatscene.program.ordinary import Course
 from chatscene.settings import SearchSettings, Settings
@@ -221,15 +224,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def learner(lessons: Lessons, **changes: Any) -> Learner:
-    ego = sac()
-    return Learner(
-        ego.network,
-        ego,
-        replace(TINY, **changes),
-        Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0),
-        map_name=lessons.map_name,
-        simulation=lessons.simulation,
-    )
+    schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
+    return Learner(sac(), replace(TINY, **changes), schedule, lessons.map_name, lessons.simulation)
 
 
 def test_the_actor_is_the_egos_own_and_does_not_change_while_the_critics_warm_up(scenes: Path) -> None:
@@ -240,9 +236,9 @@ def test_the_actor_is_the_egos_own_and_does_not_change_while_the_critics_warm_up
     assert all(torch.equal(tensor, actor[name]) for name, tensor in one.model.actor.state_dict().items())
     assert not all(torch.equal(tensor, critics[name]) for name, tensor in one.model.critic.state_dict().items())
     assert one.buffer.transitions == 0
-    network = one.network()
+    ego = one.ego()
     for observation in np.random.default_rng(0).normal(size=(20, 4)):
-        assert network(observation) == own.act(observation)
+        assert ego.act(observation) == own.act(observation)
 
 
 def test_warmed_up_critics_tell_a_crash_that_is_near_from_one_that_is_far(scenes: Path) -> None:
@@ -259,23 +255,73 @@ def test_a_drive_leaves_one_transition_in_the_collision_buffer_if_it_ends_in_one
     assert not one.buffer.dones[: one.buffer.size()].any() or collisions < 4
 
 
+class Slow:
+    """A teacher that keeps to 4 m/s and steers against its offset."""
+
+    name = "slow"
+    observation = "safebench"
+    pedals = "full-brake"
+
+    def act(self, observation: Any) -> tuple[float, float]:
+        return float(np.clip(0.5 * (4.0 - observation[2]), -1, 1)), float(np.clip(0.2 * observation[0], -1, 1))
+
+
+def test_a_pupil_does_as_its_teacher_would_where_it_has_been(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lessons = kept_scenes([scenes])
+    schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
+    monkeypatch.setattr(learning, "STEPS", 1000)
+    one = Pupil(Slow(), TINY, schedule, lessons.map_name, lessons.simulation)
+    for number in range(2):
+        one.learn(number, range(2 * number, 2 * number + 2))
+    ego = one.ego()
+    assert (ego.observation, ego.pedals) == ("safebench", "full-brake")
+    for speed in (3.0, 4.0, 5.0):
+        observation = np.array([0.1, 0.0, speed, 0.0])
+        assert ego.act(observation) == pytest.approx(Slow().act(observation), abs=0.1)
+
+
+def test_a_pupil_drives_itself_once_it_has_been_led(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lessons = kept_scenes([scenes])
+    schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
+    monkeypatch.setattr(learning, "STEPS", 1)
+    monkeypatch.setattr(learning, "NOISE", np.zeros(2))
+    driven: list[Any] = []
+    step = DrivingEnv.step
+
+    def told(self: DrivingEnv, action: Any) -> Any:
+        driven.append(action)
+        return step(self, action)
+
+    monkeypatch.setattr(DrivingEnv, "step", told)
+    one = Pupil(Slow(), TINY, schedule, lessons.map_name, lessons.simulation)
+    one.learn(0, range(1))
+    assert all(np.allclose(a, t, atol=1e-6) for a, t in zip(driven, one._shown.numpy(), strict=True))  # pyright: ignore[reportPrivateUsage]
+    one.learn(1, range(1, 2))
+    led = one.steps - len(driven)
+    assert led == 0
+    assert not np.allclose(driven[-1], one._shown.numpy()[-1], atol=1e-3)  # pyright: ignore[reportPrivateUsage]
+
+
 @pytest.mark.usefixtures("quick")
 class TestWhole:
+    @pytest.mark.parametrize("taught", [False, True])
     def test_it_ends_in_an_ego_with_figures_before_and_after_whether_it_was_cut_or_not(
-        self, scenes: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+        self, taught: bool, scenes: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        whole = finetune(tmp_path / "whole", [scenes], TINY, progress=silent)
-        learn = Learner.learn
+        settings, kind = (replace(TINY, teacher="rule-based"), Pupil) if taught else (TINY, Learner)
+        monkeypatch.setattr(learning, "STEPS", 20)
+        whole = finetune(tmp_path / "whole", [scenes], settings, progress=silent)
+        learn: Any = kind.learn
 
-        def killed(self: Learner, number: int, episodes: range) -> int:
+        def killed(self: Any, number: int, episodes: range) -> int:
             if number == 2:
                 raise KeyboardInterrupt
             return learn(self, number, episodes)
 
         with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-            patch.setattr(Learner, "learn", killed)
-            finetune(tmp_path / "cut", [scenes], TINY, progress=silent)
-        resumed = finetune(tmp_path / "cut", [scenes], TINY, progress=silent)
+            patch.setattr(kind, "learn", killed)
+            finetune(tmp_path / "cut", [scenes], settings, progress=silent)
+        resumed = finetune(tmp_path / "cut", [scenes], settings, progress=silent)
         assert [{**r, "seconds": 0} for r in resumed.curve] == [{**r, "seconds": 0} for r in whole.curve]
         paths = [tmp_path / name / "checkpoints" / "policy-0006.npz" for name in ("whole", "cut")]
         networks = [load_network(path)[0] for path in paths]
@@ -294,17 +340,17 @@ class TestWhole:
         ego = load_ego(str(tmp_path / "whole" / "policy.npz"))
         assert len(tuple(ego.act(np.zeros(4)))) == 2
         assert [path.name for path in (tmp_path / "whole").glob("state-*.pt")] == ["state-0006.pt"]
-        again = finetune(tmp_path / "whole", [scenes], TINY, progress=silent)
+        again = finetune(tmp_path / "whole", [scenes], settings, progress=silent)
         assert again == whole
 
         with pytest.raises(RunError, match="other settings"):
-            finetune(tmp_path / "whole", [scenes], replace(TINY, seed=4), progress=silent)
+            finetune(tmp_path / "whole", [scenes], replace(settings, seed=4), progress=silent)
         path = tmp_path / "cut" / "finetune.json"
         record = json.loads(path.read_text())
         path.write_text(json.dumps({name: value for name, value in record.items() if name not in ("chosen", "after")}))
         (tmp_path / "cut" / "state-0006.pt").write_bytes(b"not a state")
         with pytest.raises(RunError, match="cannot read"):
-            finetune(tmp_path / "cut", [scenes], TINY, progress=silent)
+            finetune(tmp_path / "cut", [scenes], settings, progress=silent)
 
     def test_a_scene_that_cannot_be_placed_is_skipped_with_its_reason(
         self, scenes: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

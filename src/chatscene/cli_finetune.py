@@ -21,6 +21,7 @@ _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", 
 @click.command()
 @click.argument("sources", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--ego", default="sac", show_default=True, help="sac, the file of an SAC policy, or its folder.")
+@click.option("--teacher", default="", help="An ego to learn from, from nothing, instead of by reward: planner, idm, …")
 @click.option("--preset", default="paper", show_default=True, help="Gradient steps: paper, one per step; released.")
 @click.option("--choice", default="paper", show_default=True, help="Who chooses the checkpoint: paper or held-out.")
 @click.option("--episodes", default=500, show_default=True, help="Scenes driven.")
@@ -33,6 +34,7 @@ _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", 
 def finetune(
     sources: tuple[Path, ...],
     ego: str,
+    teacher: str,
     preset: str,
     choice: str,
     episodes: int,
@@ -61,6 +63,7 @@ def finetune(
         raise SettingsError(no_such("preset", preset, PRESETS))
     settings = FinetuneSettings(
         ego=ego,
+        teacher=teacher,
         reward=reward,
         choice=choice,
         episodes=episodes,

@@ -35,7 +35,7 @@ class IntelligentDriver:
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
         speed = float(observation[0])
-        wish = min(DESIRED_SPEED, _curve_speed(observation[4:OWN].reshape(-1, 2)))
+        wish = min(DESIRED_SPEED, curve_speed(observation[4:OWN].reshape(-1, 2)))
         actors = observation[OWN:].reshape(-1, PER_ACTOR)
         acceleration = _free(speed, wish)
         for row in actors[actors[:, 0] > 0.0]:
@@ -76,7 +76,7 @@ def _behind(speed: float, row: NDArray[np.float64], free: float) -> float:
     return max(free - ACCELERATION * (max(wanted, GAP) / max(room, 0.5)) ** 2, -COMFORTABLE)
 
 
-def _curve_speed(points: NDArray[np.float64]) -> float:
+def curve_speed(points: NDArray[np.float64]) -> float:
     """The speed [m/s] from which every point of the route ahead can be taken in time."""
     lowest = math.inf
     for distance, (x, y) in zip(AHEAD, points.tolist(), strict=True):

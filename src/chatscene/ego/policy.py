@@ -66,6 +66,7 @@ FILES = (".npz", ".zip", ".pt", ".onnx")
 EGOS: dict[str, str] = {
     "rule-based": "chatscene.ego.rule_based:RuleBased",
     "idm": "chatscene.ego.intelligent_driver:IntelligentDriver",
+    "planner": "chatscene.ego.planner:Planner",
     "sac": "chatscene.ego.trained:sac",
     "ppo": "chatscene.ego.trained:ppo",
     "td3": "chatscene.ego.trained:td3",

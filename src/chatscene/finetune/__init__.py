@@ -16,8 +16,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from chatscene.ego.network import Network, NetworkEgo
-from chatscene.ego.policy import EGOS, load_ego
+from chatscene.ego.network import NetworkEgo
+from chatscene.ego.policy import EGOS, EgoPolicy, load_ego
 from chatscene.errors import EgoError, MissingExtra, RunError
 from chatscene.evaluate.ordinary import drive_ordinary
 from chatscene.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
@@ -30,6 +30,7 @@ from chatscene.simulate.backend import Backend, load_backend
 
 if TYPE_CHECKING:
     from chatscene.finetune.learner import Learner
+    from chatscene.finetune.pupil import Pupil
 
 __all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
 
@@ -80,9 +81,15 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
     """
     try:
         from chatscene.finetune.learner import Learner, Schedule
+        from chatscene.finetune.pupil import Pupil
     except ImportError as error:
         raise MissingExtra("fine-tuning needs Stable-Baselines3", extra="train") from error
-    start, network = _start(settings.ego)
+    if settings.teacher:
+        start = _ego(settings.ego)
+        learner_of = partial(Pupil, _ego(settings.teacher))
+    else:
+        start = _start(settings.ego)
+        learner_of = partial(Learner, start)
     progress("reading the scenes", 0, 0)
     lessons = kept_scenes(sources)
     parts = split(
@@ -93,9 +100,9 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
     )
     record = _open_folder(folder, settings, lessons, parts)
     backend = load_backend("embedded", resolve_map(lessons.map_name), lessons.simulation)
-    judging = _Judging(parts, backend, lessons.map_name, start, progress)
+    judging = _Judging(parts, backend, lessons.map_name, progress)
     if "before" not in record:
-        record["before"], record["skipped"] = judging.all(network, "driving before")
+        record["before"], record["skipped"] = judging.all(start, "driving before")
         _write(folder, record)
     schedule = Schedule(
         scenes=_drivable(parts[TRAIN], record["skipped"]),
@@ -104,15 +111,14 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
         seed=settings.seed,
     )
     if "chosen" not in record:
-        learner = Learner(network, start, settings, schedule, map_name=lessons.map_name, simulation=lessons.simulation)
-        _rounds(folder, record, learner, judging, settings, start, progress)
+        learner = learner_of(settings, schedule, lessons.map_name, lessons.simulation)
+        _rounds(folder, record, learner, judging, settings, progress)
         chosen, record["reason"] = choose(record["curve"])
         write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
         record["chosen"] = chosen
         _write(folder, record)
     if "after" not in record:
-        best = _network(load_ego(str(folder / "policy.npz")), "the chosen ego")
-        record["after"], _ = judging.all(best, "driving after")
+        record["after"], _ = judging.all(_ego(str(folder)), "driving after")
         _write(folder, record)
     names = ("chosen", "reason", "before", "after", "skipped")
     return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
@@ -144,10 +150,9 @@ def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
 def _rounds(
     folder: Path,
     record: Row,
-    learner: Learner,
+    learner: Learner | Pupil,
     judging: _Judging,
     settings: FinetuneSettings,
-    start: NetworkEgo,
     progress: Progress,
 ) -> None:
     """Do the rounds that are not done."""
@@ -170,12 +175,11 @@ def _rounds(
             "training_collision_rate": collisions / (end - begin),
             "seconds": round(time.monotonic() - began, 1),
         }
-        network = learner.network()
         if end >= settings.first_choice or end == settings.episodes:
-            row |= judging.choice(network)
-            about = {"observation": start.observation, "pedals": start.pedals, "algorithm": "sac"}
-            plain = {name: value for name, value in asdict(settings).items() if name not in about}
-            write_bytes(_checkpoint(folder, row), network.stored({**about, **plain, "episode": end}))
+            ego = learner.ego()
+            row |= judging.choice(ego)
+            about = {"observation": ego.observation, "pedals": ego.pedals, "algorithm": ego.name}
+            write_bytes(_checkpoint(folder, row), ego.network.stored({**asdict(settings), **about, "episode": end}))
         learner.keep(_state(folder, row))
         curve.append(row)  # last: a row says that everything before it is on disk
         _write(folder, record)
@@ -191,33 +195,23 @@ class _Judging:
         parts: Scenes by what they are for.
         backend: Where they are driven.
         map_name: Where ordinary routes are driven.
-        start: The ego that is fine-tuned, whose observation and pedals every policy has.
         progress: Told what is done.
     """
 
     def __init__(
-        self,
-        parts: Mapping[str, tuple[KeptScene, ...]],
-        backend: Backend,
-        map_name: str,
-        start: NetworkEgo,
-        progress: Progress,
+        self, parts: Mapping[str, tuple[KeptScene, ...]], backend: Backend, map_name: str, progress: Progress
     ) -> None:
         self._parts = parts
         self._backend = backend
         self._map_name = map_name
-        self._start = start
         self._progress = progress
 
-    def choice(self, network: Network) -> dict[str, float]:
+    def choice(self, ego: EgoPolicy) -> dict[str, float]:
         """The figures on the scenes that choose."""
-        return judge(
-            self._ego(network), self._parts[CHOICE], self._backend, on_scene=lambda _done, _total: None
-        ).figures
+        return judge(ego, self._parts[CHOICE], self._backend, on_scene=lambda _done, _total: None).figures
 
-    def all(self, network: Network, what: str) -> tuple[dict[str, dict[str, float]], dict[str, str]]:
+    def all(self, ego: EgoPolicy, what: str) -> tuple[dict[str, dict[str, float]], dict[str, str]]:
         """The figures on everything, by what was driven, and why a scene could not be."""
-        ego = self._ego(network)
         figures: dict[str, dict[str, float]] = {}
         rejected: dict[str, str] = {}
         for name in (TRAIN, CHOICE, TEST):
@@ -234,32 +228,26 @@ class _Judging:
         figures[ORDINARY] = ordinary.figures()
         return figures, rejected
 
-    def _ego(self, network: Network) -> NetworkEgo:
-        start = self._start
-        return NetworkEgo(network, name=start.name, observation=start.observation, pedals=start.pedals)
+
+def _ego(name: str) -> EgoPolicy:
+    """An ego by its name, its file or its folder."""
+    return load_ego(str(Path(name) / "policy.npz" if Path(name).is_dir() else Path(name)))
 
 
-def _start(name: str) -> tuple[NetworkEgo, Network]:
-    """The ego to fine-tune, and its network.
+def _start(name: str) -> NetworkEgo:
+    """The ego to fine-tune by reward.
 
     Raises:
         EgoError: It cannot be loaded, or is no SAC.
     """
-    path = Path(name) / "policy.npz" if Path(name).is_dir() else Path(name)
-    ego = load_ego(str(path))
-    network = _network(ego, name)
-    if (name in EGOS and name != "sac") or (network.hidden, network.output) != ("relu", "tanh"):
-        raise EgoError(f"{name} is no SAC, and nothing else can be fine-tuned; train one with: chatscene train")
-    assert isinstance(ego, NetworkEgo)
-    return ego, network
-
-
-def _network(ego: object, name: str) -> Network:
+    ego = _ego(name)
     if not isinstance(ego, NetworkEgo):
         raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
     if ego.every != 1:
         raise EgoError(f"{name} holds each action for several steps, as SafeBench's do, and a fine-tuning acts at each")
-    return ego.network
+    if (name in EGOS and name != "sac") or (ego.network.hidden, ego.network.output) != ("relu", "tanh"):
+        raise EgoError(f"{name} is no SAC, and nothing else can be fine-tuned; train one with: chatscene train")
+    return ego
 
 
 def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[KeptScene, ...]:

@@ -91,8 +91,7 @@ class Learner:
     """Drives episodes and learns from them.
 
     Args:
-        start: The ego's network: layers with ReLU between, then tanh.
-        ego: Whose observation and pedals are used.
+        start: Its network has layers with ReLU between, then tanh.
         settings: Of the fine-tuning.
         schedule: What is driven.
         map_name: Where.
@@ -101,22 +100,21 @@ class Learner:
 
     def __init__(
         self,
-        start: Network,
-        ego: NetworkEgo,
+        start: NetworkEgo,
         settings: FinetuneSettings,
         schedule: Schedule,
-        *,
         map_name: str,
         simulation: SimulationSettings,
     ) -> None:
         torch.set_num_threads(1)  # networks this small are slower on two
+        self._start = start
         self._settings = settings
         self._schedule = schedule
         self._env = DrivingEnv(
             schedule.courses(),
             map_name=map_name,
-            observation=ego.observation,
-            pedals=ego.pedals,
+            observation=start.observation,
+            pedals=start.pedals,
             reward=settings.reward,
             settings=simulation,
         )
@@ -133,15 +131,15 @@ class Learner:
             replay_buffer_class=SplitBuffer,
             replay_buffer_kwargs={"collisions": settings.collision_buffer},
             policy_kwargs={
-                "net_arch": {"pi": [len(bias) for _, bias in start.layers[:-1]], "qf": CRITIC},
+                "net_arch": {"pi": [len(bias) for _, bias in start.network.layers[:-1]], "qf": CRITIC},
                 "activation_fn": torch.nn.ReLU,
             },
             seed=settings.seed,
             device="cpu",
         )
         self.model.set_logger(Logger(None, []))
-        self._names = (*(f"latent_pi.{2 * i}" for i in range(len(start.layers) - 1)), "mu")
-        self._put_in(start)
+        self._names = (*(f"latent_pi.{2 * i}" for i in range(len(start.network.layers) - 1)), "mu")
+        self._put_in(start.network)
         self.steps = 0
         self.updates = 0
 
@@ -270,10 +268,11 @@ class Learner:
                 [{"collision": crashed, "TimeLimit.truncated": cut}],
             )
 
-    def network(self) -> Network:
-        """The policy as it is, deterministic."""
+    def ego(self) -> NetworkEgo:
+        """The ego as it is, deterministic."""
         state = {name: tensor.numpy().copy() for name, tensor in self.model.actor.state_dict().items()}
-        return Network(layers=layers_of(state, self._names), output="tanh")
+        network = Network(layers=layers_of(state, self._names), output="tanh")
+        return NetworkEgo(network, name="sac", observation=self._start.observation, pedals=self._start.pedals)
 
     def keep(self, path: Path) -> None:
         """Write what the next round needs, as tensors."""

@@ -24,7 +24,10 @@ class FinetuneSettings:
     """What a fine-tuning is (paper, appendix "Adversarial Finetuning Details"; released code, ``adv_scenic.yaml``).
 
     Attributes:
-        ego: Who is fine-tuned: ``sac``, a policy's file, or a folder with ``policy.npz``.
+        ego: Who is fine-tuned: ``sac``, a policy's file, or a folder with ``policy.npz``. With a teacher: who is only
+            driven before, to compare.
+        teacher: An ego that says at each step what it would do, by its name or file: a new policy then learns that,
+            from nothing, and no reward; empty for none.
         reward: One of `chatscene.ego.reward.REWARDS`.
         choice: Who chooses the checkpoint: ``paper``, the test scenes; ``held-out``, the last of the training routes.
         episodes: Scenes driven (paper: 500).
@@ -50,6 +53,7 @@ class FinetuneSettings:
     """
 
     ego: str = "sac"
+    teacher: str = ""
     reward: str = "safebench"
     choice: str = "paper"
     episodes: int = 500

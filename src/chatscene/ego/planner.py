@@ -1,0 +1,218 @@
+"""A driver by rule that looks ahead: it tries ways of going on against what everybody near may do next.
+
+At each step it weighs some accelerations and sideways shifts over four seconds, in coordinates along its route.
+Everybody near is expected to go on, and with less weight to brake, to speed up or, where they stand beside the way, to
+step into it. The way that costs least is begun. It remembers nothing, so that it can be learned from
+(`chatscene.finetune.pupil`).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.intelligent_driver import curve_speed
+from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
+from chatscene.terms.limits import LIMITS
+
+DT = 0.2  # [s]
+TIMES = np.arange(1, 21) * DT
+_ACCELERATIONS = (-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0)  # [m/s²]
+_SHIFTS = (0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6)  # [m, positive = left of the route]
+ACCELERATION = np.repeat(_ACCELERATIONS, len(_SHIFTS))  # of each way
+SHIFT = np.tile(_SHIFTS, len(_ACCELERATIONS))
+MOVING, WAITING = 0.5, 1.5  # [m/s]: from here on somebody may brake or speed up; up to here, step into the way
+BESIDE, NEAR = 1.6, 8.0  # [m] from the route: who stands between these may step into it
+REACTION = 0.3  # [s] before somebody who stands sets out
+FASTEST = 12.0  # [m/s] up to which others are expected to speed up
+AT_ONCE = 1.6  # [m] of a shift that is steered for at once
+SHORTEST = 5.0  # [m] ahead that is steered for
+
+_CAR = LIMITS["Car"]
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Caution:
+    """What the ways are weighed by.
+
+    Attributes:
+        speed: Wanted speed [m/s].
+        crash: What a crash costs for each m/s of its impact …
+        graze: … beside so many m/s that every crash has.
+        patience: After so many seconds a crash that is expected weighs less by e [s].
+        braking: Deceleration that others may begin with [m/s²], and what that is believed.
+        starting: Acceleration, likewise.
+        stepping: Speed at which somebody who stands may set out for the route [m/s], and what that is believed.
+        room: Kept free ahead and behind [m].
+        side: Kept free beside [m] …
+        widening: … and so much more for each second ahead [m/s].
+        berth: Beyond that, room that is better not passed fast [m] …
+        haste: … and what each metre in it costs.
+        offset: What a second costs one metre beside the route, growing with the square.
+        astray: What each metre beyond two costs besides.
+        jerk: What acceleration costs, growing with the square.
+        resolve: What each metre sideways costs.
+        agility: Sideways speed for each m/s ahead.
+        drift: Largest sideways speed [m/s].
+    """
+
+    speed: float = 8.0
+    crash: float = 12.0
+    graze: float = 0.1
+    patience: float = 2.0
+    braking: tuple[float, float] = (5.0, 0.3)
+    starting: tuple[float, float] = (3.0, 0.25)
+    stepping: tuple[float, float] = (1.5, 0.15)
+    room: float = 0.8
+    side: float = 0.3
+    widening: float = 0.12
+    berth: float = 0.6
+    haste: float = 1.0
+    offset: float = 0.06
+    astray: float = 0.24
+    jerk: float = 0.03
+    resolve: float = 0.15
+    agility: float = 0.4
+    drift: float = 2.2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Others:
+    """What everybody near may do: a row each for (H,) expectations, (H, T) over time, in route coordinates.
+
+    Attributes:
+        along: Ahead of where the ego is now [m].
+        beside: Left of the route [m].
+        speed_along: [m/s].
+        speed_beside: [m/s].
+        half_along: Half the extent along the route [m].
+        half_beside: Half the extent across it [m].
+        now_along: Where they are now.
+        now_beside: Where they are now.
+        moves: 1 for those who move now.
+        belief: What each expectation counts.
+    """
+
+    along: Array
+    beside: Array
+    speed_along: Array
+    speed_beside: Array
+    half_along: Array
+    half_beside: Array
+    now_along: Array
+    now_beside: Array
+    moves: Array
+    belief: Array
+
+
+class Planner:
+    """Looks four seconds ahead, on the preset ``actors``, with the whole brake pedal.
+
+    Args:
+        caution: What its ways are weighed by.
+    """
+
+    name = "planner"
+    observation = "actors"
+    pedals = "full-brake"
+
+    def __init__(self, caution: Caution | None = None) -> None:
+        self.caution = caution or Caution()
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        """Acceleration and steering in [-1, 1] for one step."""
+        c = self.caution
+        speed, offset = float(observation[0]), float(observation[1])
+        wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
+        speeds = np.clip(speed + ACCELERATION[:, None] * TIMES, 0.0, max(wish, speed - 3.0 * DT))
+        gone = np.cumsum(speeds, axis=1) * DT
+        reach = np.cumsum(np.minimum(c.drift, c.agility * speeds), axis=1) * DT
+        beside = offset + np.clip((SHIFT - offset)[:, None], -reach, reach)
+        cost = c.jerk * ACCELERATION**2 - gone[:, -1] + c.resolve * np.abs(SHIFT - offset)
+        cost += (c.offset * beside**2 + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)).sum(axis=1) * DT
+        rows = observation[OWN:].reshape(-1, PER_ACTOR)
+        if len(rows := rows[rows[:, 0] > 0.0]):
+            cost += self._danger(self._others(observation, rows), offset, speeds, gone, beside)
+        best = int(np.argmin(cost))
+        acceleration = float(ACCELERATION[best])
+        if acceleration >= 0.0 and speed >= wish - 0.05:
+            acceleration = max(-3.0, 2.0 * (wish - speed))
+        pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
+        shift = offset + float(np.clip(SHIFT[best] - offset, -AT_ONCE, AT_ONCE))
+        return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
+
+    def _others(self, observation: Observation, rows: Array) -> _Others:
+        along, beside, _, _, vx, vy, turned, half_length, half_width, _ = rows[:, 1:].T
+        points = np.vstack([(0.0, 0.0), observation[4:OWN].reshape(-1, 2)])
+        legs = np.diff(points, axis=0)
+        at = np.clip(np.searchsorted((0.0, *AHEAD), along) - 1, 0, len(legs) - 1)
+        way = np.arctan2(legs[at, 1], legs[at, 0])  # where the route leads beside each of them
+        ds, db = vx * np.cos(way) + vy * np.sin(way), vy * np.cos(way) - vx * np.sin(way)
+        c, s = np.abs(np.cos(turned - way)), np.abs(np.sin(turned - way))
+        speed = np.hypot(ds, db)
+        heading = np.array((ds, db)) / np.maximum(speed, 0.1)
+        caution, still = self.caution, np.zeros((len(rows), len(TIMES)))
+        moving = speed > MOVING
+        waiting = (speed < WAITING) & (np.abs(beside) > BESIDE) & (np.abs(beside) < NEAR) & (along > -2.0)
+        braking = np.maximum(speed[:, None] - caution.braking[0] * TIMES, 0.0)
+        starting = np.minimum(speed[:, None] + caution.starting[0] * TIMES, np.maximum(speed, FASTEST)[:, None])
+        expected = [
+            (heading, still + speed[:, None], np.ones(len(rows))),
+            (heading, braking, caution.braking[1] * moving),
+            (heading, starting, caution.starting[1] * moving),
+            (
+                np.array((0.0 * beside, -np.sign(beside))),
+                still + caution.stepping[0] * (TIMES > REACTION),
+                caution.stepping[1] * waiting,
+            ),
+        ]
+        belief = np.concatenate([believed for _, _, believed in expected])
+        held = belief > 0.0
+        speeds = [np.concatenate([h[i][:, None] * v for h, v, _ in expected])[held] for i in (0, 1)]
+        now = [np.tile(x, len(expected))[held] for x in (along, beside, moving)]
+        return _Others(
+            along=now[0][:, None] + np.cumsum(speeds[0], axis=1) * DT,
+            beside=now[1][:, None] + np.cumsum(speeds[1], axis=1) * DT,
+            speed_along=speeds[0],
+            speed_beside=speeds[1],
+            half_along=np.tile(half_length * c + half_width * s, len(expected))[held],
+            half_beside=np.tile(half_length * s + half_width * c, len(expected))[held],
+            now_along=now[0],
+            now_beside=now[1],
+            moves=now[2],
+            belief=belief[held],
+        )
+
+    def _danger(self, others: _Others, offset: float, speeds: Array, gone: Array, beside: Array) -> Array:
+        """(ways,) what the crashes cost that each way may come to, and passing by too near."""
+        c = self.caution
+        along, across = _CAR.length / 2 + others.half_along, _CAR.width / 2 + others.half_beside
+        # Who is nearer than we want already is not to stop us from moving away.
+        apart, aside = np.abs(others.now_along) - along, np.abs(others.now_beside - offset) - across
+        room = np.where(aside < c.side + 0.2, np.clip(apart - 0.1, 0.05, c.room), c.room)
+        side = np.where(apart < c.room + 0.2, np.clip(aside - 0.05, 0.05, c.side), c.side)
+        gap = np.abs(others.along - gone[:, None]) - along[:, None]  # (ways, H, T)
+        berth = np.abs(others.beside - beside[:, None]) - across[:, None]
+        hits = (gap < room[:, None]) & (berth < side[:, None] + c.widening * TIMES * others.moves[:, None])
+        first = hits.argmax(axis=2)
+        way, one = np.ogrid[: len(speeds), : len(others.belief)]
+        impact = np.hypot(speeds[way, first] - others.speed_along[one, first], others.speed_beside[one, first])
+        crash = hits.any(axis=2) * c.crash * np.exp(-TIMES[first] / c.patience) * (c.graze + impact)
+        close = (gap < c.room + 0.5) & (berth < c.side + c.berth)
+        haste = c.haste * (close * speeds[:, None]).sum(axis=2) * DT
+        return (crash + haste) @ others.belief
+
+
+def _steering(observation: Observation, speed: float, shift: float) -> float:
+    """Pure pursuit of a point ahead, `shift` [m] left of the route."""
+    look = max(SHORTEST, 0.9 * speed)
+    xs, ys = observation[4:OWN:2], observation[5:OWN:2]
+    way = math.atan2(ys[1] - ys[0], xs[1] - xs[0])
+    x = float(np.interp(look, AHEAD, xs)) - math.sin(way) * shift
+    y = float(np.interp(look, AHEAD, ys)) + math.cos(way) * shift
+    wheel = math.atan(_CAR.wheelbase * 2.0 * y / max(x * x + y * y, 1.0))
+    return max(-1.0, min(1.0, -wheel / _CAR.wheel_angle / 0.3))

@@ -1,0 +1,74 @@
+"""The driver that looks ahead, on streets drawn by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
+from chatscene.ego.planner import Planner
+
+Array = NDArray[np.float64]
+
+
+def street(*actors: list[float], speed: float = 8.0, offset: float = 0.0) -> Array:
+    """A straight street, and who is on it."""
+    observation = np.zeros(OBSERVATIONS["actors"])
+    observation[:4] = (speed, offset, 0.0, 100.0)
+    observation[4:OWN] = [x for ahead in AHEAD for x in (ahead, -offset)]
+    for i, row in enumerate(actors):
+        observation[OWN + i * PER_ACTOR :][:PER_ACTOR] = row
+    return observation
+
+
+def car(along: float, beside: float, speed: float = 0.0) -> list[float]:
+    return [1.0, along, beside, along, beside, speed, 0.0, 0.0, 2.45, 1.05, 0.0]
+
+
+def walker(along: float, beside: float, across: float = 0.0) -> list[float]:
+    return [1.0, along, beside, along, beside, 0.0, across, np.pi / 2, 0.3, 0.3, 1.0]
+
+
+def test_an_empty_street_is_driven_at_the_wanted_speed_along_the_route() -> None:
+    assert Planner().act(street()) == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert Planner().act(street(speed=3.0))[0] > 0.4
+    assert Planner().act(street(speed=11.0))[0] < 0.0
+
+
+@pytest.mark.parametrize(("offset", "turn"), [(1.5, 1.0), (-1.5, -1.0)])
+def test_it_returns_to_its_route(offset: float, turn: float) -> None:
+    assert np.sign(Planner().act(street(offset=offset))[1]) == turn  # steering right is positive
+
+
+def test_it_goes_round_who_stands_in_its_way_on_the_side_that_is_free() -> None:
+    blocked = car(22.0, 0.0)
+    left_taken, right_taken = car(22.0, 3.2), car(22.0, -3.2)
+    assert Planner().act(street(blocked, right_taken))[1] < 0.0
+    assert Planner().act(street(blocked, left_taken))[1] > 0.0
+
+
+def test_it_stops_where_both_sides_are_taken() -> None:
+    wall = (car(9.0, 0.0), car(9.0, 2.6), car(9.0, -2.6), car(9.0, 5.0), car(9.0, -5.0))
+    assert Planner().act(street(*wall))[0] < -0.5
+
+
+def test_it_gives_way_to_who_walks_into_its_way_and_not_to_who_walks_off() -> None:
+    pedal, steering = Planner().act(street(walker(14.0, -4.0, 2.0)))
+    assert pedal < -0.1 or steering < -0.1
+    pedal, steering = Planner().act(street(walker(14.0, -4.0, -2.0)))
+    assert pedal > -0.05
+    assert abs(steering) < 0.1
+
+
+def test_it_is_slower_beside_who_may_step_out_than_on_an_empty_street() -> None:
+    standing = Planner().act(street(walker(10.0, -2.0)))
+    assert standing != Planner().act(street())
+
+
+def test_what_it_does_depends_on_nothing_but_what_it_sees() -> None:
+    one, seen = Planner(), street(car(15.0, 0.5, 3.0), walker(20.0, -3.0))
+    first = one.act(seen)
+    for offset in (-2.0, 2.0):
+        one.act(street(car(8.0, 0.0), offset=offset))
+    assert one.act(seen) == first == Planner().act(seen)
