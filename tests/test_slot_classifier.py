@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,10 +14,11 @@ from chatscene.agent.decompose import decompose
 from chatscene.errors import SnippetError
 from chatscene.snippets.composing import Labelled, compose, wordings
 from chatscene.snippets.embedding import MiniLM
-from chatscene.snippets.fitting import fit, fit_trust
+from chatscene.snippets.fitting import fit, fit_trust, heads_of
 from chatscene.snippets.library import Library, load_library
 from chatscene.snippets.reading import read
 from chatscene.snippets.slot_classifier import (
+    TRUSTED,
     VALUES,
     SlotClassifier,
     Trust,
@@ -26,6 +29,7 @@ from chatscene.snippets.slot_classifier import (
 from chatscene.snippets.wording_index import stem
 from chatscene.terms.scenario import Action, AdversaryKind, Component, Side, Slots
 
+States = Callable[[str], list[Any]]  # of a sentence, from each member's encoder
 WORDS = ("now", "then", "soon", "late", "fast", "slow", "far", "near")
 IDS = ("behavior/cross", "behavior/lane-brake", "geometry/straight-road", "spawn/ahead-in-lane", "spawn/roadside-right")
 
@@ -50,39 +54,42 @@ def sentences() -> list[Labelled]:
 
 @pytest.fixture(scope="module")
 def trained() -> SlotClassifier:
-    return fit(sentences(), small(), epochs=60, seed=0, told=_silent)
+    classes = heads_of(small())
+    members = tuple(fit(sentences(), classes, epochs=60, seed=seed, told=_silent) for seed in range(2))
+    return SlotClassifier(members, classes, dict.fromkeys(TRUSTED, Trust()))
 
 
 @pytest.fixture(scope="module")
-def encoder(trained: SlotClassifier) -> MiniLM:
-    return MiniLM(trained.changes)
+def states(trained: SlotClassifier) -> States:
+    encoders = trained.encoders()
+    return lambda text: [encoder.states(text) for encoder in encoders]
 
 
-def test_words_that_no_pattern_knows_are_learned_from_sentences(trained: SlotClassifier, encoder: MiniLM) -> None:
+def test_words_that_no_pattern_knows_are_learned_from_sentences(trained: SlotClassifier, states: States) -> None:
     text = "a zorp glides over the way x"
-    found = trained.classify(encoder.states(text), decompose(text).slots)
+    found = trained.classify(states(text), decompose(text).slots)
     assert said(found, {}).adversary is AdversaryKind.PEDESTRIAN
     assert found.actions[Action.CROSS] > found.actions[Action.BRAKE]
     assert found.behaviors["behavior/cross"] > 0.5
 
 
-def test_probabilities_are_probabilities(trained: SlotClassifier, encoder: MiniLM) -> None:
-    found = trained.classify(encoder.states("the krell anchors up"), Slots())
+def test_probabilities_are_probabilities(trained: SlotClassifier, states: States) -> None:
+    found = trained.classify(states("the krell anchors up"), Slots())
     assert set(found.slots) == set(VALUES)
     assert all(sum(p.values()) == pytest.approx(1.0, abs=1e-5) for p in found.slots.values())
     assert all(0.0 <= p <= 1.0 for p in found.actions.values())
 
 
-def test_what_the_patterns_found_counts_for_it(trained: SlotClassifier, encoder: MiniLM) -> None:
+def test_what_the_patterns_found_counts_for_it(trained: SlotClassifier, states: States) -> None:
     trusting = replace(trained, trust=dict.fromkeys(trained.trust, Trust(found=4.0)))
-    states = encoder.states("the krell anchors up")
-    plain = trusting.classify(states, Slots()).slots["side"]["left"]
-    told = trusting.classify(states, Slots(side=Side.LEFT)).slots["side"]["left"]
+    seen = states("the krell anchors up")
+    plain = trusting.classify(seen, Slots()).slots["side"]["left"]
+    told = trusting.classify(seen, Slots(side=Side.LEFT)).slots["side"]["left"]
     assert told > plain
 
 
-def test_the_runtime_reads_what_was_trained_but_for_rounding(trained: SlotClassifier, encoder: MiniLM) -> None:
-    right = [trained.log_odds(encoder.states(s.text)) for s in sentences()]
+def test_the_runtime_reads_what_was_trained_but_for_rounding(trained: SlotClassifier, states: States) -> None:
+    right = [trained.log_odds(states(s.text)) for s in sentences()]
     assert [max(zip(odds["adversary"], trained.classes["adversary"], strict=True))[1] for odds in right] == [
         s.slots.adversary for s in sentences()
     ]
@@ -101,9 +108,20 @@ def test_a_classifier_comes_back_from_its_file(trained: SlotClassifier, tmp_path
     save_classifier(trained, tmp_path / "c.npz")
     again = load_classifier(tmp_path / "c.npz")
     assert again.classes == trained.classes
-    assert again.changes == trained.changes
     assert again.trust == trained.trust
-    np.testing.assert_allclose(again.weights, trained.weights, atol=1e-3)
+    for one, other in zip(again.members, trained.members, strict=True):
+        assert one.changes == other.changes
+        np.testing.assert_allclose(one.weights, other.weights, atol=1e-3)
+
+
+def test_what_members_say_is_averaged(trained: SlotClassifier, states: States) -> None:
+    seen = states("the krell anchors up")
+    alone = [
+        SlotClassifier((member,), trained.classes, trained.trust).log_odds([one])["side"]
+        for member, one in zip(trained.members, seen, strict=True)
+    ]
+    assert not np.allclose(alone[0], alone[1], atol=1e-2)
+    np.testing.assert_allclose(trained.log_odds(seen)["side"], np.mean(alone, axis=0), atol=1e-5)
 
 
 def test_a_damaged_file_says_how_to_train_again(tmp_path: Path) -> None:

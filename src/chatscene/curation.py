@@ -15,7 +15,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.backend import load_backend
 from chatscene.snippets.composing import Labelled, compose, wordings
 from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.fitting import fit, fit_trust
+from chatscene.snippets.fitting import fit, heads_of, joined
 from chatscene.snippets.library import library_with, load_library
 from chatscene.snippets.slot_classifier import NAME, PACKAGED, TRUSTED, save_classifier
 from chatscene.snippets.wording_vectors import save_vectors
@@ -25,6 +25,7 @@ from chatscene.workers import spread
 
 FITTING = "fitting"  # the packaged sentences that the reader may learn from
 KEPT_BACK = 8  # … but for those of one behavior in so many, on which the patterns are weighed against it
+MEMBERS = 2  # of the classifier
 OFTENER = 2  # times a sentence written by hand is seen for one composed
 _Trial = tuple[tuple[str, str, str], AdversaryKind] | None  # None: who is alike
 
@@ -101,10 +102,18 @@ def fit_classifier(own: str, *, count: int, epochs: int, seed: int, progress: Pr
     library = library_with(own)
     by_hand = load_sentences(FITTING)
     learned = [_labelled(s) for s in by_hand if not kept_back(s)]
-    sentences = [*wordings(library), *compose(library, count, seed), *learned * OFTENER]
-    classifier = fit(sentences, library, epochs=epochs, seed=seed, told=progress)
-    # How far to trust the patterns is found on sentences that the classifier has not seen.
-    classifier = fit_trust(classifier, [_labelled(s) for s in by_hand if kept_back(s)])
+    classes = heads_of(library)
+    members = [
+        fit(
+            [*wordings(library), *compose(library, count, seed + i), *learned * OFTENER],
+            classes,
+            epochs=epochs,
+            seed=seed + i,
+            told=progress,
+        )
+        for i in range(MEMBERS)
+    ]
+    classifier = joined(members, classes, [_labelled(s) for s in by_hand if kept_back(s)])
     path = Path(own) / NAME if own else PACKAGED
     save_classifier(classifier, path)
     if not own:

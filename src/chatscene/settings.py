@@ -73,7 +73,7 @@ class RetrievalSettings:
     """
 
     candidates: int = 5
-    refuse_below: float = 0.25
+    refuse_below: float = 0.45
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE

@@ -4,15 +4,15 @@ model chatscene.world.model
 
 AdvClass = Pedestrian
 
-## behavior/walker-plant-in-lane
-param OPT_ADV_SPEED = Range(1.1, 1.8)
-param OPT_ADV_DISTANCE = Range(30, 48)
-param OPT_STOP_DISTANCE = Range(0.2, 1.25)
+## behavior/cross-and-stop
+param OPT_ADV_SPEED = Range(1.4, 5)
+param OPT_ADV_DISTANCE = Range(10, 40)
+param OPT_STOP_DISTANCE = Range(0, 1)
 
 behavior AdvBehavior():
-    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 3 * abs(offsetFrom(egoRoute, self))
-    # Briskly as far as the ego's own lane, should there be others before it.
-    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 3.5
+    # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.
+    do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / globalParameters.OPT_ADV_SPEED
+    do MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < max(2.5, globalParameters.OPT_ADV_SPEED * headway(egoRoute, ego, self) / 8)
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_STOP_DISTANCE)
     do Halt()
 

@@ -437,6 +437,8 @@ SIDE = re.compile(r"\b(left|right)\b")
 REACTION = re.compile(
     r"(?:,| and)? ?\b(?:forcing|causing|requiring|necessitating|making it|leaving|so that|such that|which forces|"
     r"requires the ego|prompting|compelling)\b[^;.]*"
+    r"|(?:,? (?:and|which|that|so it))? (?:forced?|forces|caused?|causes|obliged?|obliges|ma(?:de|kes?)|ha[ds]|left|leaves?|g[eo]ts?|sen[dt]s?|prompt(?:s|ed)|compel(?:s|led)) "
+    r"(?:us|me|(?:our|my) (?:car|vehicle|driver)|the (?:ego|av|vut|sut|subject vehicle|robotaxi|driver of the ego))\b(?!'s| off\b)[^;.,]*?(?= then | before | until |[;.,]|$)"
 )
 NEGATED = re.compile(
     r"(?:\b(?:not|never|neither|nor|cannot|without|instead of|rather than|fails? to|failing to|no longer|refus\w+ to)|n't)\b"

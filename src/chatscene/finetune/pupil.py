@@ -28,8 +28,8 @@ from chatscene.runs.atomic import write_bytes
 from chatscene.settings import SimulationSettings
 
 Array = NDArray[np.float32]
-HIDDEN = 256  # units of either layer, as the egos that ship
-STEPS, BATCH, RATE = 3_000, 256, 1e-3  # gradient steps after a round, rows of each, and Adam's first rate
+HIDDEN = 512  # units of either layer: what a planner does is hard to put into fewer
+STEPS, BATCH, RATE = 4_000, 256, 1e-3  # gradient steps after a round, rows of each, and Adam's first rate
 NOISE = np.array([0.3, 0.2])  # standard deviation of what is added to acceleration and steering, so that slips occur …
 LASTING = 0.9  # … and last: the share of it that stays from step to step
 

@@ -7,7 +7,7 @@ carries over to words they do not have. Needs the extra ``train``.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -18,13 +18,14 @@ from numpy.typing import NDArray
 from chatscene.agent.decompose import decompose
 from chatscene.errors import MissingExtra
 from chatscene.snippets.composing import Labelled
-from chatscene.snippets.embedding import MiniLM, plain
+from chatscene.snippets.embedding import plain
 from chatscene.snippets.library import Library
 from chatscene.snippets.slot_classifier import (
     BEHAVIOR,
     HEADS,
     SCOPE,
     TRUSTED,
+    Member,
     SlotClassifier,
     Trust,
     as_class,
@@ -42,14 +43,15 @@ DROPOUT = 0.1
 
 Array = NDArray[Any]
 Told = Callable[[str, int, int], None]
+Classes = Mapping[str, tuple[str, ...]]  # of each head
 
 
-def fit(sentences: Sequence[Labelled], library: Library, *, epochs: int, seed: int, told: Told) -> SlotClassifier:
-    """Train a classifier that does not trust the patterns yet.
+def fit(sentences: Sequence[Labelled], classes: Classes, *, epochs: int, seed: int, told: Told) -> Member:
+    """Train one member of a classifier.
 
     Args:
         sentences: What to learn from.
-        library: Whose behaviors are to be told apart.
+        classes: Of each head.
         epochs: How often each sentence is seen.
         seed: Of the order and the dropout.
         told: Of the steps done.
@@ -65,7 +67,6 @@ def fit(sentences: Sequence[Labelled], library: Library, *, epochs: int, seed: i
         raise MissingExtra(f"training the slot classifier needs {error.name}", extra="train") from error
     rng = random.Random(seed)
     torch.manual_seed(seed)
-    classes = {head: classes_of(head, [s.id for s in library if s.component.value == BEHAVIOR]) for head in HEADS}
     targets = {head: targets_of(head, names, sentences) for head, names in classes.items()}
     model = Tuned(frozen=FROZEN, columns=[len(names) for names in classes.values()], dropout=DROPOUT)
     lower = model.lower([tokenize(plain(s.text), LONGEST) for s in sentences])
@@ -88,14 +89,28 @@ def fit(sentences: Sequence[Labelled], library: Library, *, epochs: int, seed: i
         rates.step()
         told("steps", step, steps)
     model.eval()
-    return SlotClassifier(
+    return Member(
         changes=model.changes(),
-        classes=classes,
         queries=model.queries.detach().numpy(),
         weights=model.weights.detach().numpy(),
         bias=model.bias.detach().numpy(),
-        trust={head: Trust() for head in TRUSTED},
     )
+
+
+def heads_of(library: Library) -> Classes:
+    """The classes of each head: the behaviors are the library's."""
+    return {head: classes_of(head, [s.id for s in library if s.component.value == BEHAVIOR]) for head in HEADS}
+
+
+def joined(members: Sequence[Member], classes: Classes, sentences: Sequence[Labelled]) -> SlotClassifier:
+    """A classifier of some members, which counts the patterns beside them as far as they are right: `fit_trust`.
+
+    Args:
+        members: What was trained on the same classes.
+        classes: Of each head.
+        sentences: Written by hand; no member learned from them.
+    """
+    return fit_trust(SlotClassifier(tuple(members), classes, {head: Trust() for head in TRUSTED}), sentences)
 
 
 def _rate(done: float) -> float:
@@ -145,7 +160,7 @@ def targets_of(head: str, classes: tuple[str, ...], sentences: Sequence[Labelled
 
 _ODDS, _FOUND, _SILENT = (0.3, 0.6, 1.0, 1.5), (0.0, 1.0, 2.0, 4.0, 8.0), (0.0, 1.0, 2.0, 4.0)
 # Patterns know words of the field ("unprotected", "overtake") that few of the sentences written by hand have.
-_LEAST = {"maneuver": 2.0, "control": 2.0}  # of what they found
+_LEAST = {"maneuver": 2.0, "control": 4.0}  # of what they found
 
 
 def fit_trust(classifier: SlotClassifier, sentences: Sequence[Labelled]) -> SlotClassifier:
@@ -155,8 +170,8 @@ def fit_trust(classifier: SlotClassifier, sentences: Sequence[Labelled]) -> Slot
         classifier: One that did not learn from these sentences.
         sentences: Written by hand.
     """
-    encoder = MiniLM(classifier.changes)
-    odds = [classifier.log_odds(encoder.states(s.text)) for s in sentences]
+    encoders = classifier.encoders()
+    odds = [classifier.log_odds([encoder.states(s.text) for encoder in encoders]) for s in sentences]
     rules = [decompose(s.text).slots for s in sentences]
     trust: dict[str, Trust] = {}
     for head in TRUSTED:

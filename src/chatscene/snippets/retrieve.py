@@ -7,6 +7,7 @@ an embedding hardly tells left from right (decisions 0006 and 0017).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -40,11 +41,13 @@ UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
 UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
 ADDED = ("occluder", "leader", "blocker", "control", "group", "distance", "lanes")
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
-NO_ACTION = 0.45  # confidence left where nothing the adversary does was understood
-NO_ADVERSARY = 0.3  # … or who it is
-GUESSED = 0.35  # … or where no word says outright who it is or what it does
-BEYOND = 0.3  # … or where something is spoken of that no snippet has
-FAR_WORDING, NEAR_WORDING = 0.25, 0.6  # cosines of a behavior's wording that count as nothing and as all
+# Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
+# classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
+CONFIDENCE = {
+    "base": -6.16, "scope": 0.46, "beyond": -1.53, "outright": 0.75, "wording": 4.61, "meant": 0.6,
+}  # fmt: skip
+ENOUGH = 4  # facts that words say outright; more make nothing surer
+FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a behavior's wording below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
 OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
 NARROWER = 0.85  # agreement of a place that is one kind of what was said, of a distance that can be told
@@ -59,7 +62,7 @@ FAINTEST = 1e-4  # least likelihood of a behavior
 
 SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
 HASTE = {Action.ACCELERATE, Action.FAST}  # how a thing is done, which need not be said
-HEARD = 0.14  # an action less likely than this was not heard
+HEARD = 0.25  # an action less likely than this was not heard
 UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
 TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
@@ -109,8 +112,8 @@ def retrieve(
     """
     settings = settings or RetrievalSettings()
     likely = likelihoods(scenario.text, settings.library)
-    ranked, triple = _best(scenario, library, embedder, likely, tried)
-    confidence = _confidence(scenario, triple, likely)
+    ranked, triple = _best(scenario, library, embedder, likely, agreeing=True, tried=tried)
+    confidence = _confidence(scenario, triple, library, likely)
     if confidence < settings.refuse_below:
         raise NothingFits(_refusal(scenario, triple, confidence))
     return Retrieval(
@@ -138,11 +141,20 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
         embedder: Measures wording.
         likely: How likely each fact is.
     """
-    try:
-        _, triple = _best(replace(scenario, slots=replace(scenario.slots, actions=())), library, embedder, likely)
-    except NothingFits:
+    who, possible = scenario.slots.adversary, likely.slots["adversary"]
+    kinds = [kind for kind in AdversaryKind if kind is who or (who is not None and possible.get(kind, 0.0) >= POSSIBLE)]
+    found: list[tuple[float, Slots, tuple[Match, ...]]] = []
+    for kind in kinds or [who]:
+        slots = replace(scenario.slots, adversary=kind)
+        try:
+            _, triple = _best(replace(scenario, slots=replace(slots, actions=())), library, embedder, likely)
+        except NothingFits:
+            continue
+        doubt = math.log(possible.get(as_class(kind), 0.0) + UNLIKELY)
+        found.append((doubt + sum(match.score for match in triple), slots, triple))
+    if not found:
         return scenario.slots
-    slots = scenario.slots
+    _, slots, triple = max(found, key=lambda one: one[0])
     for component, match in zip(Component, triple, strict=True):
         does = match.snippet.slots
         for name in OF_COMPONENT[component]:
@@ -151,6 +163,8 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
                 known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
                 heard = bool(rules.actions) and set(rules.actions) <= set(value)
                 slots = replace(slots, actions=value) if known >= POSSIBLE or heard else slots
+            elif name == "side" and value is None and rules.side is None:
+                slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
             elif said is not None and _agreement(said, value) == 0.0:
                 unsure = likely.slots[name].get(as_class(said), 0.0) < SURE
                 possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE
@@ -160,9 +174,18 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
 
 
 def _best(
-    scenario: Scenario, library: Library, embedder: Embedder, likely: Probabilities, tried: Sequence[Tried] = ()
+    scenario: Scenario,
+    library: Library,
+    embedder: Embedder,
+    likely: Probabilities,
+    *,
+    agreeing: bool = False,
+    tried: Sequence[Tried] = (),
 ) -> tuple[dict[Component, _Ranking], tuple[Match, ...]]:
-    """Every component ranked, and the compatible triple that scores highest of those that were not tried."""
+    """Every component ranked, and the compatible triple that scores highest of those that were not tried.
+
+    With `agreeing`, one that contradicts nothing that was read, if there is one: any other would be refused.
+    """
     joint = compatibility(library)
     ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
     allowed = joint.of_kind(scenario.slots.adversary)
@@ -172,6 +195,10 @@ def _best(
         allowed = allowed & ~joint.with_all(one.snippet_ids)
     scores = [ranked[component].score.astype(np.float32) for component in Component]
     total = scores[0][:, None, None] + (scores[1][:, None] + scores[2][None, :])[None]
+    if agreeing:
+        b, g, s = (ranked[component].conflicts == 0 for component in Component)
+        agree = allowed & b[:, None, None] & g[:, None] & s
+        allowed = agree if agree.any() else allowed
     index = np.unravel_index(int(np.argmax(np.where(allowed, total, np.float32(-np.inf)))), allowed.shape)
     return ranked, tuple(ranked[component].match(int(i)) for component, i in zip(Component, index, strict=True))
 
@@ -189,6 +216,7 @@ class _Ranking:
     similarity: Scores
     texts: list[str]
     agreement: Scores
+    conflicts: Scores
     score: Scores
 
     def match(self, i: int) -> Match:
@@ -230,7 +258,7 @@ def _rank(
         score = score + AGREEMENT * agreement - CONFLICT * conflicts
     if scenario.quantities:
         score = score - CONFLICT * np.array([out_of_reach(s, scenario.quantities) for s in shelf.snippets])
-    return _Ranking(scenario.slots, component, shelf.snippets, similarity, texts, agreement, score)
+    return _Ranking(scenario.slots, component, shelf.snippets, similarity, texts, agreement, conflicts, score)
 
 
 class _Shelf:
@@ -279,8 +307,8 @@ class _Shelf:
         the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who "steps out
         and freezes" is not said to sprint.
         """
-        near = np.clip((similarity - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
-        p = np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near.tolist(), strict=True)])
+        near = _near(similarity).tolist()
+        p = np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
         heard = self.actions @ np.array([likely.actions[action] >= HEARD for action in Action])
         best = int(np.argmax(p))
         return np.log(p + p[best] * (self.hastier[:, best] & (heard == heard[best])) + FAINTEST)
@@ -330,6 +358,11 @@ class _Shelf:
         both = self.actions @ wanted
         either = self.actions.sum(axis=1) + wanted.sum() - both
         return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
+
+
+def _near(similarity: Scores) -> Scores:
+    """How likely a behavior is that the classifier was not trained on, from its wording's cosine."""
+    return np.clip((similarity - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
 
 
 Beliefs = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
@@ -419,19 +452,33 @@ def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
     return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
 
 
-def _confidence(scenario: Scenario, triple: tuple[Match, ...], likely: Probabilities) -> float:
-    """In [0, 1]: how much was said that we understand, how much of it the triple does, how near its wording is."""
-    said = scenario.slots.said()
-    understood = min(1.0, len(said) / 3) * (1.0 if scenario.slots.actions else NO_ACTION)
-    understood *= 1.0 if scenario.slots.adversary is not None else NO_ADVERSARY
-    understood *= BEYOND if any(note.startswith(UNKNOWN) for note in scenario.notes) else 1.0
-    if "adversary" in scenario.guessed:
-        understood *= likely.slots["adversary"][as_class(scenario.slots.adversary)]
-        understood *= GUESSED if "actions" in scenario.guessed else 1.0
-    facts = sum(match.agreement for match in triple) / len(triple)
-    wording = (triple[0].similarity - FAR_WORDING) / (NEAR_WORDING - FAR_WORDING)
-    broken = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
-    return float(likely.in_scope * understood * broken * (0.5 * facts + 0.5 * min(max(wording, 0.0), 1.0)))
+def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probabilities) -> dict[str, float]:
+    """What speaks for and against a sentence being served, by the names in `CONFIDENCE`.
+
+    Args:
+        scenario: What was understood.
+        behavior: What was chosen for it.
+        library: Whose other behaviors it may have meant, as far as its adversary can do them.
+        likely: How likely each fact is.
+    """
+    kind = scenario.slots.adversary
+    able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
+    meant = likely.behaviors.get(behavior.snippet.id, float(_near(np.array(behavior.similarity))))
+    meant /= max(meant, sum(likely.behaviors.get(s.id, 0.0) for s in able))
+    return {
+        "base": 1.0,
+        "scope": math.log((likely.in_scope + FAINTEST) / (1.0 - likely.in_scope + FAINTEST)),
+        "beyond": float(any(note.startswith(UNKNOWN) for note in scenario.notes)),
+        "outright": float(min(len(scenario.slots.said()) - len(scenario.guessed), ENOUGH)),
+        "wording": min(max(behavior.similarity, FAR_WORDING), NEAR_WORDING),
+        "meant": math.log(meant + UNLIKELY),
+    }
+
+
+def _confidence(scenario: Scenario, triple: tuple[Match, ...], library: Library, likely: Probabilities) -> float:
+    """The probability that the library can serve a sentence, less for every fact that the triple contradicts."""
+    odds = sum(CONFIDENCE[name] * value for name, value in doubts(scenario, triple[0], library, likely).items())
+    return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
 
 
 def _refusal(scenario: Scenario, triple: tuple[Match, ...], confidence: float) -> str:
@@ -458,5 +505,7 @@ def _ruled_out(
             reason = incompatibility(*(swapped[c] for c in Component))
             if reason is None and kind is not None and candidate.snippet.adversaries:
                 reason = None if kind in candidate.snippet.adversaries else f"it has no {kind}"
-            out.append(RuledOut(snippet_id=candidate.snippet.id, reason=reason or "its partners score lower in sum"))
+            against = f"it contradicts what was read: {'; '.join(candidate.conflicts)}" if candidate.conflicts else None
+            why = reason or against or "its partners score lower in sum"
+            out.append(RuledOut(snippet_id=candidate.snippet.id, reason=why))
     return tuple(out)

@@ -3,8 +3,8 @@
 The patterns of `chatscene.agent` are right where they match and silent where they do not; a classifier is never silent
 and seldom sure. Here is the classifier: MiniLM with its upper layers trained further, and on its states one head per
 slot, one for the actions, one over the behaviors of the library and one for whether it is a driving scenario at all,
-each with its own attention over the words. How much the patterns count beside it was fitted on sentences written by
-hand (decision 0017).
+each with its own attention over the words. Several, trained apart, are averaged. How much the patterns count beside
+them was fitted on sentences written by hand (decision 0017).
 `chatscene.snippets.fitting` trains it.
 """
 
@@ -85,42 +85,62 @@ class Trust:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SlotClassifier:
-    """A trained encoder and its heads.
+class Member:
+    """One trained encoder and its heads.
 
     Attributes:
         changes: What was trained of the encoder: new bytes of its file by where they stand.
-        classes: Of each of `HEADS`.
         queries: (heads, D), what each head attends to.
         weights: (D, columns), a column per class of each head in order.
         bias: (columns,).
-        trust: Per slot, and for actions, how much the classifier counts beside the patterns.
     """
 
     changes: Mapping[int, bytes]
-    classes: Mapping[str, tuple[str, ...]]
     queries: Floats
     weights: Floats
     bias: Floats
-    trust: Mapping[str, Trust]
 
-    def log_odds(self, states: Floats) -> dict[str, Floats]:
-        """(classes,) log-odds of each head from the encoder's states of a sentence, (tokens, D)."""
+    def log_odds(self, states: Floats) -> Floats:
+        """(heads, columns) log-odds of each class as each head sees it, from the encoder's states, (tokens, D)."""
         share = np.exp(states @ self.queries.T - (states @ self.queries.T).max(axis=0))
         pooled = (share / share.sum(axis=0)).T @ states
+        return pooled @ self.weights + self.bias
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SlotClassifier:
+    """Members that were trained apart, whose log-odds are averaged: where they err, they seldom err alike.
+
+    Attributes:
+        members: At least one.
+        classes: Of each of `HEADS`.
+        trust: Per slot, and for actions, how much the members count beside the patterns.
+    """
+
+    members: tuple[Member, ...]
+    classes: Mapping[str, tuple[str, ...]]
+    trust: Mapping[str, Trust]
+
+    def encoders(self) -> tuple[MiniLM, ...]:
+        """The encoder of each member."""
+        return tuple(MiniLM(member.changes) for member in self.members)
+
+    def log_odds(self, states: Sequence[Floats]) -> dict[str, Floats]:
+        """(classes,) log-odds of each head from the states of a sentence, (tokens, D), of each member's encoder."""
+        told = [member.log_odds(each) for member, each in zip(self.members, states, strict=True)]
+        odds = np.mean(told, axis=0)
         found: dict[str, Floats] = {}
         first = 0
-        for row, (name, classes) in zip(pooled, self.classes.items(), strict=True):
-            columns = slice(first, first + len(classes))
-            found[name] = row @ self.weights[:, columns] + self.bias[columns]
+        for row, (name, classes) in zip(odds, self.classes.items(), strict=True):
+            found[name] = row[first : first + len(classes)]
             first += len(classes)
         return found
 
-    def classify(self, states: Floats, rules: Slots) -> Probabilities:
+    def classify(self, states: Sequence[Floats], rules: Slots) -> Probabilities:
         """How likely each value of each slot, each action and each behavior is.
 
         Args:
-            states: The encoder's states of the sentence, (tokens, D).
+            states: The states of the sentence, (tokens, D), of each member's encoder.
             rules: What the patterns found in it.
         """
         slots: dict[str, dict[str, float]] = {}
@@ -196,16 +216,18 @@ def classes_of(head: str, behaviors: Sequence[str]) -> tuple[str, ...]:
 
 
 def save_classifier(classifier: SlotClassifier, path: Path) -> None:
-    """Write a classifier: arrays only."""
+    """Write a classifier: arrays only, a row per member. The same places of the encoder's file change in each."""
+    members = classifier.members
+    changes = [np.frombuffer(b"".join(member.changes.values()), np.uint8) for member in members]
     np.savez_compressed(
         path,
-        at=np.array(list(classifier.changes), np.int64),
-        lengths=np.array([len(new) for new in classifier.changes.values()], np.int64),
-        changes=np.frombuffer(b"".join(classifier.changes.values()), np.uint8),
+        at=np.array(list(members[0].changes), np.int64),
+        lengths=np.array([len(new) for new in members[0].changes.values()], np.int64),
+        changes=np.stack(changes),
         classes=np.array("\n".join(f"{head}\t" + "\t".join(names) for head, names in classifier.classes.items())),
-        queries=classifier.queries,
-        weights=classifier.weights.astype(np.float16),
-        bias=classifier.bias,
+        queries=np.stack([member.queries for member in members]),
+        weights=np.stack([member.weights for member in members]).astype(np.float16),
+        bias=np.stack([member.bias for member in members]),
         trust=np.array([[t.odds, t.found, t.silent] for t in classifier.trust.values()]),
     )
 
@@ -219,16 +241,19 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
     """
     try:
         with np.load(path, allow_pickle=False) as arrays:
-            content, ends = arrays["changes"].tobytes(), np.cumsum(arrays["lengths"]).tolist()
-            starts = [0, *ends[:-1]]
+            ends = np.cumsum(arrays["lengths"]).tolist()
+            places = list(zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=True))
+            rows = zip(
+                arrays["changes"], arrays["queries"], arrays["weights"].astype(np.float32), arrays["bias"], strict=True
+            )
             named = [line.split("\t") for line in str(arrays["classes"]).split("\n")]
             trust = [Trust(*row) for row in arrays["trust"].tolist()]
             return SlotClassifier(
-                changes={at: content[a:b] for at, a, b in zip(arrays["at"].tolist(), starts, ends, strict=True)},
+                members=tuple(
+                    Member({at: changes[a:b].tobytes() for at, a, b in places}, queries, weights, bias)
+                    for changes, queries, weights, bias in rows
+                ),
                 classes={head: tuple(names) for head, *names in named},
-                queries=arrays["queries"],
-                weights=arrays["weights"].astype(np.float32),
-                bias=arrays["bias"],
                 trust=dict(zip(TRUSTED, trust, strict=True)),
             )
     except (OSError, ValueError, KeyError) as error:
@@ -238,9 +263,9 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
 
 
 @lru_cache(maxsize=2)
-def _trained(path: Path) -> tuple[SlotClassifier, MiniLM]:
+def _trained(path: Path) -> tuple[SlotClassifier, tuple[MiniLM, ...]]:
     classifier = load_classifier(path)
-    return classifier, MiniLM(classifier.changes)
+    return classifier, classifier.encoders()
 
 
 @lru_cache(maxsize=256)
@@ -252,8 +277,8 @@ def likelihoods(text: str, own: str = "") -> Probabilities:
         own: Folder of one's own snippets; the classifier trained on them is used if it lies there, else the packaged.
     """
     at = Path(own) / NAME
-    classifier, encoder = _trained(at if own and at.exists() else PACKAGED)
-    return classifier.classify(encoder.states(text), decompose(text).slots)
+    classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
+    return classifier.classify([encoder.states(text) for encoder in encoders], decompose(text).slots)
 
 
 def said(probabilities: Probabilities, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
