@@ -45,7 +45,7 @@ def finetune(
     out: Path,
     as_json: bool,
 ) -> None:
-    """Fine-tune an SAC ego on the kept scenes of the runs in DIR..., and show it before and after.
+    """Fine-tune an SAC ego on the kept scenes of the runs in DIR..., or teach a new one; show it before and after.
 
     Scenes on the first eight routes train, the others test. Needs the extra 'train'. The same command goes on after a
     kill.
@@ -53,6 +53,7 @@ def finetune(
     \b
     chatscene benchmark --budget paper --out bench
     chatscene finetune bench/scenes/straight-obstacle --out egos/hardened
+    chatscene finetune bench/scenes --teacher planner --ordinary-share 0.4 --out egos/taught
     chatscene evaluate bench/scenes/turning-obstacle --ego egos/hardened/policy.npz
     """
     from chatscene.errors import SettingsError, no_such
