@@ -6,9 +6,6 @@ to learn are here, because a fine-tuning counts in episodes of chosen scenes.
 
 from __future__ import annotations
 
-import io
-import pickle
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -23,12 +20,11 @@ from stable_baselines3.common.utils import set_random_seed
 
 from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import Network, NetworkEgo, layers_of
-from chatscene.errors import RunError
 from chatscene.finetune.buffer import SplitBuffer
 from chatscene.finetune.scenes import KeptScene
 from chatscene.finetune.settings import FinetuneSettings
+from chatscene.finetune.state import keep, kept
 from chatscene.program.ordinary import Course
-from chatscene.runs.atomic import write_bytes
 from chatscene.settings import SimulationSettings
 
 Array = NDArray[np.float32]
@@ -276,15 +272,13 @@ class Learner:
 
     def keep(self, path: Path) -> None:
         """Write what the next round needs, as tensors."""
-        sink = io.BytesIO()
-        kept = {
+        state = {
             "parameters": self.model.get_parameters(),
             "steps": self.steps,
             "updates": self.updates,
             "buffer": self.buffer.stored(),
         }
-        torch.save(kept, sink)
-        write_bytes(path, sink.getvalue())
+        keep(path, state)
 
     def restore(self, path: Path) -> None:
         """Take up what `keep` wrote.
@@ -292,13 +286,10 @@ class Learner:
         Raises:
             RunError: It is damaged.
         """
-        try:
-            kept: Mapping[str, Any] = torch.load(path, weights_only=True)
-            self.model.set_parameters(dict(kept["parameters"]))
-            self.steps, self.updates = kept["steps"], kept["updates"]
-            self.buffer.restore(kept["buffer"])
-        except (OSError, RuntimeError, EOFError, KeyError, ValueError, pickle.UnpicklingError) as error:
-            raise RunError(f"cannot read {path}: {error}; delete {path.parent} and fine-tune again") from error
+        with kept(path) as state:
+            self.model.set_parameters(dict(state["parameters"]))
+            self.steps, self.updates = state["steps"], state["updates"]
+            self.buffer.restore(state["buffer"])
 
 
 def _returns(driven: Driven, discount: float, onward: float) -> Array:

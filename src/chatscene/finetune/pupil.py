@@ -7,8 +7,6 @@ that it learns what to do where its own mistakes take it.
 
 from __future__ import annotations
 
-import io
-import pickle
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +19,9 @@ from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
 from chatscene.ego.policy import EgoPolicy, observation_of, pedals_of
-from chatscene.errors import RunError
 from chatscene.finetune.learner import Schedule
 from chatscene.finetune.settings import FinetuneSettings
-from chatscene.runs.atomic import write_bytes
+from chatscene.finetune.state import keep, kept
 from chatscene.settings import SimulationSettings
 
 Array = NDArray[np.float32]
@@ -144,10 +141,8 @@ class Pupil:
 
     def keep(self, path: Path) -> None:
         """Write what the next round needs, as tensors."""
-        sink = io.BytesIO()
-        kept = {"scale": self._scale, "seen": self._seen, "shown": self._shown, "updates": self.updates}
-        torch.save({**kept, "network": self._net.state_dict()}, sink)
-        write_bytes(path, sink.getvalue())
+        state = {"scale": self._scale, "seen": self._seen, "shown": self._shown, "updates": self.updates}
+        keep(path, {**state, "network": self._net.state_dict()})
 
     def restore(self, path: Path) -> None:
         """Take up what `keep` wrote.
@@ -155,10 +150,7 @@ class Pupil:
         Raises:
             RunError: It is damaged.
         """
-        try:
-            kept: dict[str, Any] = torch.load(path, weights_only=True)
-            self._net.load_state_dict(kept["network"])
-            self._scale, self._seen, self._shown = kept["scale"], kept["seen"], kept["shown"]
-            self.updates = kept["updates"]
-        except (OSError, RuntimeError, EOFError, KeyError, ValueError, pickle.UnpicklingError) as error:
-            raise RunError(f"cannot read {path}: {error}; delete {path.parent} and fine-tune again") from error
+        with kept(path) as state:
+            self._net.load_state_dict(state["network"])
+            self._scale, self._seen, self._shown = state["scale"], state["seen"], state["shown"]
+            self.updates = state["updates"]
