@@ -168,6 +168,25 @@ def test_a_requirement_that_fails_is_a_rejection(backend: Backend) -> None:
     assert isinstance(backend.run(program(source), scene(OPT_GEO_Y=16.0), RuleBased()), Episode)
 
 
+def test_a_place_that_is_not_there_is_a_rejection(backend: Backend) -> None:
+    source = (
+        HEAD.replace('"straight"', '"straight", place="four-way"')
+        + "param OPT_GEO_Y = Range(10, 60)\n"
+        + EGO
+        + 'new Pedestrian at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", 1)\n'
+    )
+    along_the_crossing_road = backend.run(program(source), scene(OPT_GEO_Y=56.0), RuleBased())
+    assert isinstance(along_the_crossing_road, Rejected)
+    assert "edge of the road" in along_the_crossing_road.reason
+    assert isinstance(backend.run(program(source), scene(OPT_GEO_Y=12.0), RuleBased()), Episode)
+
+
+def test_a_place_that_is_never_there_does_not_compile(backend: Backend) -> None:
+    source = HEAD.replace('"straight"', '"straight", place="four-way"') + EGO
+    with pytest.raises(DoesNotCompile, match="no left edge"):
+        backend.run(program(source + 'new Pedestrian at besideRoad(egoRoute, 56, "left", 1)\n'), scene(), RuleBased())
+
+
 def test_values_must_be_those_the_program_tunes(backend: Backend) -> None:
     with pytest.raises(ProgramError, match="OPT_GEO_Y"):
         backend.run(program(HEAD + EGO), scene(OPT_GEO_Y=1.0), RuleBased())

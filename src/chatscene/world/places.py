@@ -13,7 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, cast
 
-from scenic.core.distributions import distributionFunction
+from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
@@ -160,12 +160,17 @@ def crossingDirection(path: Any, ahead: float, side: str) -> float:  # noqa: N80
 
 @_deferred
 def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vector:  # noqa: N802
-    """The point level with `ahead` [m] on the ego's route, `beyond` [m] outside the driving lanes on that side."""
+    """The point level with `ahead` [m] on the ego's route, `beyond` [m] outside the driving lanes on that side.
+
+    Where lanes go on and on to that side, as along a crossing road, there is none, and the draw is rejected.
+    """
     x, y = route.line.point_at(ahead)
     outward = route.line.heading_at(ahead) + (QUARTER if side == "left" else -QUARTER)
     dx, dy = math.cos(outward), math.sin(outward)
     lanes = route.network.drivableRegion
-    edge = next(d for d in _WIDTHS if not lanes.containsPoint(Vector(x + d * dx, y + d * dy)))
+    edge = next((d for d in _WIDTHS if not lanes.containsPoint(Vector(x + d * dx, y + d * dy))), None)
+    if edge is None:
+        raise RejectionException(f"the road has no {side} edge {ahead:.1f} m along the ego's route")
     return Vector(x + (edge + beyond) * dx, y + (edge + beyond) * dy)
 
 

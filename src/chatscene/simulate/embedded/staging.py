@@ -14,6 +14,7 @@ from chatscene.errors import ProgramError
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
 
+NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 
 
@@ -78,7 +79,8 @@ class Stage:
         if scene.values:
             scenario.conditionOn(params=dict(scene.values))
         random.seed(scene.seed)  # nothing of ours draws from it; a stranger's program might
+        scenario.checker.reason = NO_PLACE
         try:
             return scenario.generate(maxIterations=1)[0]
-        except RejectionException as error:
-            return Rejected(scene=scene, reason=scenario.checker.reason or str(error))
+        except RejectionException:
+            return Rejected(scene=scene, reason=scenario.checker.reason)
