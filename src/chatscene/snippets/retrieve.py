@@ -188,19 +188,44 @@ def _best(
     """
     joint = compatibility(library)
     ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
-    allowed = joint.of_kind(scenario.slots.adversary)
-    if not allowed.any():
-        raise NothingFits(f"nothing in the library has a {scenario.slots.adversary} as adversary")
+    kind = scenario.slots.adversary
+    allowed = tuple(
+        np.array([kind is None or not x.adversaries or kind in x.adversaries for x in parts])
+        for parts in (joint.behaviors, joint.geometries, joint.spawns)
+    )
+    mask = joint.mask
     for one in tried:
-        allowed = allowed & ~joint.with_all(one.snippet_ids)
-    scores = [ranked[component].score.astype(np.float32) for component in Component]
-    total = scores[0][:, None, None] + (scores[1][:, None] + scores[2][None, :])[None]
+        mask = mask & ~joint.with_all(one.snippet_ids)
+    scores = [ranked[component].score for component in Component]
+    found = None
     if agreeing:
-        b, g, s = (ranked[component].conflicts == 0 for component in Component)
-        agree = allowed & b[:, None, None] & g[:, None] & s
-        allowed = agree if agree.any() else allowed
-    index = np.unravel_index(int(np.argmax(np.where(allowed, total, np.float32(-np.inf)))), allowed.shape)
-    return ranked, tuple(ranked[component].match(int(i)) for component, i in zip(Component, index, strict=True))
+        free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
+        found = _highest(mask, scores, free)
+    if found is None and (found := _highest(mask, scores, allowed)) is None:
+        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
+    return ranked, tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
+
+
+def _highest(
+    mask: NDArray[np.bool_], scores: Sequence[Scores], allowed: Sequence[NDArray[np.bool_]]
+) -> tuple[int, int, int] | None:
+    """The triple of a (B, G, S) mask, of allowed parts only, with the highest sum of scores; None if there is none.
+
+    Behaviors are looked at from the best down, until the best partners of all could not lift the next one any more.
+    """
+    places = np.where(allowed[1][:, None] & allowed[2], scores[1][:, None] + scores[2], -np.inf)
+    ceiling = float(places.max(initial=-np.inf))
+    best, found = -np.inf, None
+    for b in np.argsort(-scores[0], kind="stable").tolist():
+        if scores[0][b] + ceiling <= best:
+            break
+        if allowed[0][b]:
+            joined = np.where(mask[b], places, -np.inf)
+            at = int(np.argmax(joined))
+            if scores[0][b] + joined.flat[at] > best:
+                best = float(scores[0][b] + joined.flat[at])
+                found = (b, *(int(i) for i in np.unravel_index(at, joined.shape)))
+    return found
 
 
 # One component
