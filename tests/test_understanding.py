@@ -33,6 +33,7 @@ from chatscene.understanding import (
     flipped,
     load_sentences,
     measure,
+    right,
     serves,
     slot_table,
     summary_table,
@@ -46,7 +47,7 @@ def part(component: Component, **slots: object) -> Snippet:
 
 
 @pytest.mark.parametrize(
-    ("does", "said", "right"),
+    ("does", "said", "expected"),
     [
         (part(G, maneuver=Maneuver.STRAIGHT, place=Place.FOUR_WAY), Slots(place=Place.JUNCTION), True),
         (part(G, maneuver=Maneuver.STRAIGHT, place=Place.JUNCTION), Slots(place=Place.FOUR_WAY), False),
@@ -63,9 +64,9 @@ def part(component: Component, **slots: object) -> Snippet:
     ],
 )
 def test_a_snippet_is_right_if_it_does_all_that_was_said_and_brings_nothing(
-    does: Snippet, said: Slots, right: bool
+    does: Snippet, said: Slots, expected: bool
 ) -> None:
-    assert serves(does, said, does.component) is right
+    assert serves(does, said, does.component) is expected
 
 
 def test_coming_toward_the_ego_is_no_deed_of_its_own_where_the_position_says_so() -> None:
@@ -123,20 +124,33 @@ def test_a_sentence_with_an_unknown_fact_names_its_line(tmp_path: Path) -> None:
         load_sentences(tmp_path / "none.jsonl")
 
 
-def test_the_held_out_sentences_are_many_and_written_for_snippets_that_exist() -> None:
-    held = load_sentences("held-out")
+HELD_OUT = pytest.mark.parametrize(("name", "least"), [("held-out", 300), ("second", 250)])
+
+
+@HELD_OUT
+def test_the_held_out_sentences_are_many_and_written_for_snippets_that_exist(name: str, least: int) -> None:
+    held = load_sentences(name)
     ids = {snippet.id for snippet in load_library()}
     inside = [s for s in held if s.in_scope]
-    assert len(inside) >= 300
+    assert len(inside) >= least
     assert len(held) - len(inside) >= 60
     assert {s.behavior for s in inside} <= ids
     assert len({s.text for s in held}) == len(held)
 
 
-def test_nothing_leaks_from_the_sentences_that_the_reader_learned_from() -> None:
-    held, learned = load_sentences("held-out"), load_sentences("fitting")
+@HELD_OUT
+def test_nothing_leaks_from_the_sentences_that_the_reader_learned_from(name: str, least: int) -> None:
+    held, learned = load_sentences(name), load_sentences("fitting")
     assert not {s.style for s in held if s.in_scope} & {s.style for s in learned if s.in_scope}
     assert not {s.behavior for s in held if s.in_scope} & {s.behavior for s in learned if s.in_scope}
+
+
+def test_the_very_snippet_that_a_sentence_was_written_for_is_right() -> None:
+    turning = load_library().get("behavior/lead-u-turn")
+    said = Slots(actions=(Action.SLOW, Action.U_TURN), position=Position.AHEAD)
+    for behavior, expected in (("behavior/lead-u-turn", True), ("behavior/oncoming-u-turn", False)):
+        sentence = Sentence(text="It slowed and came round.", style="plain", slots=said, behavior=behavior)
+        assert right(turning, sentence, B) is expected
 
 
 def silent(what: str, done: int, total: int) -> None:

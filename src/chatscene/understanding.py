@@ -124,6 +124,15 @@ def load_sentences(name: str | Path) -> tuple[Sentence, ...]:
 # What is right
 
 
+def right(snippet: Snippet, sentence: Sentence, component: Component) -> bool:
+    """Whether a snippet serves a sentence, or is the very one that the sentence was written for.
+
+    A few words for what is done cannot tell all that a snippet's code does, and a writer who had it before him may have
+    named a thing that its header leaves out.
+    """
+    return snippet.id == sentence.behavior or serves(snippet, sentence.slots, component)
+
+
 def serves(snippet: Snippet, said: Slots, component: Component) -> bool:
     """Whether a snippet does every fact said of its component, contradicts none and brings nothing unasked."""
     does = snippet.slots
@@ -205,10 +214,9 @@ def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Ju
     return Judged(
         sentence=sentence,
         slots=scenario.slots,
-        first={c: serves(m.snippet, sentence.slots, c) for c, m in matches.items()},
+        first={c: right(m.snippet, sentence, c) for c, m in matches.items()},
         among_three={
-            c: any(serves(m.snippet, sentence.slots, c) for m in (matches[c], *retrieval.candidates[c][:2]))
-            for c in Component
+            c: any(right(m.snippet, sentence, c) for m in (matches[c], *retrieval.candidates[c][:2])) for c in Component
         },
         same_behavior=retrieval.behavior.snippet.id == sentence.behavior,
         chosen=tuple(s.id for s in retrieval.snippets),
