@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -270,3 +271,21 @@ def test_a_fact_that_the_patterns_read_may_be_what_was_meant(small: Library) -> 
 def test_what_is_done_is_what_the_behavior_does(small: Library) -> None:
     read = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.BRAKE,))
     assert together(read, Slots(), small).actions == small.get("behavior/cross").slots.actions
+
+
+def test_an_action_that_was_hardly_heard_is_dropped_where_what_was_chosen_is_not_known_to_be_meant(
+    small: Library,
+) -> None:
+    read = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.CROSS, Action.HESITATE))
+    assert together(read, Slots(), small).actions == small.get("behavior/cross").slots.actions
+    doubtful = replace(unsure(), behaviors={"behavior/cross": 0.01, "behavior/brake": 0.9})
+    kept = settled(scenario(read), Slots(), small, load_embedder(), doubtful)
+    assert kept.actions == (Action.CROSS,)
+    told = settled(scenario(read), Slots(actions=(Action.HESITATE,)), small, load_embedder(), doubtful)
+    assert told.actions == (Action.CROSS, Action.HESITATE)
+
+
+def test_who_starts_in_the_lane_of_the_ego_is_on_neither_side_of_it(small: Library) -> None:
+    only = Library(tuple(s for s in small if s.component is not Component.SPAWN or s.id == "spawn/ahead"))
+    triple = found(Slots(adversary=AdversaryKind.CAR, side=Side.RIGHT), only)
+    assert triple.spawn.conflicts == ("side: said right, does none",)

@@ -28,6 +28,7 @@ from chatscene.terms.snippet import Snippet
 from chatscene.understanding import (
     Judged,
     Sentence,
+    beside,
     confusions,
     essential,
     flipped,
@@ -151,6 +152,17 @@ def test_the_very_snippet_that_a_sentence_was_written_for_is_right() -> None:
     for behavior, expected in (("behavior/lead-u-turn", True), ("behavior/oncoming-u-turn", False)):
         sentence = Sentence(text="It slowed and came round.", style="plain", slots=said, behavior=behavior)
         assert right(turning, sentence, B) is expected
+
+
+def test_the_neighbouring_lane_has_the_side_that_the_geometry_gives_it() -> None:
+    library = load_library()
+    spawn = library.get("spawn/adjacent-lane-behind")
+    sides = {
+        name: beside(spawn, library.get(f"geometry/{name}")).slots.side
+        for name in ("lane-change-left", "wide-road-lane-on-right", "straight-multi-lane")
+    }
+    assert sides == {"lane-change-left": Side.LEFT, "wide-road-lane-on-right": Side.RIGHT, "straight-multi-lane": None}
+    assert beside(library.get("spawn/ahead-in-lane"), library.get("geometry/lane-change-left")).slots.side is None
 
 
 def silent(what: str, done: int, total: int) -> None:

@@ -12,6 +12,7 @@ from chatscene.errors import SettingsError
 from chatscene.snippets import vector_index
 from chatscene.snippets.embedding import Vectors
 from chatscene.snippets.vector_index import VectorIndex, build, build_cached
+from chatscene.snippets.wording_index import best_of_each
 
 DIMENSION = 24
 
@@ -65,6 +66,25 @@ def test_a_large_index_finds_as_many_as_asked_for_each_once_and_best_first(large
 def test_everything_asked_of_a_large_index_is_everything_in_exact_order(large: VectorIndex) -> None:
     for ours, exact in zip(large.search(QUERIES, 2000), build(ROWS).search(QUERIES, 2000), strict=True):
         np.testing.assert_allclose(ours, exact, atol=1e-5)
+
+
+@pytest.mark.parametrize("exact_up_to", [100, 5000])
+def test_the_cosines_to_all_rows_are_those_of_the_searches(exact_up_to: int) -> None:
+    index = build(ROWS, exact_up_to=exact_up_to)
+    for query in (QUERIES[:1], QUERIES[1:2]):
+        cosines, found = index.search(query, 2000)
+        np.testing.assert_array_equal(index.cosines(query)[found[0]], cosines[0])
+    with pytest.raises(SettingsError, match="same embedder"):
+        index.cosines(np.ones((1, 1), np.float32))
+
+
+@given(st.lists(st.lists(st.integers(0, 3), min_size=1, max_size=5), min_size=1, max_size=6))
+def test_the_best_of_each_owner_is_the_first_of_its_highest_scores(scores: list[list[int]]) -> None:
+    owners = np.array([owner for owner, own in enumerate(scores) for _ in own])
+    best, rows = best_of_each(np.array([float(score) for own in scores for score in own]), owners)
+    for owner, own in enumerate(scores):
+        assert best[owner] == max(own)
+        assert rows[owner] == np.flatnonzero(owners == owner)[own.index(max(own))]
 
 
 @pytest.mark.parametrize("exact_up_to", [100, 5000])

@@ -34,7 +34,7 @@ from chatscene.snippets.library import Library, library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import OF_COMPONENT, nearest, retrieve
 from chatscene.terms.results import Cell, ResultTable
-from chatscene.terms.scenario import Action, Component, Maneuver, Position, Scenario, Slots, includes
+from chatscene.terms.scenario import Action, Component, Maneuver, Position, Scenario, Side, Slots, includes
 from chatscene.terms.snippet import Snippet
 from chatscene.workers import spread
 
@@ -124,6 +124,14 @@ def load_sentences(name: str | Path) -> tuple[Sentence, ...]:
 # What is right
 
 
+def beside(spawn: Snippet, geometry: Snippet) -> Snippet:
+    """A spawn in "the neighbouring lane", with the side on which a geometry has that lane, if it is one side."""
+    sides = [side for side in Side if f"{side}Lane" in geometry.provides]
+    if "adjacentLane" not in spawn.requires or len(sides) != 1:
+        return spawn
+    return replace(spawn, slots=replace(spawn.slots, side=sides[0]))
+
+
 def right(snippet: Snippet, sentence: Sentence, component: Component) -> bool:
     """Whether a snippet serves a sentence, or is the very one that the sentence was written for.
 
@@ -211,16 +219,16 @@ def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Ju
     retrieval = written.retrieval
     assert retrieval is not None  # whoever retrieves says so
     matches = dict(zip(Component, (retrieval.behavior, retrieval.geometry, retrieval.spawn), strict=True))
+    found = {c: [beside(m.snippet, retrieval.geometry.snippet) for m in (matches[c], *retrieval.candidates[c][:2])]
+             for c in Component}  # fmt: skip
     return Judged(
         sentence=sentence,
         slots=scenario.slots,
-        first={c: right(m.snippet, sentence, c) for c, m in matches.items()},
-        among_three={
-            c: any(right(m.snippet, sentence, c) for m in (matches[c], *retrieval.candidates[c][:2])) for c in Component
-        },
+        first={c: right(found[c][0], sentence, c) for c in Component},
+        among_three={c: any(right(snippet, sentence, c) for snippet in found[c]) for c in Component},
         same_behavior=retrieval.behavior.snippet.id == sentence.behavior,
         chosen=tuple(s.id for s in retrieval.snippets),
-        flipped=flipped(sentence.slots, retrieval.snippets),
+        flipped=flipped(sentence.slots, [snippets[0] for snippets in found.values()]),
         ran=ran,
         failures=failures,
     )

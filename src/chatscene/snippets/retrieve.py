@@ -25,9 +25,20 @@ from chatscene.snippets.embedding import Embedder, Vectors
 from chatscene.snippets.library import Library
 from chatscene.snippets.slot_classifier import Probabilities, as_class, as_value, likelihoods
 from chatscene.snippets.vector_index import VectorIndex, build_cached
-from chatscene.snippets.wording_index import WordingIndex, word_index
+from chatscene.snippets.wording_index import WordingIndex, best_of_each, word_index
 from chatscene.snippets.wording_vectors import vectors_of
-from chatscene.terms.scenario import Action, AdversaryKind, Component, Distance, Place, Scenario, Side, Slots, includes
+from chatscene.terms.scenario import (
+    Action,
+    AdversaryKind,
+    Component,
+    Distance,
+    Place,
+    Position,
+    Scenario,
+    Side,
+    Slots,
+    includes,
+)
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
 OF_COMPONENT: dict[Component, tuple[str, ...]] = {
@@ -44,7 +55,7 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
 # classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": -6.16, "scope": 0.46, "beyond": -1.53, "outright": 0.75, "wording": 4.61, "meant": 0.6,
+    "base": -5.70, "scope": 0.50, "beyond": -1.29, "outright": 0.71, "wording": 3.36, "meant": 0.66,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a behavior's wording below and above which it says nothing more
@@ -66,6 +77,8 @@ HEARD = 0.25  # an action less likely than this was not heard
 UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
 TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
+IN_LANE = (Position.AHEAD, Position.BEHIND)
+NO_SIDE = "none"  # of a spawn in the ego's own lane, which contradicts a side: one that leaves it open may have either
 
 Scores = NDArray[np.float64]
 
@@ -162,10 +175,11 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
             if name == "actions":
                 known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
                 heard = bool(rules.actions) and set(rules.actions) <= set(value)
-                slots = replace(slots, actions=value) if known >= POSSIBLE or heard else slots
+                sure = tuple(a for a in said if a in rules.actions or likely.actions[a] >= HEARD)
+                slots = replace(slots, actions=value if known >= POSSIBLE or heard else sure)
             elif name == "side" and value is None and rules.side is None:
                 slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
-            elif said is not None and _agreement(said, value) == 0.0:
+            elif said is not None and _agreement(said, _does(match.snippet, name)) == 0.0:
                 unsure = likely.slots[name].get(as_class(said), 0.0) < SURE
                 possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE
                 read = getattr(rules, name) == value  # then words and library are two against one
@@ -316,14 +330,8 @@ class _Shelf:
 
     def dense(self, query: Vectors) -> tuple[Scores, list[str]]:
         """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
-        cosines, rows = self.index.search(query, len(self.wordings))
-        best = np.full(len(self.snippets), -np.inf)
-        owners, first = np.unique(self.owners[rows[0]], return_index=True)  # best first: the first of each counts
-        best[owners] = cosines[0][first]
-        texts = [""] * len(self.snippets)
-        for owner, at in zip(owners.tolist(), first.tolist(), strict=True):
-            texts[owner] = self.wordings[rows[0][at]]
-        return best, texts
+        best, rows = best_of_each(self.index.cosines(query), self.owners)
+        return best.astype(float), [self.wordings[row] for row in rows]
 
     def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
         """(N,) log-likelihood that each behavior is meant.
@@ -407,7 +415,7 @@ def _beliefs(slots: Slots, likely: Probabilities) -> Beliefs:
 
 def _free(name: str, value: object) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
-    if value in (None, False) or isinstance(value, frozenset):
+    if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
         return 1.0
     return UNASKED if name in ADDED else UNASKED_VALUE
 
@@ -415,6 +423,8 @@ def _free(name: str, value: object) -> float:
 def _does(snippet: Snippet, name: str) -> Any:
     """What a snippet does of a slot; where it leaves a distance open, those that it can be told."""
     value = getattr(snippet.slots, name)
+    if name == "side" and value is None and snippet.slots.position in IN_LANE:
+        return NO_SIDE
     return distances(snippet) if name == "distance" and value is None else value
 
 

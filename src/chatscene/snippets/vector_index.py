@@ -62,12 +62,7 @@ class VectorIndex:
         Raises:
             SettingsError: A query is not of length 1, or not of the rows' dimension.
         """
-        queries = _checked(queries)
-        if queries.shape[1] != self.dimension:
-            raise SettingsError(
-                f"a query of {queries.shape[1]} numbers in an index of rows of {self.dimension}; "
-                "encode both with the same embedder"
-            )
+        queries = self._asked(queries)
         count = min(count, self.size)
         if not len(queries) or not count:
             return np.zeros((len(queries), count), np.float32), np.zeros((len(queries), count), np.int64)
@@ -78,15 +73,37 @@ class VectorIndex:
         order = np.lexsort((rows, -cosines))
         return np.take_along_axis(cosines, order, 1), np.take_along_axis(rows, order, 1)
 
+    def cosines(self, query: Vectors) -> Vectors:
+        """(N,) the cosine of one query, (1, D), of length 1, to every row: sooner than a search for all of them."""
+        query = self._asked(query)
+        with _one_thread():
+            _, cosines, rows = self.core.range_search(query, -2.0, params=self._reading(self.lists))
+        found = np.empty(self.size, np.float32)
+        found[rows] = cosines
+        return found
+
+    def _asked(self, queries: Vectors) -> Vectors:
+        queries = _checked(queries)
+        if queries.shape[1] != self.dimension:
+            raise SettingsError(
+                f"a query of {queries.shape[1]} numbers in an index of rows of {self.dimension}; "
+                "encode both with the same embedder"
+            )
+        return queries
+
     def _nearest(self, queries: Vectors, count: int, probed: int) -> tuple[Vectors, Rows]:
+        with _one_thread():
+            return self.core.search(queries, count, params=self._reading(min(probed, self.lists)))
+
+    def _reading(self, lists: int) -> Any:
+        """How a search is told to read so many lists."""
         import faiss
 
-        how: Any = None
-        if self.lists > 1:
-            how = faiss.SearchParametersIVF()
-            how.nprobe = min(probed, self.lists)
-        with _one_thread():
-            return self.core.search(queries, count, params=how)
+        if self.lists == 1:
+            return None
+        how: Any = faiss.SearchParametersIVF()
+        how.nprobe = lists
+        return how
 
 
 def build(vectors: Vectors, *, exact_up_to: int = EXACT_UP_TO) -> VectorIndex:

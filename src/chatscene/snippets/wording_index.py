@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from functools import lru_cache
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,15 +46,15 @@ class WordingIndex:
         self._rarity = {term: float(np.log((1 + len(wordings)) / (1 + times)) + 1) for term, times in seen.items()}
         self._wordings = wordings
         self._owners = np.array(owners)
-        self._size = max(owners) + 1
-        self._postings: dict[str, tuple[list[int], list[float]]] = {}
+        postings: dict[str, tuple[list[int], list[float]]] = {}
         for row, terms in enumerate(counted):
             weights = {term: times * self._rarity[term] for term, times in terms.items()}
             length = float(np.sqrt(sum(w * w for w in weights.values()))) or 1.0
             for term, weight in weights.items():
-                rows, shares = self._postings.setdefault(term, ([], []))
+                rows, shares = postings.setdefault(term, ([], []))
                 rows.append(row)
                 shares.append(weight / length)
+        self._postings = {term: (np.array(rows), np.array(shares)) for term, (rows, shares) in postings.items()}
 
     def search(self, text: str) -> tuple[NDArray[np.float64], list[str]]:
         """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
@@ -62,12 +63,23 @@ class WordingIndex:
         scores = np.zeros(len(self._wordings))
         for term, weight in terms.items():
             rows, shares = self._postings[term]
-            scores[rows] += np.array(shares) * (weight / length)
-        order = np.lexsort((np.arange(len(scores)), -scores, self._owners))
-        owners, first = np.unique(self._owners[order], return_index=True)
-        best = np.zeros(self._size)
-        best[owners] = scores[order][first]
-        return best, [self._wordings[i] for i in order[first]]
+            scores[rows] += shares * (weight / length)
+        best, rows = best_of_each(scores, self._owners)
+        return best, [self._wordings[row] for row in rows]
+
+
+def best_of_each(scores: NDArray[np.floating], owners: NDArray[np.intp]) -> tuple[NDArray[Any], NDArray[np.intp]]:
+    """(N,) the best score among the rows of each owner, and the first row that has it.
+
+    Args:
+        scores: (R,), one per row.
+        owners: (R,) whose each row is: 0 to N - 1, in order, none left out.
+    """
+    best = np.maximum.reduceat(scores, np.flatnonzero(np.diff(owners, prepend=-1)))
+    rows = np.empty(len(best), np.intp)
+    found = np.flatnonzero(scores == best[owners])[::-1]
+    rows[owners[found]] = found  # of several, the one written last stays: the first
+    return best, rows
 
 
 @lru_cache(maxsize=8)

@@ -60,6 +60,26 @@
 #:   "Lorry forum, rear-cam thread: clip three is the best. Forty seconds of nothing. Then a pair of xenon lamps at the horizon, and they go from pinpricks to dinner plates in about four seconds flat. Count the frames, there's no dip, no flicker, nothing to say the bloke saw a trailer.",
 #:   "Nobody at the inquest could explain it. The road was dry, the rear lights of the family's car were working, the man was sober; and yet he had driven at their tail with his speed mounting all the time, as a moth goes at a lamp, and the brake pads were found cold.",
 #:   "In the second phase of the trial the subject vehicle is threatened from the rear. The chase car starts eighty metres behind, goes to wide-open throttle and uses up the interval without any regard to the subject. Participants are asked afterwards when they first understood that it would not slow for them.",
+#:   "Astern of us, a cab at warp speed, brakes never touched.",
+#:   "Rear radar: police car, 40 over, zero lift-off, eating our gap.",
+#:   "she's right up my exhaust in a blink and STILL hasnt lifted",
+#:   "By the time the coffee lid had stopped rolling, the hatchback that used to be a speck in the mirror took up all of it, nose level, engine roaring.",
+#:   "Whatever its siren was for, the fire engine at our back behaved as if the lane were vacant, piling on knots the whole length of the bridge.",
+#:   "What unnerved the passengers was not that the motorbike to our rear was quick but that, with us plainly in the way, its engine note only rose.",
+#:   "The following vehicle shall be released 70 m aft of the AV at wide-open throttle; its longitudinal controller shall contain no term for the AV's presence.",
+#:   "Make the saloon at our tail come on like an express train that has no stop at our station, its bonnet level from first to last.",
+#:   "My back seat was suddenly lit up as bright as day, brighter every second, by a driver who hadn't the faintest interest in keeping off my bumper.",
+#:   "I was changing the radio station, so I know how little time it took. One glance in the glass: a pair of lamps by the water tower. One tune later: no tower, no road, just lamps, and that whine of an engine held at the red line. I put two wheels on the grass, because nobody back there was going to do anything about it.",
+#:   "If you watch the rear camera with a stopwatch, the motorcycle halves its distance to us in two seconds and halves it again in one. A rider who meant to stay back would have sat up and let his fork dip at some point. His chin remained on the tank and his wrist remained turned.",
+#:   "Claim ref 88-213. The insured was stationary in her thoughts, so she says, though not on the road; she was doing forty. She heard what she took for an aeroplane. It was an Audi, directly to her rear, and in the time left to her she looked for the nose to drop, the lamps to hang back, anything, and there wasn't any of it.",
+#:   "The gap to the car at the back had been steady since the roundabout, forty metres or so, and my daughter was making faces at its driver. Then she stopped making faces. The forty metres had become ten and the man was looking down at something in his lap, she said, with his engine bellowing.",
+#:   "Ticket: rear TTC alarm does not fire early enough. Reproduce with an ambulance that has been sitting well back in our lane and then gets full pedal. Interval falls from 3.1 s to 0.4 s in a straight line, with the slope getting steeper; there must be no flattening near the end, which is what a considerate follower would give you.",
+#:   "We do twenty-five through the village, always have, on account of the ducks. On Friday the windows rattled, and I said to Arthur that's thunder, and Arthur, who had the mirror, said no, that's a young man in a Subaru and he thinks we are not here. I braced my feet. You could tell from the sound that his never left the pedal.",
+#:   "In der Ausbildung they tell you: the one from the rear is responsible. Good, but this one on the Yamaha had not heard it. Where before I had empty asphalt in the mirror, I had at once a helmet, and it grew like a balloon that somebody blows, and his brake lever, I could even see the fingers, they were not on it.",
+#:   "It was the lad on the tailgate of the removal lorry who saw it first, and he pulled his legs up. A squad car, no lights, no noise but its engine, was covering the ground at our rear so fast that the white lines went under it in one ribbon. He waved both arms. The ribbon didn't get any slower.",
+#:   "Put yourself in the place of V1's driver. She cannot go left, she cannot go right, and she notes that the pickup to her rear has used four fifths of the distance in three seconds. The crash data from the pickup give throttle 98, brake switch off, and a speed still climbing in the last sample.",
+#:   "I told the learner to ease on to the hard strip and she asked why. Because, I said, the road at our back has a Mercedes in it that's closing by a house length every time you blink, and if he'd been going to ease off on our account he would've done it by the church. Hear that? He's just changed up.",
+#:   "\"It filled the back window,\" the boy kept repeating, \"it just filled it.\" His mother had thought the biker far off and sensible. But the buzzing had climbed to a shriek behind their seats and had not once wavered, as one waits for it to waver, and she'd had nothing left to do but take hold of his hand.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["accelerate", "fast"]
-#: leader = false
 #: position = "behind"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"

@@ -60,6 +60,26 @@
 #:   "This is the bit in the podcast where I get angry. You're filtering, fine, you've come past me in my lane, fine, I made room. But why brake? Why get your back tyre dead in front of my bumper and then brake, with sixteen tons of gravel behind you?",
 #:   "For run 12 we want the nasty filterer. Motorcycle behind the ego at the start; it closes in, does its pass in the leftover width of the ego lane, eases across to lane centre once its rear wheel is clear, then decelerates. The neighbouring lane stays untouched throughout.",
 #:   "Mein Beifahrer cried \"Achtung\" but I saw nothing in the mirror any more. He was already at my side, this motorcyclist, in my lane with me, and one moment after he was before me. Then he made the brake and I also, so that the coffee was everywhere.",
+#:   "Biker barges through on our side of the paint, then red lamp, too close.",
+#:   "Handlebar at my window, same lane, then a number plate slowing under my nose.",
+#:   "Have a two-wheeler use up our spare lane width, get ahead, scrub off speed.",
+#:   "Lane-sharing moped, rear to front in two seconds flat, then its tail lamp glares and the robotaxi behind has to dig in too.",
+#:   "The rider caught the ego up, wriggled along its side with both of them inside the same pair of lines, and hauled himself down right ahead.",
+#:   "There was a metre left in my lane, he took it, from the back to the front, and once he was the first he closed the gas and pulled the lever.",
+#:   "First a headlamp in the right-hand mirror, then an elbow at the passenger window, then, in the middle of our lane, a back tyre that wasn't going fast enough.",
+#:   "Why should I leave room at my side, asked the cabbie, when the last chap I left it to came up through it and sat down hard on his brake in front?",
+#:   "Subject vehicle yielded no lane; the motorcyclist nevertheless came by from the rear within that lane, centred himself ahead and shed his speed abruptly.",
+#:   "My window was open and I got his exhaust in the face, that's how little there was between us. He had been tailing me since the pier. Neither of us crossed a line, there wasn't a need to, he is thin and so is my car. What there was a need for, a second later, was my brake, because his had come on a yard from my bumper.",
+#:   "Engineer's ticket: the motorcycle left the rear radar and entered the side radar at 0.5 m, lane assignment unchanged at \"ego lane.\" It turned up in the front camera at six metres, laterally centred. Range then dropped though we weren't gaining speed; the rider was decelerating at 6 m/s².",
+#:   "The policewoman asked which lane he had used to go round me, and I had to say none, dear, only mine. One minute he was behind. Then I felt a bump on the mirror, and then my shopping went off the seat, since he'd planted himself in front and stopped being in a hurry.",
+#:   "The scratch runs along the whole left flank of Vehicle 1, from rear door to front wing, and both sets of tyre prints lie between the same lane markings. The brake-lamp filament of the scooter was hot at impact. Its rider had thus worked forward beside Vehicle 1 and been slowing in front of it.",
+#:   "\"Mind the gap,\" my instructor said, and I thought he meant the one ahead. He meant the strip by my door. A Vespa had come up through it, still in our lane, and now it had popped in before us, and its little red eye was alight, so the gap ahead had gone too.",
+#:   "For the PTW family we need the impatient one. He starts at the ego's back. The next lane is full, so he makes do with what the ego leaves of its own, comes level, gets by, settles on the centreline in front. When he has about a length in hand he throws out the anchors.",
+#:   "Lorry driver to the tribunal: I've a camera on the nearside for exactly this. You see his wheel come up from the tail, never over the dashes, you see him hold his breath to get by the tank, and then the front camera takes over. That one shows his stop light on and my bonnet closing.",
+#:   "What woke the baby was the horn, and what made me use the horn was a motorbike. I'd held my lane, I swear. He must have thought it was wide enough for two, and it just was, until he was past the headlamp. There he tucked in and clapped his brakes on as if a cat had run out.",
+#:   "On our street in Pune it is daily only. Activa is behind you, no side lane is free, so he will take the left-over portion of your own lane, knee touching the door. Then he comes to the front, remembers some turning, and presses both levers. Your tea is on the dashboard.",
+#:   "She knew that he was there by the sound, which had been at her back, and was at her shoulder, and was before her. It had not gone round; there was no room in the world for going round, only that ribbon of her own lane. Then the sound dropped, the lamp reddened, and the distance was eaten up.",
+#:   "Dash cam comments, 312 of them, are all about whether two vehicles may share one lane. Fine, argue. The kid on the Grom went up my side without leaving it. What nobody mentions is the second half, when he's slotted in ahead and grabs the brake so that I stop with my plate over his rear tyre.",
 #: ]
 #: adversaries = ["motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["overtake", "swerve", "brake"]
-#: leader = false
 #: position = "behind"
 #: [[parameters]]
 #: name = "OPT_SWERVE"

@@ -60,6 +60,26 @@
 #:   "So on the show today, the compliment sandwich of bad driving. Slice one, he's behind you; the filling, he hops lanes, goes around you and hops back when he's safely ahead. Slice two, he's brought the thing nearly to a stop and you've got your arm across the passenger.",
 #:   "Note for the pupil's log: handled an unpleasant situation calmly. A motorcyclist who had been sitting behind us pulled wide into the adjacent lane, went ahead, resumed our lane and used his brakes firmly down to about walking speed. She kept straight and came down with him without stalling.",
 #:   "It is a strange thing to be taught a lesson by a stranger. Vera had seen him in her mirror, growing impatient; she saw him again at her elbow, over the line; and she saw him a third time before her, where he had steered back in and was killing his speed, deliberately, as one puts out a cigarette.",
+#:   "From my tail to my nose by way of next door, then anchors.",
+#:   "First follower, then passer, then leader in our lane, then stop lamps.",
+#:   "Tailing saloon rounds us, lines up ahead, nose goes down.",
+#:   "The blue estate left the insured's mirror, slid along her side windows, took up the middle of her windscreen and lit its stop lamps so hard that her belt locked.",
+#:   "For run 31 the chasing motorcycle goes wide of the VUT, takes the lead, regains the VUT's lane and is retarded at 5 m/s² to almost nothing.",
+#:   "ok so the grey Golf thats been sat behind me hops out, comes by, hops back in my lane and basically parks it, nobody ahead of him at all",
+#:   "From my backside he is going around, sirji, in my lane he is again sitting in front, and then both brakes he has squeezed for nothing.",
+#:   "The room I keep ahead of me was used by the very pickup that had dogged me: it came round by the other lane, filled it and went slow-slow-slower.",
+#:   "You were behind me, I told him at the lights, so why go round, settle in my lane again in front and hold me up with your brakes?",
+#:   "I gave the constable one car and two number plates, so he thought I was confused. The front plate I knew from an hour of mirror. The rear plate I learned after the thing had been out and round me and had come home into the lane, because it threw all its weight on to its front wheels and I all but read it with my forehead.",
+#:   "Before I'd worked out why my mirror was suddenly black, the headlamps had turned into tail lamps. There had been a motorbike beside my door in between, in the other lane, with a boot sticking out. The tail lamps drifted over till they were bang ahead of me; then they trebled in brightness and I was down to second, first, nothing much.",
+#:   "Object 4 begins as \"rear, same lane, 9 m\". Forty frames later it is \"left, adjacent lane\", then \"front left\", then \"front, same lane, 12 m\", with a speed of fourteen. That speed collapses to 0.9 in two seconds although the lane before it is free; the ego, coming up on its bumper, needs 6 m/s² to stay off it.",
+#:   "Nothing had been in front of me all the way from Ripon, that was the pleasure of it. The fellow at my back evidently felt he could improve on it. He got himself by on the far side, I heard him go, and he put himself in my nice empty lane, and then I had his boot lid rising in my face and my eggs on the floor.",
+#:   "It's the queue behind that shows you what happened, Your Honour. My client is found almost at a stand with nothing before her except the defendant's coupe, likewise almost at a stand. Yet half a mile earlier the petrol station's camera has that coupe behind her; he'd since used the other lane to get ahead, taken his place in hers, and employed his brakes.",
+#:   "The kids made a game of it in the back. \"He's behind us!\" they sang, and then \"He's next to us!\" and then, when the yellow sports car had wandered over to our side of the dashes, \"He's in front of us!\" Nobody sang after that, for his lights came on and Dad's arm shot out across me.",
+#:   "I never moved out of lane one, never even touched the wheel, and still he found a way to punish me for it. You know the type, lorry lights in the mirror annoy him, only this was him annoying me: a quad-exhaust thing up my chuff. Out, along my trailer, back over in front of the cab, and then the sod stamps on it and I've eighteen pallets arriving.",
+#:   "V1's event recorder shows constant speed, then a deceleration of 0.7 g with no object previously ahead. The operator explained that a motorcycle, which had been following V1, had gone by via the passing lane. It had returned to the through lane several lengths in front, and its rider had then reduced speed to that of a pedestrian.",
+#:   "I have been only three weeks in England and I believed it is a custom. The man behind gives me light, he goes out, he makes the tour of my car, he comes again in our line before me. And there, when I want to wave to him, all his red lamps, and we two roll like in a funeral with nobody in front.",
+#:   "Two things you did well there. When that hatchback grew tired of our company and moved out to come past, you held your line; and when it filed in ahead of us, you started easing off at once. That's why, when it stood on its nose without any reason at all, you'd the room to come down with it.",
+#:   "He wanted her to see his face, she thought later, but all that he ever showed her was the back of his head. From behind, a pair of fog lamps, it had come; it had gone by a yard away, beyond the broken line; it had swung in before her. The road ahead of it was empty, and still she had to brake until they both scarcely moved.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["overtake", "change-lane", "brake"]
-#: leader = false
 #: maneuver = "straight"
 #: place = "road"
 #: position = "behind"

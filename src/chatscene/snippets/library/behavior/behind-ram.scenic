@@ -60,6 +60,26 @@
 #:   "I'm no expert but I ride this road daily. A hatchback in front of me was all over the tail of the test car, honestly a tow rope would have been longer. Next I hear revs climbing, and it doesn't pull out or anything, it goes straight up the test car's backside.",
 #:   "In Germany we say he was sitting in my trunk, this one with the big motorbike. I have not braked, I have not done anything. He wanted me to go faster, and as I did not, he opened the gas completely and pushed with his wheel into my rear light.",
 #:   "Police are seeking a pickup driver after what they call a deliberate shunt on the B4100. A commuter's car was driven into from behind by a vehicle that, she said, had clung to her bumper since Warwick. \"I heard him floor it,\" she added. \"He hadn't far to come.\"",
+#:   "No gap at my tail to start with, then he used it up.",
+#:   "Coach breathing on our exhaust, pedal down, bodies meet.",
+#:   "SUV welded to my rear plate chooses violence, boot it, crunch",
+#:   "Two coats of paint were all there was between the fire engine's bumper and our boot, and then its driver opened her up and there weren't even those.",
+#:   "The follower maintained a separation of roughly one metre and, at the trigger point, demanded full torque, so that the metre was consumed and the rear crash sensor fired.",
+#:   "I could count the flies on his radiator grille. Somewhere near the bakery I also heard it coming at me under power, and the seat kicked.",
+#:   "Put a taxi so near behind the AV that its headlamps disappear under the rear window, then have it surge and drive home the last foot.",
+#:   "Dispatch, female driver says the motorbike that was stuck on her boot has just opened right up into the back of her. She's still rolling, she didn't brake.",
+#:   "Yes, I was near, your honour, I concede a yard at most. And yes, it was my right foot that abolished that yard, her brake lights being dark the entire time.",
+#:   "When the assessor asked why there were no skid marks, I had to explain that nobody had braked. My speed was forty throughout. The lorry in my mirror, of which I had for some minutes seen only the middle of the grille, was suddenly doing fifty, and there was no room for the difference.",
+#:   "The rear ultrasonic sensors were in solid tone, one long beep, from the garden centre onwards. You get used to it. What I was not used to was the howl of a diesel coming up on top of the beep, then a bang, then no beep at all because the sensors were broken.",
+#:   "My pupil asked whether she should go faster for him. No, I said, he chose to sit with his bonnet in our luggage, let him be cross. A moment later we were going faster regardless, pushed along by his bumper, and I could hear his engine doing the pushing.",
+#:   "The imprint in our tailgate is that of a Suzuki front mudguard. It had been hovering a hand's breadth off that tailgate since the canal, and I confess I'd grown used to it. Then the note of the engine climbed a whole octave, and where would all that go, with us in front?",
+#:   "V1's event data show steady cruise and no brake input. Dash video from a third vehicle shows V2, a transit bus, trailing V1 by under five feet for nine seconds. Exhaust smoke is then visible at the bus, its nose lifts, and the five feet are gone. V1's trunk lid was displaced nine inches.",
+#:   "I was eating crisps in the back and I could read the lorry's number plate upside down on my phone, that's how near it was. Daddy said ignore him. Then the lorry went VROOOM, and my crisps went everywhere because it had bumped us.",
+#:   "Normally they get fed up and drop back, or they go round you. The chap in the pickup did neither. I had been looking at nothing but his bull bar for the length of the bypass, I lifted a hand as if to say what, and he answered with the whole of his engine, straight through my parcel shelf.",
+#:   "What the passengers on the back seat of our robotaxi describe is first an absence: of road, of space, of any strip of asphalt between them and the police car. Then comes a lurch forwards. Both agree that its engine had risen just before, and that the robotaxi itself hadn't changed its speed at all.",
+#:   "Expected in step four is constant clearance of 0.8 m aft. Observed: clearance 0.8 m up to the marker, followed by a steep rise of follower speed and a rear contact at +11 km/h. The follower stays in our lane; nothing goes past us. Please confirm that the contact is intended.",
+#:   "She'd have sworn the cab meant no harm, only that its driver was late and had crept up until his lamps lit the inside of her car. It was raining. She was thinking of her exam when the light in the car swelled, an engine bellowed, and her neck was thrown against the rest.",
+#:   "I am driving in Germany since two years, and people come near, this I know. But this one with the van, he was so near that between us no cat could pass. I don't make slower, I don't make faster. He makes faster! So of course he arrives in my trunk, where else shall he arrive.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["tailgate", "accelerate"]
-#: leader = false
 #: position = "behind"
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"

@@ -60,6 +60,26 @@
 #:   "Podcast listeners will know my rule: if you can't see their tyres on the road, they're too close. With this BMW I couldn't even see the bonnet. It sat on us like that all through the roadworks, and as soon as the cones ended it went out, drew level, and put us in its own mirror.",
 #:   "The driver of V1 stated that he felt pressured into exceeding the limit by V2, which trailed him by less than a car's length. He maintained his lane. V2 thereafter relocated to the lane on its left and progressed beyond V1, there being no contact and no hard braking by either party.",
 #:   "We were singing in the back and a motorbike came right up to our window, so near that I could see my face in its lamp. It stayed and stayed and I waved. Then it leaned over, rode past Daddy's door and went away in front of us.",
+#:   "Estate up our backside for a mile, then away past.",
+#:   "REAR CAM: Golf fills the glass, sidesteps, vanishes up the road",
+#:   "Hogs our slipstream at a metre, changes lane, leaves us for dead.",
+#:   "Rear gap to the pursuing scooter logged below one second throughout; gap subsequently negative, the scooter having used the left lane to get in front.",
+#:   "You could have dropped a coat over my towbar and his bonnet both, and it stayed like that until he slipped into the other lane and went on ahead.",
+#:   "Nothing to see through the back window but chrome teeth; some while after, those teeth were alongside, and after that there was only his exhaust in front.",
+#:   "Please build me a hothead on a motorcycle, first stuck to the AV's rear like chewing gum to a shoe, later off round the outside and away.",
+#:   "My sister said don't look back, he's only inches off, and when I did look back he wasn't there, because he had just gone by her window.",
+#:   "The taxi man he doesn't keep the distance, he wants to sleep in my trunk; after that he takes the free lane and I see him from behind.",
+#:   "The baby's sunshade on the back window had a grinning radiator painted on it, or so it seemed, from the church to the roundabout at Wick. I kept to thirty as the signs say. When the radiator finally peeled off to the outside there was a door, then a rear wheel, then a brown Jaguar in front of me, getting smaller.",
+#:   "For eleven miles he lit up my cabin. I'd tipped the mirror to save my eyes, since with the beams that close it was like having a lighthouse for a passenger. The dark came back quite suddenly on the right, as the beams drew out, slid along the paintwork, and were pointing up an empty road ahead of us.",
+#:   "I'm on a pushbike with a trailer so I know about being followed closely, but this was a van, mate, and it was practically in the trailer with the shopping. You could feel the heat of it. Lane opened on the right, out it came, the draught nearly had me over, and the last I saw was its back doors.",
+#:   "Passenger statement: she was able to count the flies upon the windscreen of the car following the subject vehicle. This state of affairs persisted for roughly half a kilometre. She next observed the same car level with her own door in the adjoining lane and, seconds later, well in advance of them.",
+#:   "We won't go faster just because that saloon would like to share our boot, will we? Good. Mirror again, still no tarmac between us and him. And once more: there's tarmac now, lots of it, as he's gone out and he's coming by. Let him. Wave if you like.",
+#:   "By the third kilometre I'd stopped braking for anything, since a single dab would have put that biker on our back seat. Even the cows got a wide berth. What ended it was the dual carriageway, where he had a whole lane to himself, and it took him about four seconds to become somebody else's problem up front.",
+#:   "Our rear bumper sensor raised \"object too near\" at 09:12:04 and held it for fourteen seconds. It cleared when the object transferred one lane to the left. The left-hand side radar then carried it from back to front, and the forward camera had it last, at ninety metres and growing more distant.",
+#:   "All the way to the lights my mother kept saying he would be in with us in a minute, and asked whether she should move her knitting. He was that near. He never was in with us, as he found himself a lane of his own, rushed along it, and had crossed the hill before she'd finished her row.",
+#:   "The coach trip was enlivened by a red convertible that had attached itself to our stern. From the rear bench we looked straight down on the driver's bald patch. Eventually the bald patch swung out to starboard, travelled the length of the coach below us, and the front rows reported it disappearing in the direction of Bath.",
+#:   "Complainant says no contact, but that she \"felt towed backwards\". The other motorist had closed to a distance she puts at half an umbrella and would not drop off, whatever her speed. She got her road back only when he elected to use the offside lane, and he was soon out of her sight in front.",
+#:   "In my country we say he was counting my rivets. I have forty tons and no hurry, he has an Alfa and no brain, and under my rear lamps was no asphalt any more, only Alfa. When it flew out beside my trailer, along my cabin and forward over the hill, I opened a window.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["tailgate", "overtake"]
-#: leader = false
 #: place = "road"
 #: position = "behind"
 #: [[parameters]]

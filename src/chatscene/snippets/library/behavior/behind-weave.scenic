@@ -60,6 +60,26 @@
 #:   "Am driving 22 years in Pune, I know this type. He will come till his number plate is kissing your dicky, then he will show his face from left side, show his face from right side, horn horn horn, and still no place for him to go.",
 #:   "Every time I glanced up there was a helmet in a different mirror. Not once did it drop back to a sane distance, and not once did it find the opening it was hunting; it merely rocked from edge to edge a foot off my panniers, mile after mile.",
 #:   "Title: \"Impatient much?\" The rear cam shows nothing but grille for a good while, then the grille slides out of frame on the left, comes back, slides out on the right, comes back. Spoiler: he never does find the space to pass us.",
+#:   "Rear window full of radiator, and the radiator won't hold still sideways.",
+#:   "Motorbike inches behind, headlamp in left mirror, right mirror, left mirror again.",
+#:   "He's practically aboard us, leaning out kerbside, then middle, desperate to be in front.",
+#:   "The scooter stayed so near our tail that its rider's visor reflected our brake lamps, and it wandered from edge to edge of the lane, begging for a hole.",
+#:   "Set a police car on the AV's heels with hardly a metre between them, then let it swing restlessly from flank to flank as if hunting for room to get round.",
+#:   "The distance to the vehicle at our rear stood at 0.9 m while its lateral offset changed sign every second or so; it never did come out to pass.",
+#:   "Don't look so often, dear; yes, he's close enough to kiss the number plate, and yes, he's popping out one side and then the other, but he can't get by and he knows it.",
+#:   "V2 maintained a following distance of less than one metre to V1 and was repeatedly steered toward either lane boundary, its driver evidently wishing to go by.",
+#:   "Mein Hintermann has no patience: he hangs on my exhaust and swims the whole time left and right, because he searches where he can come past.",
+#:   "My daughter was doing her hair in the rear-view mirror, which I'd allowed because nothing was moving in it. Then she said there was a man's face in it, enormous, and that it kept sliding out of the one side and coming back in at the other. He wanted round us, you could feel it.",
+#:   "You can hear it on the tape. There's our engine, and there's a second engine hardly farther off than our own boot lid, and that second one pans across the stereo: left speaker, right speaker, left speaker. It's a motorcyclist who'd dearly like to be ahead of us and has nowhere to do it.",
+#:   "When I touched the brake for a squirrel the fellow very nearly came in through the tailgate, for he'd left himself no room at all. He had been far too busy peering, now past my offside and now past my nearside, the whole nose of his car going with his neck, to bother about distance.",
+#:   "We couldn't open the gap however gently we sped up. Whenever the robotaxi gained a metre the pickup took it back, and all along its lamps threw our shadow first onto the hedge and then onto the centre line, hedge, centre line, like somebody waving a torch for attention. It stayed behind to the end.",
+#:   "The stain on the rear screen is tea. I'd turned round to see why the whole cabin kept lighting up, and it was an ambulance off duty, so near that I couldn't see its bumper, lolling out to the left of us, then to the right, trying each side for a passage and finding neither wide enough.",
+#:   "Requirement 14: the rear agent shall first settle at a bumper gap of about one metre for three seconds. It shall then oscillate sideways across the width of our lane with a period of some two and a half seconds, as an impatient driver does who probes both flanks. A completed pass is not wanted.",
+#:   "It's always the same three miles, no passing place and a wall either side. On Sunday it was a red convertible. I never saw its wheels, it was that near, but I saw its wing come out beyond my left light, go in, come out beyond my right one and go in, till the very last bend.",
+#:   "There was, the constable wrote, no room for a cigarette paper between them. The second driver appeared to be seeking a way round by trial and error, showing the nose of the cab to oncoming traffic, withdrawing it, showing it to the ditch, withdrawing it, and so on as far as the toll house.",
+#:   "From the top deck I'd a grand view down on the two of them. They might have been coupled, like a tram and its trailer, only that the trailer wouldn't run straight; it slewed to this side, to that side, because the chap driving it was hungry to be the tram.",
+#:   "Breaker, you've a bike in your draught so close you'll not find him in one mirror for more than a second. He'll show left, then he'll show right. Wants by, hasn't the road for it, and won't drop back either, so no sudden braking please.",
+#:   "Sir, this fellow was not having patience at all. Between his bumper and my dicky one newspaper only could go, and like a snake-charmer's cobra he was shaking behind me, this side, that side, where is the place, where is the place, and place was nowhere.",
 #: ]
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: place = "road"
 #: actions = ["tailgate", "weave"]
-#: leader = false
 #: position = "behind"
 #: [[parameters]]
 #: name = "OPT_ADV_GAP"

@@ -60,6 +60,26 @@
 #:   "The shuttle didn't yield fast enough for them, that's the long and short of it. So these paramedics run right up its backside, sit there a tick to make their point, then hoof it round into the next lane and away like the clappers, and the passengers get an eyeful of stretcher.",
 #:   "On the ward later I met the crew. \"We were pushing you a bit,\" the driver admitted, \"I could've read your tax disc from behind.\" I told him it wasn't the pushing that had scared me, it was when he popped out and blew past with everything that engine had.",
 #:   "Marshal to control. Rapid response unit is through. It had a saloon in its way, got up to within a yard of her, hung on for a second, stepped out to the vacant lane and is now well clear of her, doing a ton by the look of it. Saloon's pulled over, driver a bit shaky.",
+#:   "Siren in our spine, sidestep, comet.",
+#:   "Blues kissed our boot, popped sideways and were history.",
+#:   "Fire engine: on our heels, out, gone ahead like thunder.",
+#:   "An ambulance crew that had almost climbed into our back seat lost patience, put it in the free lane and left us standing with the windows rattling.",
+#:   "All I could read in the glass was half a word, ECNALUB, then it was beside me at the side window, and then it was a wail up the hill.",
+#:   "Please stage a police car that first breathes on the AV's rear plate for a second or two and only thereupon leaves the lane and rockets ahead.",
+#:   "The firemen's captain apologised: they'd been near enough to our tail to smell our exhaust before they broke out and went by at twice our pace.",
+#:   "Two beats of that horn at my very back, a swing into the next lane, and the paramedic motorbike was so far on that I'd to squint.",
+#:   "With what distance did the fire tender sit behind you before it swung out and blazed by, madam? One metre, sir, I felt its heat.",
+#:   "Of the whole thing I have three pictures. In the first there's no road behind us but a chrome bumper and blue everywhere. In the second the bumper has gone from the mirror and a yellow-green chessboard is tearing along by my door. In the third it's before us, small, and the leaves are still coming down.",
+#:   "My mother was driving me to the very hospital it came from. It stuck itself to our rear screen, howling, and she said, \"Where am I supposed to go?\" She needn't have worried. One breath later it had helped itself to the lane alongside, its engine went up a whole octave, and we were looking at its back doors.",
+#:   "For the yield module the interesting part is the order. First the gap at the rear goes from thirty metres to three and is held there; our planner starts looking for a place to pull in. Then the gap in question is simply empty, because the appliance has gone into the lane next door and is coming by at plus forty.",
+#:   "I braked a little, which I shouldn't have, and I heard its air brakes curse me. So near was that ladder truck that its headlamps shone over my roof on to the road ahead. The shine swung away to one side. I was overtaken by noise, then by red, a very long red, and then by a terrible wind.",
+#:   "Told from the other vehicle: we'd a cardiac on board and a Micra in front. I brought her up till I could see the lady's hair grips, gave it a second for her to think, she didn't think, so I took us out round her and buried my foot. She was a dot in the mirror by the garage.",
+#:   "The dog began first, it hates them. There was blue on the headrests; I could not see the thing's lights any more, they were under my window sill. So it was going to hit me, I thought. Instead the blue ran round the inside of the car like water, from the back to the side to the front, and drained away uphill.",
+#:   "In Bavaria one makes a lane for them, but I had no time. The emergency doctor was at once so close that I've seen the coffee in his cup holder. A moment he waited like this. Then he has pulled on the left lane and shot away before me, and my hat was moved by it.",
+#:   "Some people say the driverless car obstructed the police. I was stood at the crossing. The police van ran up on it till you couldn't have slid a pizza box between them, sat there for as long as it takes to swear, jinked out to the empty lane and went off like a firework. Obstructed for two seconds at most.",
+#:   "Recorder evidence. Rear proximity alert, 14:05:31. Alert continuous until 14:05:33, the unit following with less than ten feet of clearance. Left blind-spot alert, 14:05:33. Forward camera acquires the unit, lights active, 14:05:34, pulling away at approximately 70 mph. Vehicle 1 maintained 38 mph throughout.",
+#:   "You've been told to keep calm, and you did, well done. Nobody likes to be leaned on by eighteen tons of fire brigade with its horn going. What did you see next? Right, it left your mirror. And where did it turn up? Alongside, going like the clappers, and off up the road. That's all they wanted, the other lane and a bit of courage.",
+#:   "wasnt even mad. cop car comes up SO close i can see him chewing, siren on, i freeze. like one second, two. then vwip, other lane, floors it, and hes past me and past the next three. my coffee did a full lap of the cupholder",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["adjacentLane", "advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["tailgate", "overtake", "fast"]
 #: position = "behind"
 #: place = "road"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 15.0

@@ -60,6 +60,26 @@
 #:   "In the log the object first appears at 180 m, heading 180 degrees off ours, lateral offset zero. Class is ambulance. Its speed only ever rises. Lateral offset stays zero at 100, at 60, at 30 m, and it jumps to 3.4 m between two frames, by which time our AEB had been fully on for a second and a half.",
 #:   "Please be knowing that I was in correct lane. The police jeep was chasing somebody, I think so, and came from the opposite with full siren in my lane only, hundred speed at least. I was flashing, he was not caring. When there was place for only one goat between us, then only he went to his side.",
 #:   "A red wall, a noise, and a gust: that is all the passenger recalls. The driver can add a little. The wall was the face of a fire engine that had come straight up our lane against us, never easing; the gust was it ducking past our wing onto its proper side, having put that off for as long as could be.",
+#:   "Blues, our half of the road, head-on, gone at arm's length.",
+#:   "Fire engine's grille in our lane, growing, growing, then not.",
+#:   "Patrol car on the wrong side, foot down, dodges by a coat of paint.",
+#:   "They'd a heart attack to get to and my half of the street to get there by, and not till I'd shut my eyes did that ambulance shift.",
+#:   "Set a rescue truck racing towards the ego within the ego's lane, and have it leave that lane only when a crash looks certain.",
+#:   "never been so near a fire engines bumper, me on the proper side and it on the same one doing seventy at me, shifted over at the death",
+#:   "What use is being in your own lane when a squad car is storming down it nose to nose with you till the last half second?",
+#:   "Opposing responder, lateral offset to VUT zero, speed high and rising; lateral offset becomes non-zero at a time to collision of under one second.",
+#:   "Two strobes where only tail lamps ought to be, swelling at a terrific rate, and then a gust on the right as they flicked off my line.",
+#:   "My mirror was taken off by my own hand, I jerked the wheel so. The ambulance never touched it. It had come down our side of the bypass with the siren going and its bonnet square on mine, a proper lick too, and I'd written us both off when it was suddenly where it should have been all along.",
+#:   "The other side of the bridge was chock-a-block. So where do you reckon the police van coming from town went? On mine, that's where. I waited for it to lift off. It didn't, you could hear the motor straining. I waited for it to tuck in. It did that too, when I could see the coffee cup on its dash.",
+#:   "Dear Editor, I have every respect for our firefighters. I'd only ask that, when they see an octogenarian in a Honda on the side that is hers, they should return to the side that is theirs somewhat earlier than at a distance of one bus ticket, particularly if they are hurtling along it against her.",
+#:   "Operators are reminded that the simulated appliance does not start in the wrong lane. It faces the subject on its own side, at first unhurried; at the set distance it goes over to the subject's lane, puts on full power against it, and at the set, very small, distance it regains its side. Sound the siren throughout.",
+#:   "First the headlights flash at me and I thought, which headlights, the road is one way for me and one way for them. Then I understood that they are on mine. A Rettungswagen, it did not brake, it became big like a house. I was praying in two languages. It turned out of my lane between the first Amen and the second.",
+#:   "TTC plot, page 6. It falls in a straight line to 0.7 s, which means that the object coming at us neither slowed nor moved aside for the whole approach. At 0.7 s it jumps to infinity. The object was a fire department ladder, in our lane, facing us, and that jump is it clearing off to its own half.",
+#:   "My son wants to be a policeman now. We were in the van, on our side, when a panda car with its lights going came bang at us down the very lane we were in. I said Jesus. He said wow. It kept on coming as if we were made of air and only slid over when he'd already got his feet on the dashboard.",
+#:   "Nobody plays chicken with eighteen tons of water, is what I used to think. Then one evening the horizon in my lane turned blue. I slowed right down; the blue didn't. I pulled half into the hedge; the blue stayed where it was, dead centre of my lane, bellowing. With one car's length to spare its driver finally gave me my road back.",
+#:   "She counted afterwards. There had been three seconds during which the ambulance, siren howling, filled the lane in front of her, its face to hers; two during which it had filled her windscreen; and less than a half, at the very end, during which it leant aside and let her go on living. At no point had its engine eased.",
+#:   "Judge: You say the officer was driving on the correct side when he passed you. Witness: When he passed me, yes. It's what he was doing until he was almost passing me that I'm here about. He was bombing along my side, straight for my radiator, and I was in front of that radiator with nowhere to go.",
+#:   "Cyclists always hug the kerb, so I had the best seat. In the lane I shared with a bread van there appeared, coming the wrong way up it, an ambulance at God knows what speed. The bread van stopped. I got off. It was still pointing at the bread van's badge when a flick of the wheel sent it past on the far side.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -70,7 +90,6 @@
 #: position = "oncoming"
 #: place = "road"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 55.0

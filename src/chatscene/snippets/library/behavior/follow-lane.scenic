@@ -60,13 +60,32 @@
 #:   "Per the event data recorder, V3 did not take part in the collision. In the twenty seconds preserved, its vehicle speed reads 38 mph at every sample, steering angle is within two degrees, and both brake switch and turn signal remain off. Its operator stated he was \"just driving home.\"",
 #:   "What I liked about the cyclist was his rhythm. Left, right, left, right, like a sewing machine, and the wheel running down the lane as if a thread were pulling it. From my window on the third floor I followed him the whole length of the boulevard, and there was not one beat more or less.",
 #:   "In my country nobody is driving so. This lady, she has put her small car in one lane and she is remaining there, she has chosen one speed and with this she is also remaining. After two kilometre I was relaxed like in my sofa, because I knew what she does next: the same.",
+#:   "That bus? In lane, on thirty, all the way, full stop.",
+#:   "Motorbike minds its own business, between the lines, needle dead still.",
+#:   "Let a van roll along its lane and do nothing else.",
+#:   "I looked for a brake lamp, a blinker, a wheel on the paint, and all I got from that lorry was mile upon mile of the same.",
+#:   "For all it changed, the saloon might have been drawn on the road: the same place in the lane, the same forty-two.",
+#:   "The surrounding truck shall be commanded with a constant set speed and the lane centre as its reference line, these being its only inputs.",
+#:   "Nothing was asked of the learner but to see how the milk tanker went: straight where the lane was straight, bending where it bent, never quicker, never slower.",
+#:   "Between Exeter and Honiton, the witness said, the coach had not once given him cause to look up from his crossword.",
+#:   "We'd braced for a surprise from the cyclist and none came, he merely kept his cadence and his place in the lane until the session was over.",
+#:   "The tachograph disc is the most boring I have had in my hands. It's a circle. Whoever drove that lorry chose eighty at the slip road and left it there, and the lane camera has him thirty centimetres from each line throughout. Whatever frightened your robot, it wasn't anything that he did.",
+#:   "I followed him because I was lost. He had a trailer with a boat, and I thought, sailors know the way. It was restful. I never had to change gear, never had to brake, never had to turn the wheel except as the lane itself turned, and when we parted my speedometer was where it'd been at the beginning.",
+#:   "Grandson showed me on the tablet what the robot car sees. Ours is the blue box. There was an orange box, that was a bus, in its lane. I asked what happens now. Nothing, he said. The orange box crept on between its two lines by so much every second, and by the same every second after.",
+#:   "Could the motorcyclist have been swaying, counsel asked, or speeding up, or about to turn off? The witness had been a bandmaster. He'd listened to that engine for a good five minutes, he replied, and it had held an A flat from first to last, and the lamp had come along the lane as if it ran on a wire.",
+#:   "To prove that the tracker has no drift, one wants a target that has none. Take a hatchback, put it anywhere on the map, have it follow its lane. Its speed at the first frame and its speed at the last are to be one and the same number, and so are all the numbers between.",
+#:   "On the scales of the day it didn't weigh much. Some dog had run off, a child had been sick, and then there was the robotaxi which braked for a van that, I swear, had done nothing. I was painting the fence. The van was doing what vans do, humming along on its side at one speed.",
+#:   "Radio check from the bridge, nothing to report. I've the coach in sight, inside lane. No, no weaving. No, brake lights have been off since I've had him. He passed marker nine and marker ten at precisely the same pace, seventy-two seconds a mile each. You might tell them to look for another coach.",
+#:   "My pupils think a good driver is one who does clever things. Then I point at somebody like the woman in that estate car. What has she done since we came on this road? She has picked a lane, she's picked a speed, and you've stopped noticing her. That is the finest thing I can say of anybody.",
+#:   "A pot of soup stood on the passenger seat, and I live at the other end of the valley. So there I went, in my pickup, at fifty on the straight and fifty through the bends, in the dead middle of my lane. I touched neither pedal. Not a drop was lost, whatever became of those others behind me.",
+#:   "All the while that they quarrelled, the taxi's lamp was there in the corner of her eye. It neither gained nor lost. Where the road curved, the lamp curved; where the road ran straight, it ran straight; and it seemed to her the one thing on earth that night which had decided on something and was keeping to it.",
+#:   "Trucker uncle is a legend in our chat group. Song number one, lane number one, sixty. Song number fifteen, lane number one, sixty. Somebody wrote, bhai does the brake of his lorry work? Nobody can say, since nobody has seen it used, nor the steering also, except as the road itself was bending.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory"]
 #: provides = ["AdvBehavior"]
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
-#: leader = false
 #: actions = ["follow"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

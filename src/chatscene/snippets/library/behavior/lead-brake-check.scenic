@@ -60,6 +60,26 @@
 #:   "Clip of the day is called \"morse code\". The van in front of the cammer, for no earthly reason, goes dot on the brakes. The cammer squeals. A beat later, dot. The cammer squeals higher. And the van just keeps on driving into the sunset, message delivered.",
 #:   "Unit 9, be advised, the motorist who rang in about the fire engine says it's been brake-checking her. One quick brake, nose down, then a second one directly after, nothing on the road before it. It hasn't halted, it's still heading up Union Street ahead of her. She's shaken, not hurt.",
 #:   "Instructor here, twenty-two years. You tailgate a motorbike and this is the telling-off you get. His arm goes stiff and the light flares, that's once. You don't learn, it flares a second time, with a proper shudder through the bike. Then his arm goes soft and on he rides, and you, my friend, are sweating.",
+#:   "Double flash of brake lamps ahead, pure malice, then onward.",
+#:   "Van up front: jab, cruise, jab, cruise. Charming.",
+#:   "red red from the lorry in front, twice, just to spook me",
+#:   "The rear end of the taxi ahead curtsied at us, came up, curtsied a second time, and the taxi went its way as though we'd imagined it.",
+#:   "I had the gap nearly lost and found again two times within five seconds, and no cat, no light, no queue; the SUV leading us wanted me frightened.",
+#:   "He's sending you a message with his foot, son: one prod, off again, another prod, off again. Give him more room and he'll get bored.",
+#:   "Lead actor: impulse of deceleration, 1.2 s at travel speed, second impulse, then normal cruise to the end of the segment. Intent: harass the follower.",
+#:   "Have the police bike in front of the AV dab the anchors a couple of times with malice, a second's riding in between, and then continue up the road.",
+#:   "It's a sort of Morse, the lady told the constable, two dots done with the brake to put the wind up whoever's behind, after which he merrily motors on.",
+#:   "Our daughter's head went forward, back, forward, back. There was nothing on the road, I could see that over the low roof of the car leading us. It would simply lose a piece of its speed, take it up again, lose a second piece, take it up again; and the driver had his eyes on us in his mirror and grinned.",
+#:   "Whoever reviews clip 88 should mind the distance trace. It has two dents in it, alike as twins, a little over a second apart. Either side of them it's flat. The coach we were following had a free road, its lamps flared at each dent, and when the ego had been properly rattled it resumed its old pace as if nothing was.",
+#:   "I brake for a reason, I've been driving a wagon since '91. The pickup before me braked for the fun of seeing my cab dip. It dipped. He ran on a bit, long enough for me to think that's that, and he made it dip again. Then he'd had his laugh, and all I saw of him was him going on ahead.",
+#:   "Did the ambulance want something? My father supposed so. It was empty, it had no siren, and there we were a decent length behind. Its back doors came at us for an instant and withdrew. He said \"hallo\". They came at us for another instant and withdrew. He said nothing, and let it draw ahead, and his hands were shaking.",
+#:   "The noise of the evening was of shopping. Tins rolled against the front seats, rolled back, against the front seats, and back. The cause was the cab in front, where somebody who disliked my headlights touched something with his foot once, drove, touched it once more and drove. He never meant to stop, and he didn't.",
+#:   "V2's brake switch signal shows two closures of 0.4 and 0.5 s. During the interval V2 returned to 25 km/h, and it held that speed after the second. Traffic ahead of V2: none. The operator of V2 stated that he \"wanted to teach the robot some manners\". V1 decelerated both times, and there was no contact.",
+#:   "Our teacher on the motorcycle course says a lamp can be a fist. One day I knew what he means. I'm after another motorcycle, not near. His lamp: on, and I'm with the nose in my tank. Off, he rolls. His lamp: on, again the tank. Off, and he's rolling away and showing me with the hand a not nice sign.",
+#:   "You don't have to be a detective. Someone who needs to slow does it once, till he's slow enough. This hatchback did it to me, undid it, did it to me afresh and undid that, with nothing but blue sky in front of it, and then toddled on at exactly the rate it had been doing in the first place.",
+#:   "The letter to the bus company said: my wife is eighty and doesn't tailgate. Your driver nevertheless thought fit to make her stand on her brake pedal, to let her recover, and to make her stand on it again, with a clear road before him, whereupon he carried on along his route. Kindly tell us what he was playing at.",
+#:   "I was braced for the third one that never came. First time the lorry's tail lights bloomed I thought deer. Then they were out and we were at our old trot. Second time they bloomed I thought, no, that's for me. They went out as well, and the miserable sod simply kept on trucking ahead of us, me with my foot hovering.",
+#:   "Behaviour spec for the grumpy leader, in plain words. It's got no need to slow. It does it all the same, briefly, hard enough to make the ego flinch; it rolls on at town speed for a moment; it does the same thing over; and it rolls on at town speed for good. It must never come to a halt.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["brake", "follow"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -15.0

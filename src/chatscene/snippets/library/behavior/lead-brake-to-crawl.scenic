@@ -60,6 +60,26 @@
 #:   "She had braked before she understood why: the red had simply flooded her windscreen. The fire engine in front, which a heartbeat ago had been doing the speed of the road, loomed and loomed, and stopped looming when they were both at a walk. At a walk they went on, under the limes, like beasts to water.",
 #:   "Is it right, Mr Okafor, that the van before you lost four fifths of its speed within a bus length? And that it then proceeded, if one may call it so, no quicker than a man with a wheelbarrow, without halting, until your employer's shuttle touched it? Then kindly tell us which of the two surprised your software.",
 #:   "hgv in front bangs the anchors on, full abs, trailer shuddering, i thought right hes stopping. nope. just drops it in crawler gear n grinds up the hill same pace as a bloke walkin his dog. still no idea what that was about lol",
+#:   "Leader throws out the anchors, then inches on for ever.",
+#:   "From forty to four in front, never quite nought.",
+#:   "Nosedive ahead, then a pram pace that won't end.",
+#:   "The rear of the horsebox leapt at me, and when I'd finished being frightened it was ambling away at a speed that my stalled engine couldn't manage.",
+#:   "On the command the coach that the AV follows scrubs off nine tenths of its speed at once; with the tenth that's left it continues up the lane.",
+#:   "Nobody in the shuttle kept their seat when the van leading us hit the brakes, and nobody needed one in the minutes after, it was so slow that we could have walked.",
+#:   "He's making before me a braking for life and death, this motorcycle, but he doesn't put the foot down, he goes further with steps of a snail.",
+#:   "Why's my clutch burnt out? A bus we had been following did its level best to stop, changed its mind at two miles an hour, and held it at that.",
+#:   "First the bonnet of the police car leading us went down till its aerial bent; later, I mean for the whole next mile, schoolchildren on the pavement were beating it.",
+#:   "Two sounds, and then one. The two were his tyres and mine, as we both came down from fifty to hardly anything behind a gritter's wagon that was first in line. The one was ticking, gravel out of the treads, tick, tick, tick. So his wheels hadn't ceased to go round. I listened to it for the length of the reservoir.",
+#:   "I kept waiting for his brake lights to stay on, as they do with someone who's come to rest. They'd come on like a house fire and I'd all but gone through the windscreen; and they were out again. There wasn't a wheel in front of me that stood. It was a hire van, at the pace of a wedding, looking for its church.",
+#:   "The front-collision warning is a work of three seconds, in this log. The annoyance is the work of ninety. As regards the three: leader's deceleration minus 7.4, gap from eighteen metres to five. As regards the ninety: leader at 1.3 metres per second, gap five, our creep control hunting, lady in row two asking whether we'd broken down.",
+#:   "With sheep you learn it. You come on them of a sudden, you brake like billy-o, then you've to go on with 'em, at sheep's pace, you can't just stand. I saw no sheep that day, I was two behind. I saw the lorry I was following do the first thing and then the second, and I thought to myself, sheep.",
+#:   "My learner had a lovely gap and it was eaten within a heartbeat. Up goes the ambulance's tail, tyres yelping, and we're down to it with our seat belts locked. \"Handbrake?\" says he. But is it standing, I asked him. It was not. There was a crack in the road, and it was by and by getting over that crack.",
+#:   "He must have been nodding at the wheel of his moped, and the wheel-nut of a lorry lay in the lane. That's my theory. He went from a lively forty to such a teetering trot, and so abruptly, that I finished with my bumper a hand from his mudguard. He carried on teetering. To this day he hasn't put a foot down.",
+#:   "In the confusion the clerk wrote \"stopped\". I must insist on the correction. The saloon in front of us did everything which comes before stopping, with smoke, and my neck is the proof of it. But stopped it wasn't. It was travelling, if an hour hand travels, when we ran up against it, and it had been doing so for some twenty yards.",
+#:   "The queue which formed on Tuesday behind a robotaxi wasn't the robotaxi's fault. It was second. First was a tourist coach whose driver had caught sight of the castle: a pedal to the floor, a scream from the upper deck, and from there to the car park, half a mile, the leisurely progress of people leaning over with cameras.",
+#:   "When I was young one had a horse that did this. You would be bowling along; it would see a paper bag; and down she'd go on her haunches, so that you had her ears in your lap, and after it nothing would get her out of a mincing little walk. My nephew followed a pickup yesterday with just that temperament.",
+#:   "In front of my taxi was one school bus, decent speed. Suddenly such a brake, baap re, my passenger's tiffin came to front seat. I also braked. Now I am thinking, okay, stop has come, children will get down. No stop. No children. He is only rolling, rolling, like a temple chariot, and I'm behind, in first gear, half clutch.",
+#:   "Title of the clip: \"make up your mind\". 0:05 guy ahead in the Tesla does a full panic stop minus the stop. 0:07 we're all at like 3 mph. 0:30 still 3 mph. 1:15 an old dear overtakes on foot and waves. He never stands, he never speeds up, clip just ends.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["brake", "slow"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -15.0

@@ -60,6 +60,26 @@
 #:   "Papa's friend has an old car, and it was in front of ours because we were all going to the lake. It made a bang and it didn't want to any more. It rolled slower to where the ditch is, and there it stayed with its bottom still on the street.",
 #:   "Sorry I'm late, chief. Artic in front of me lost all his air or his drive or whatever, and I watched him shrink from fifty to a crawl. He pointed her at the hard standing and didn't make it. Trailer's still stuck out across half of the lane, I squeezed by with the mirrors folded.",
 #:   "The engine of the bus is broken, this we could hear, as it was loud before us and then no more loud. The chauffeur has guided it with the rest of the swing to the side of the street. But the swing was not enough, so the bus stands half in my lane today still.",
+#:   "Ahead: smoke, crawl, sidle rightward, dead. Half our lane's gone.",
+#:   "fire engine we were following conked out, only half made the verge",
+#:   "Leader expires at the margin, two wheels on our side still.",
+#:   "The bus we were behind lost its breath, leaned for the gutter, and ran out of way with one shoulder in our lane.",
+#:   "Only the right-hand pair of its wheels found the grass before the van leading us gave out; the left-hand pair is what you'll be steering round.",
+#:   "Ahead of V1 the truck shed speed without braking, migrated to the outer edge, and came to final rest with 50 percent of its width encroaching.",
+#:   "She is sick, my truck in front, she coughs, she goes slow to the border, and there she remains, one half on grass and one half for me.",
+#:   "When it gave up, the ambulance ahead had got itself just so far over that an optimist could have squeezed by on the left.",
+#:   "Let the leading lorry suffer a power loss, bleed off its speed, steer shyly for the shoulder and finish up neither in the lane nor out of it.",
+#:   "First the smell of hot oil came in through the vents, and I told the wife it wasn't ours. It was the coach's. We came up on it though I hadn't touched the pedal; its corner drew aside, inch by inch, toward the ditch, and gave us a sliver of view. The sliver never got any wider, as it had died there.",
+#:   "It's the last metre that costs the money, said the recovery man. He meant that a dying lorry will nearly always reach the edge of the road but hardly ever get over it. The one in front of us hadn't. It had wilted up the rise, bent its course to the kerb, and now it hung its left side in our lane.",
+#:   "You'll see we've got a bit of room on the left and none on the right. Where the room's gone, that's his tail. He'd been in front of you right along, hadn't he, then his engine went and he tried to nurse her off the road. He has got her off by half. Mirror, and squeeze round when it's clear.",
+#:   "Nobody had braked, yet we were four lengths nearer to the tanker we had been trailing, then two. Steam rose over the cab. Its nearside wheels left the tarmac and sent up gravel, which was a hopeful sign, and then the gravel stopped, the wheels stopped, and the remaining half of it was ours to deal with.",
+#:   "Test of partial obstruction caused by a failing lead. The lead vehicle, followed at constant gap, loses speed; simultaneously its lateral offset drifts toward the right-hand road edge. Both come to an end together, at zero speed and an overlap of about half a lane width. It stays thus. The ego may pass or stop.",
+#:   "There was a bang inside of it and the lights went out, all the back ones, so I only had its shape to go by. The shape came nearer and at the same time moved off to the right. I thought good, it's out of the way. My nearside mirror found out that it wasn't, not altogether, and the shape was quite still.",
+#:   "Recovery wanted, A9, northbound, one pickup and horse trailer. Caller was following it when it lost all drive and went grinding along slower and slower. Driver's done his best and made for the edge, but the trailer's offside wheels and most of the pony are standing in the running lane. Caller's stopped behind with his flashers on.",
+#:   "Every cyclist knows how wide a lane is to the inch, and I can tell you this one ended up half as wide as it was. Old Land Rover, puffing along ahead of me and of the car I was behind. It puffed less, it veered for the nettles as though looking for somewhere soft to lie down, and lay down too soon.",
+#:   "Grass cuttings on the right wheel arch, dust of the road on the left: you could see from the wreck how it had spent the night. At dusk it had been going along in front of Hansen's cart. It had failed by degrees, crept sideways in search of the verge, and never brought more than one flank of itself to safety.",
+#:   "The engineer's log has it that propulsion of the lead bus was cut at 31.0 s and right-hand steering applied at 31.5 s. The bus didn't manage to clear the carriageway. Final overlap with the following car's path 1.1 metres, speed nil. The following car came to rest four metres behind it, considering whether the remaining width would do.",
+#:   "Half a van's no good to a man who wants to get home. We'd trundled after it from the plant gate, and it packed in somewhere past the bridge; you could tell since he'd got his arm out, waving us down. He coaxed her over to the side of the road. Got the one half over. Other half was still ours.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["slow", "swerve", "stop"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 0.0

@@ -60,6 +60,26 @@
 #:   "Nothing dramatic in the clip, that's why it's good. The distance readout to the lead vehicle falls from forty to eight while its rear lights never change, since the driver's only stopped feeding it, and at the end it's still inching on with us trailing behind.",
 #:   "The gentleman before me, he didn't want to arrive, I think so. He took away his shoe from the gas, his Opel rolled out slow, slower, very slow, the brake he never touched, and with the tempo of a wheelchair he went further.",
 #:   "A cyclist passed us, which is how we knew. We'd been sitting in the robotaxi behind a furniture van that had quit accelerating somewhere around the church, and it was now down, unbraked, to such a trickle that the girl on the bike rang her bell at it.",
+#:   "No red lights, just a bumper coming nearer till we're both dribbling along.",
+#:   "Leader's throttle at zero, drag does the rest, residual 6 km/h, never nil.",
+#:   "Bike in front has shut the tap and runs on at a toddle.",
+#:   "The exhaust of the lorry in front stopped smoking; from then on it only got slower, bit by bit, until we were both doing the speed of a lawnmower.",
+#:   "We closed from sixty metres to ten on a saloon whose stop lamps stayed dark throughout, and it was still turning its wheels, just about, when we'd closed.",
+#:   "Give the ego a police car to follow which at some point is no longer driven but merely rolls, its pace wearing away to a trickle that never dries up.",
+#:   "There wasn't a flicker at his back end, so I had to feel it: he'd come off the pedal, he was running down, and he'd be ambling from here on.",
+#:   "Driver 2 said she had released the accelerator on seeing the school sign and let the vehicle roll until it was moving at little more than idle, V1 being behind her.",
+#:   "My leader on the moto, he closed the gas, and the wind took from him the speed, spoon after spoon, until we were promenading the one behind the other.",
+#:   "It was the flies that told me. At fifty they hit the windscreen; I noticed that they'd begun to walk about on it. I'd been following the furniture van's back doors without a thought, no brake light having asked me for one, and those doors and I had come down together to the pace of a hay wain.",
+#:   "Somebody up there had lost interest in the journey. The engine of the car in front, which I'd heard through my open window since the last village, fell to a hum. Nothing lit up. Its lead over us just evaporated, and what was left by the time we had bunched up behind it was a sort of rolling picnic.",
+#:   "We plotted range against time: a long shallow curve, flattening out, no corner in it anywhere. A corner would've meant the brake. The lead truck had merely stopped pulling, and the curve flattens because at two metres per second its driver let it tick over and go on like that.",
+#:   "Why did I end up so close to the hearse, Father? Because a hearse has brake lights, same as anyone, and I was waiting to see them. They never came on. It slackened as a bell stops ringing, you can't say when, and it was going on ahead of me at the pace of mourners before we'd even got to the church.",
+#:   "Your right foot ought to be itching by now. Nobody's braked and nobody's going to, but count the lamp posts, they're going by slower and slower, because the taxi in front has left off feeding it. He'll get down to a crawl and he'll stay at a crawl, so match him; there's no need for the handbrake.",
+#:   "When the fuel pump went, said the biker, it was like somebody letting go of your hand. He'd been leading the AV at a fair speed. He drifted, in gear to no purpose, forty, thirty, twenty, not touching a lever lest he wobble; and the last of it, about a jogger's pace, the starter motor gave him, so that he kept rolling.",
+#:   "The dispute is about a rear lamp, and both sides agree that it was off. The pickup which preceded the claimant had gone from 60 to something like 7 without it. Engine drag alone, says our expert, and a long slack road. It was still under way, at those 7, when the claimant's bonnet came up to it.",
+#:   "You'd never put it in a film. The camera is fixed behind the windscreen, the ambulance is ahead, small; it's a little less small; it fills a third of the picture. Not a thing has flashed. The hedges are hardly moving any more, though they are moving, and they go on doing so until the end of the reel.",
+#:   "Going home from market we had a cattle truck before us, and the cows knew. They stopped leaning. There was no jolt, as with a brake, and no red on the tailboard; its speed had been let go of, and it was passing out of the thing like air from a mattress, though never quite all of it.",
+#:   "Here's one for the fuel misers' forum. Fella in a Prius in front spots a light a mile off and stops paying for petrol. From then on he's a marble on a carpet. I kept waiting for the brake light so I could hate him properly. He got down to about walking and kept going, and so did I.",
+#:   "My grandfather never believes in brake, brake is for wasting. He was in front with his Fiat, I was behind with family. At mango garden he took off the foot. Slowly, slowly, like the fan after current is gone, his car was becoming, no red lamp, and then like bullock it went, but went, did not stand.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["slow", "follow"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -5.0

@@ -60,6 +60,26 @@
 #:   "Dashcam caption: he misses the duck, I nearly don't miss him. You can see a mother duck step into the road, you see the white Golf up front curve around her and come back into lane. And then you see him realise that there were ducklings. Brakes full on. My coffee is still in the air vents.",
 #:   "I was told \"follow the lorry, Wei, keep two seconds\". I keep two seconds. Lorry goes a little out because a stone is on the road, then goes in, same like before. I think it's finish. But lorry now is straight and suddenly push the brake, so my two seconds become half second.",
 #:   "My old dad reckons it was a frog. Whatever it was, the saloon up the front did a smart little sidestep for it and was straight back in front of us, so he says \"nicely done\" to the fella. He'd not got to \"done\" before the fella's stop lights were on and dad was pressing the floor through.",
+#:   "Round a dead fox, back before us, anchors on.",
+#:   "Front bus: one bulge out, one bulge in, brake lamps.",
+#:   "Our leader spared a plank, then, tidily back, didn't spare us.",
+#:   "When the motorbike ahead had done skirting the manhole and sat before us once more, it squeezed so hard that its tail rose.",
+#:   "Let the lead lorry make a small detour around a thing on the tarmac, recover its old line in front of us and then scrub off speed.",
+#:   "We got both: first the ambulance in front heeled out round the box, and, once back where it belonged, it put its brakes on.",
+#:   "Between us and the pickup there'd been a bucket on the road, which it evaded; after which there was the pickup, in line, red-lit, much nearer.",
+#:   "Do you see how the saloon ahead bends out, bends in, and, as it's nicely centred, comes up at you with all lamps lit?",
+#:   "V2, the preceding vehicle, deviated laterally to clear an item of debris, resumed its position ahead of V1, and decelerated strongly upon resuming it.",
+#:   "It was the brakes after the wiggle that caught me out. I'd understood the wiggle: a bit of lagging was flapping about in the road, the horsebox in front of me had given it a berth and was back on the straight and narrow. I was busy with the lagging myself. Then I looked up at a horse's backside.",
+#:   "I put it to you that you had ample warning. None, with respect. The coach moving out told me to look for an obstacle. The coach moving in told me that the obstacle was dealt with. The coach then being hauled down to a crawl, in my lane, a few feet before me, was what nobody had told me.",
+#:   "For half a second we could see all the way to the lights, as the truck that we'd had in front of us since Dover had stepped aside for some tyre or other. Then it stepped back. The view went, as one would expect; what one would not expect is that the trailer doors then swelled up like a balloon.",
+#:   "Chronology from the on-board film. 3.0: police car, centred, ahead of us. 3.6: same car half a width to the left, a traffic cone visible on the right of it. 4.5: same car, centred again, cone behind it. 4.6: both stop lamps. 5.2: bonnet down, distance to us halved. At no time did it leave for another lane.",
+#:   "On the scooter ahead was a girl with a cello. You'll see what I'm getting at. She leaned out round a pothole, cello and all, and leaned in again, beautiful, like skating. I was still admiring it when she must have felt the strap go, because she braked, in line ahead of me, and I mean braked.",
+#:   "As bus driver in Lyon you know the dance of the car in front. It makes a little curve to not crush the pigeon. It takes back its place before you, you say, bravo. And it freezes almost, since the lady wants to see in the mirror if the pigeon lives. My passengers were on the floor.",
+#:   "Radar gave us three events and we dismissed the first two. One, lead target drifts off axis. Two, lead target returns to axis. Drifting off axis, it turned out, was the van avoiding a wheel chock, and the third event, closing rate minus nine, was the van's driver stamping on it as soon as he was straight again.",
+#:   "Daddy went \"ooh\", and then \"aah\", and then a bad word. The ooh was the red car in front going round a football. The aah was it being back in front of us, neat as anything. The bad word was when its bottom lit up and it got so close that I could read the sticker.",
+#:   "Advice to novices, from the operators' handbook: when a preceding vehicle sidesteps, look at its wheels upon return. Should they be locked or its rear be raised, the driver is reacting to what he has just missed and you're about to be the second thing he hadn't planned for. This exercise reproduces the case, with a heavy vehicle leading.",
+#:   "Shards of a headlamp, mine, lay right behind a roll of carpet, not mine. The carpet is what the estate ahead had jinked to get past. The estate's driver told me, quite openly, that with that behind him and his car back in its lane he'd thought of the next driver who might hit it, and so had braked to stop and fetch it.",
+#:   "There's a trick the eye plays on you. A swerve ahead and you think \"he's going\". So you give it a little gas, and the fire engine, which was merely getting by a fallen branch, fills your lane again, and now its rear doors aren't going anywhere, they're stopping, and where's your little gas now? On the brake, I hope.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["swerve", "brake"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -5.0

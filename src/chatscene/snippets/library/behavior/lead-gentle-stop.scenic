@@ -60,6 +60,26 @@
 #:   "Half the drivers further back thought there had been a crash. There was none, only a motorcyclist at the head of things who, feeling faint, had very sensibly wound his speed down by degrees and brought his machine to a stand where he was. He stayed astride it, in the lane, head on the tank, and we waited in line.",
 #:   "Gap to lead 32 m, 30, 29, 29. There's no spike in its acceleration channel, just a shallow slope that begins at second forty and lasts until second fifty-five, when its speed is nil. From second fifty-five to the end of the file nothing about the lead changes at all: same lane, same metre of road.",
 #:   "My wife is of the opinion that I fell asleep and ran into a parked lorry. It was not parked. I'd been following it since Crewe. It slackened off ahead of me so gradually that, I admit, I didn't take it in, and by the time I did, the thing had come to a complete rest in my lane and had no plans to leave.",
+#:   "Lead van: whisper of brakes, whisper of brakes, statue.",
+#:   "bus up front just kinda faded out and now its furniture",
+#:   "Fire engine before us gliding down, down, nil. It's staying put. Over.",
+#:   "Nothing fell off the back seat, nothing squealed, and still there came a moment when the lorry we'd been behind for miles was no longer going anywhere.",
+#:   "The only change in the picture was that the number plate before us grew by a hair each second and, after twenty such seconds, had quit growing, ours and its wheels being at rest alike.",
+#:   "Our speed was whatever the motorbike ahead allowed, and it allowed forty, then thirty, then twenty, then, with its rider's boots on the road, none from there on.",
+#:   "Lead target: deceleration not above 0.12 g, duration until zero, lane position unchanged; after which it serves as a stationary obstacle for the remainder of the trial.",
+#:   "We'd never have been late if the police car in front had merely been slow, but its slowness ended, very softly, in a halt from which it did not stir.",
+#:   "Give me a lead car that runs down like a clockwork toy, no drama, and that, once it has run down, is left where it is, in our way.",
+#:   "It began with my cruise control murmuring, as it does, that the coach was now doing fifty-one and not fifty-three. I paid no heed. Forty-four, it said, thirty-five, twenty-two, all in the same polite voice. By the end it had nothing to say, since the coach was doing zero, and for the half hour I sat there it had no occasion to speak again.",
+#:   "The plaintiff's theory of a sudden stop is contradicted by an egg. The egg lay loose on the shelf above the van's rear doors, in full view of V1, and it was lying there unbroken when the police reached the van, which had by then been at a standstill in the lane before V1 for eleven minutes.",
+#:   "Watch the exhaust, not the lamps. He's off the gas, can you tell? It's gone from a plume to a thread. He's not on the brakes to speak of. Now there's no thread, his tyres have a leaf stuck to them that isn't going round any longer, and that's where he lives from now on. So we've a stationary car in our lane.",
+#:   "A gap can close without anyone rushing. For the whole of that avenue ours to the truck in front went on closing, a foot here and a foot there, with me lifting and lifting, and it would've closed altogether if I hadn't noticed that the weeds by its mudflaps weren't sliding by. It had come to be parked, you'd say, in the middle of the lane, without anybody parking it.",
+#:   "My children have a game of shouting out when they feel the brakes. They never shouted. So light was the foot of the man whose Citroën we were following that he'd brought himself and us from sixty to nothing between two nursery rhymes. Twelve more rhymes were sung behind his bumper, which was not moving then and isn't, for all I know, now.",
+#:   "For a complacent follower. The thing ahead sheds its speed so evenly that there's never a moment which calls for action, one metre per second, each second. Then it has none left to shed, and there it sits for good on the centre of the lane. Vary only the vehicle: bus, bike, ambulance. If the ego's jerk exceeds two, it's been late.",
+#:   "In our place, when the petrol is finishing, the engine speaks first: puk, puk. The tempo lorry before me spoke so. He was going down little by little, like an old man sitting down, no brake at all, and then he was sitting. Not on one side, full middle. Driver got down, locked it, and went with a can. I also switched off.",
+#:   "Strange, how one can be made to stop and not know it. The hearse in front had been our guide since the chapel. Its wheels turned, one could see the chrome wink, at every wink a longer wait for the next; and then one waited, and there was no next. It was some time before my uncle said, from under his hat, that we had arrived nowhere.",
+#:   "So the tyre detectives looked for skid marks and found not one. Naturally. The motorcyclist we'd been trailing felt his chain go, and he let her run, hand on the tank, getting slower as kindly as you please, until he had a foot down either side. He stood so in the lane with his hand up to warn us, and it's him you see standing in picture two.",
+#:   "In the hall of residence we have a saying, slow like Sunday. On Sunday I am on my bicycle behind a bus. First he's faster than me, then he's the same as me, then I must brake, softly, softly, to not touch him. At last I take one foot off, and the driver his cap off. No bus stop, nothing. He remained standing in our lane, me behind.",
+#:   "What the passenger complained of in the AV was boredom. It had followed a street sweeper's lorry, which let its speed trickle away over about a hundred and fifty metres, and had let its own trickle away in sympathy. It had then waited, correctly, at three metres' distance, as the lorry did precisely nothing in the lane ahead for the remainder of the ride.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["slow", "stop"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 5.0

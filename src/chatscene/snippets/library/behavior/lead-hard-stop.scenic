@@ -60,6 +60,26 @@
 #:   "Respected sir, I was maintaining distance behind one Innova. All of a sudden that Innova has put such a brake that its back side went up like a goat. It became fully standing in the lane and driver was not starting again, not even after lot of honking, therefore road was jammed up to the temple.",
 #:   "Episode 40, lead vehicle family, worst case of all. You follow a motorbike at matched speed. It goes to full deceleration with no warning, comes down to zero and will not set off any more, so what was your lead a second ago is now a fixed obstacle in your lane, rider standing astride.",
 #:   "Glass was not involved, contrary to the first reports. The lady's injuries come from the belt, since the robotaxi had to pull up within eighteen metres. It did so because the delivery lorry it followed had slammed to a standstill, and a standstill it remained: its driver was found still in the cab, in the lane, half an hour later.",
+#:   "Anchors out, nose down, and the lorry in front was furniture.",
+#:   "The leading bike stood on its front wheel, stopped, and stayed.",
+#:   "Make our leader crash-stop and then never release it.",
+#:   "The tail of the pickup went up, the speed went out of it, and an hour later a tow truck had to be sent for, as it hadn't left the spot.",
+#:   "Whatever the cab driver saw, it made him stop us both within a car's length, and there he sat plugging the lane and staring at it.",
+#:   "I kept waiting for the brake lights in front to go out, but from the moment the ambulance had screeched to a stand they were on for good.",
+#:   "The lead target, at matched speed, goes to full deceleration at the cone, attains zero, and serves from that instant as a stationary obstruction.",
+#:   "Our own stop was the hardest I've made in thirty years of buses, and then there was all the time in the world, the van ahead had become a wall.",
+#:   "Brake! Right, well done, he's nailed it to a dead stop and he's showing no sign of going, so we're here for the duration.",
+#:   "Smell first: rubber, so strong it came through the vents. Sound next, like a pig. Then sight, because I'd been looking at the sat nav, and what I saw was a hatchback that had been doing fifty along with me and was now doing nought. It did nought till the police came. I can still draw you that number plate.",
+#:   "We measured twenty-one metres of black on the road, two stripes. Where they leave off, the lorry's rear wheels are standing on them. It was leading the subject vehicle by a good margin until it drew those stripes, and since the air had gone from its lines it wasn't going to make way for the subject vehicle or anyone else.",
+#:   "Perhaps I should have kept walking to work. I'm on the back seat of this robot cab and there's a motorbike ahead, minding its business. Its rear wheel leaves the ground. We stop so hard I lose a shoe. \"Waiting for the obstacle to move,\" says the screen, and that's what it said till I got out and walked.",
+#:   "The reason I don't tailgate fire engines can be seen at 0:31. All calm at 0:30. By 0:33 she's gone from full chat to nothing, you can see the ladders jump, and we've stopped with her hose reels over our bonnet. Then skip on as much as you like; at 9:50 the same hose reels, the same lane, the same us.",
+#:   "A stop-sign would've been kinder. The saloon we'd been following for a fortnight, as it seemed, sank on its front springs with a shriek, and the road, which had been flowing, was solid. Nobody got out of it. It didn't roll on. Marguerite walked round it at last and found the driver praying, both feet on the pedal.",
+#:   "Item three in the test plan concerns the last thirty seconds rather than the first two. The first two are the familiar ones: leader goes from cruise to zero with everything it's got. In the last thirty nothing happens, by design. The leader is dead in the lane, and we log what the ego makes of it.",
+#:   "Heard about the queue at the tunnel? I'm the cause of the cause, I was second. The minibus before me had a wasp. You'd never believe a minibus could stop like that, I'd scarcely time to. And you'd never believe that twelve grown people could be so long about one wasp, for it didn't turn a wheel afterwards.",
+#:   "Your honour will observe that there's no dispute about distance. My client had forty metres. The coach ahead used up its speed in rather less, by means of what its driver calls \"everything,\" and it then remained in the carriageway, where it was photographed at noon, at one, and at half past two, on the same four patches of tar.",
+#:   "It's a thing with lead birds and with lead cars. If the first one drops, you drop. I saw his bonnet go down and his boot go up and I stood the van on its nose, and we both ended up still. I set off again in my mind several times, but he never did, he was across the way like a cork in a bottle.",
+#:   "I am small and sit low, so all I see of the car ahead is the rear bumper. It was far, then it was under my chin with much noise, because she has braked as for the death. I waited that it becomes far again. It didn't. She has remained on this place, in the middle of our lane, until her husband came.",
+#:   "Post-incident note by remote operator. Took over at 09:12, vehicle at rest 0.9 m behind a truck. History shows the truck leading at 14 m/s, then shedding the whole of it in under two seconds. I watched it for six minutes. Its wheels did not turn, the hazard lights never came on, and there was no room beside it.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["brake", "stop", "block"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 5.0

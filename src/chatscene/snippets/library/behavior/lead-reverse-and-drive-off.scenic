@@ -60,6 +60,26 @@
 #:   "For a moment the three of them in the small car believed that the coach meant to eat them. It had been fleeing before them up the pass, and it stopped so fiercely that they slid; and while they were looking up at its great back it began to grow. It grew by a metre. Then it sighed, shrank, and was only a coach again, going on up the pass.",
 #:   "Comment under the 09:41 clip: watch the brake lamps go on at full pelt and the gap close, that's him pulling up dead. Watch the bumper get bigger, that's him in reverse, a foot or two. Then watch him bugger off forwards without so much as a wave.",
 #:   "Planner review, case 31. With the fire engine at zero after hard braking, the ego is right to wait, and with the reversing lights on it's right to sound the horn. But the rearward motion lasts barely a second, and the engine then sets off ahead in its original direction, so the ego needn't stand there for a further minute.",
+#:   "Ahead: slammed stop, white lamps, a nudge at us, then off.",
+#:   "Leading coach: anchors, standstill, two feet our way, away.",
+#:   "The ambulance ahead halts, gives back a yard, carries on.",
+#:   "The tow bar that I'd been following stopped short, came for my radiator, thought better of it and went off up the road with its caravan.",
+#:   "Lead actor to perform in order: maximal braking to rest, half-second dwell, short astern movement towards the ego, departure along the lane at normal speed.",
+#:   "minivan in front full on panics to a stop, my coffee's gone, now it's BEEPING towards me, im leaning on the horn, and then it just goes. forward. bye",
+#:   "I'd stopped behind the lorry all right, it was stopping that I hadn't reckoned with, nor that it would shrink my gap in reverse before it trundled on.",
+#:   "Front bus has put full brake and stood, I also stood; then little little it came on me from its back side, then again straight it has gone.",
+#:   "Four pictures, officer: its brake lights, its stillness, its bumper a stride nearer to mine than it had been, and its exhaust dwindling down the lane.",
+#:   "The sticker on its back window said BABY ON BOARD, and I can give you its size at any time. Small, as we drove along behind; large in one rush, when the thing was stood on its brakes to nothing; larger again, though I wasn't moving by then, and its white lights were lit; and small once more, and too small to read, as it drove on.",
+#:   "Was the gap yours to keep? It was, and you kept it, you pulled up with three metres in hand when that fire engine had dropped anchor ahead of you and was stationary. And then it took one of your three metres by rolling back at you. That's no reason to reverse, mind; it wants the house we've just passed, no, it doesn't, off it trots up the street.",
+#:   "My collie rides with his chin on the dashboard and he barks at things that come nearer. He barked when the van in front stopped as though it'd hit a wall. He stopped barking when it had stopped, being fair. Then he went berserk, so I looked, and there it was, stern first, creeping up on us; and then he sulked, since it had put itself in first and left.",
+#:   "I teach physics, so I'd put it with arrows. Velocity of the pickup ahead of me: a long arrow up the page, a very short time, no arrow. Half a second of that. A little arrow down the page, at me, for the length of a horn blast; and then an arrow up the page again, of an everyday size, until it was out of sight.",
+#:   "The file contains two photographs by the passenger. In the first there is room for a person between the defendant's tailgate and my client's bonnet, both vehicles being at rest after the defendant's violent braking. In the second, taken a second later, there would be room for a cat, and a reversing lamp is alight. There is no third, as the defendant had driven on.",
+#:   "What I learned on the school run is that a bus has feelings. It was in front of us and it had a shock, boom, all its lights, and it stood there. It was ashamed and came back a teeny bit to say sorry, beep beep beep, nearly on our toes. And then it was all right again and it went on to school and so did we.",
+#:   "Ego stops behind the lead, as intended, and at 4 s selects reverse to flee the approaching bumper; this is what we'd like fixed. The lead, a truck, has braked to rest at 7 m/s² and is backing only for a second, towards a missed gate. It'll be on its way down the lane by the time the ego has found its gear.",
+#:   "The diesel in front of us taught me a new word for each thing it did. For its emergency stop I had one from my father. For its sitting there I had none, it was too brief. For its tail coming at my windscreen I'd one from the army, and loud; and when it pulled off up the road without so much as an indicator, I used them all again.",
+#:   "Each time that I think it is finished, it isn't. The taxi in front makes a full braking until he stands, I think, so, now we wait. He doesn't wait, he comes with white light to me, one metre, I think, so, now he crashes me. He doesn't crash me, he turns to forward and drives away in his direction, and I stand there like a donkey.",
+#:   "V1 came to rest behind V2, which had braked to zero in response to a perceived detour sign. V1's operator then observed V2's backup lamps and rearward movement of some four feet, sounded the horn and braced. No impact resulted; V2's backup lamps were extinguished and V2 was driven away westward, the sign having evidently been read.",
+#:   "In the mountains one gets to know the rump of the vehicle ahead as a shepherd knows a ewe's. That of the post van had climbed before them all morning. It stopped, so short that their own wheels cried out; it stood; it swayed a pace downhill towards them, as if it remembered a letter; and finally, having forgotten it again, it climbed on.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["brake", "stop", "reverse", "accelerate"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -15.0

@@ -60,6 +60,26 @@
 #:   "What does it say that my first proper crash was at two miles an hour? The car ahead eases off, eases off, stops, lovely. I've got my elbow on the sill. Next thing I hear is a crunch, and it's not me that's moved, it's him, he's come back down like a cork out of a bottle in slow motion.",
 #:   "There's a trick your eyes play. You stand behind a lorry that has drawn up as softly as snow, and your own car seems to roll ahead. So you push the pedal harder, and still it goes on. It took Emil three yards to grasp that it was the lorry that moved, and that it moved toward him.",
 #:   "Taxi rank gossip: Ahmed in front stops dead gentle to look for a number. Doesn't pull the handbrake, never does. I'm right up behind him. Couple of seconds and his towbar's heading for my grille at the speed of a tortoise, and him with his head out the window looking the other way.",
+#:   "Lorry ahead settles to rest, pauses, then sinks down on us.",
+#:   "Soft halt in front, then its towbar creeps our way.",
+#:   "bus in front stops all gentle, then slides back at my bonnet",
+#:   "You know the car before you has lost its footing when the pothole it stood beyond is under its bumper, and then under yours, though you're both stopped.",
+#:   "Have the ambulance leading the ego come to a comfortable standstill, remain so a moment, and then drift tail first into the space it left.",
+#:   "A braking so mild that my coffee didn't notice put the van ahead at rest, and a handbrake so feeble that it didn't matter put it in my grille.",
+#:   "The preceding target is brought to zero at low deceleration, dwells, and is then displaced in the direction of the VUT at a slow backward velocity for six seconds.",
+#:   "I left him two lengths when he'd drawn up so nicely in front of me, and he gave me back one, and then half of the other, all without any white lamps.",
+#:   "Caller's on the ramp at Hope Street, says the truck in front halted normally enough, and it's now coming down backwards on her, and she's someone behind.",
+#:   "I've a sticker on the windscreen, a small one, and I use it as a sight. As the taxi in front drew gradually up, its number plate sat just over the sticker. We both stood. When I'd found a mint in the door pocket, the plate was under the sticker, larger, and going on getting larger, and no one at the wheel was looking.",
+#:   "If the ego only brakes to hold its distance, that's no use. The other car in this story has already brought itself to rest, softly, with the ego behind it at rest likewise. Seconds pass. Then what shrinks the distance is the other car alone, which is moving the way its boot points. Can the ego hoot, can it make room?",
+#:   "How the tow ball came to be inside my radiator? Not by hurry. The pickup I'd been following had slackened to nothing, as softly as a barge at its mooring; I'd come up behind it and put the lever in neutral. There was time to read a text. There was then a crunch, and the pickup was where its own shadow had been.",
+#:   "Her reasoning was sound as far as it went. The coach stood; it had come to stand with no jerk; nothing further could come of it. What she left out was the hill. The gold letters above its rear window, which she'd been too far off to read, spelt themselves out to her, one at a time, KIRKBY'S OF HEXHAM, and then the mirror broke.",
+#:   "Speed of lead in m/s, one value a second: 7, 6, 5, 4, 3, 2, 1, 0, 0, 0, minus 0.8, minus 1.4, minus 1.5, minus 1.5. Everybody looks at the first eight and says \"comfortable stop\". I'd ask you to look at the last four. Our gap at zero was four metres ten.",
+#:   "Pupils are all the same on Station Hill. She had pulled up behind the fire engine beautifully, because it had pulled up beautifully itself. She lets her shoulders down. I say, watch his wheels, not his lamps. What's wrong with them, she says. They're turning, I said, and it's not toward the top, get us into reverse.",
+#:   "It was my first gig as a bus conductor's mate in the museum, and the vehicle in front was a 1931 saloon with a gentleman of about the same year. He brought her to a stand most tenderly at the bridge. We waited in his rear. By and by his spare wheel, which hung outside, was kissing our starting handle.",
+#:   "In the queue to the car ferry all is slope. The Dutch caravan before me had made a very soft arrival, no red light almost, and rested. I rested too. I have heard pebbles crack under rubber, and nobody was driving! But yes, it was him, he was coming downward at me, his whole kitchen, at the speed of a baby.",
+#:   "Anybody who's got a manual box will feel for her. She'd eased her Corsa to a stop ahead of us on the incline, all very civil, nothing sudden. Then, with her looking for biting point and not finding it, the gap began to go. A brick's worth, a bike's worth. My horn found it for her when there was a hand left.",
+#:   "V2 was ahead of V1 on a four per cent upgrade. V2 decelerated at less than 0.15 g and stopped. V1 stopped some twelve feet behind. After approximately two seconds at rest V2 began to travel downgrade, rear first, with its operator facing forward. Contact took place at walking speed, V1 being stationary.",
+#:   "I shouted at the screen. The lorry stops ahead of the dash cam, lovely, you couldn't do it smoother. Cammer stops, leaves a good gap. He's humming. Number plate of the lorry: you can't make it out. Now you can. Now it's all you can make out. Cammer's still humming! It has come the whole of that gap tail first, poor fella.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["slow", "stop", "reverse"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 10.0

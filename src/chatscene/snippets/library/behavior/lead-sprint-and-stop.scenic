@@ -60,6 +60,26 @@
 #:   "Two facts are agreed. One: the coach which my client was behind suddenly went away from him at a great rate. Two: before he had counted to five it was at rest, and went on being at rest. Whether a reasonable man would, in those five seconds, have speeded up himself is what you, members of the jury, must decide.",
 #:   "For those who only listen: I'm tailing, well, following, this little red Fiat. It scarpers. Really takes off, I'm left with the smoke. And I'm thinking goodbye then, when whack, it's on its brakes, it's stopped, it's a red postbox in the middle of my lane. And it's staying. I'm still here. Hello, Fiat.",
 #:   "they told us on the course: mind the one in front who goes like stink, cos you'll go along with him. well, scooter in front goes like stink. i go along. few seconds, hes hauled it up to a dead stop n hes just sat there on it across my lane like its a bench",
+#:   "Bolted from us, then parked itself in the lane, bang.",
+#:   "Leader: brief getaway, brutal halt, roadblock.",
+#:   "Gone like a shot; next, a wall of tail lamps, motionless.",
+#:   "I'd lost sight of the coach's number plate, that's how much it had pulled clear, and five seconds on I could've polished it, for it wasn't moving any more.",
+#:   "Would the AV chase a bait? Give the scooter it follows a burst of speed, then lock it up to a standstill in the lane and leave it.",
+#:   "The hearse ahead, which nobody expected to gallop, galloped, and which nobody expected to stop, stopped, on the spot, and it blocked the lane till the bearers had been out.",
+#:   "Having lengthened its lead to forty metres under full power, the preceding truck was then braked to rest and was found stationary at the time of contact.",
+#:   "First he's running away from me like a stolen horse, the taxi in front, and soon after he's nailed there on the road with hot brakes.",
+#:   "Up ahead the fire engine dug in and roared off, so I relaxed; when I'd finished relaxing it was stood across my hopes, dead still, hissing.",
+#:   "The gap is the whole story. In front of us it had been two lengths for a mile. It became four, it became seven, with a lot of noise from a very small hatchback. I was just telling my sister that we'd seen the last of him. Seven, four, two, one: he wasn't coming back, we were arriving. He stood.",
+#:   "Consider what the driver behind was shown. He was shown a rear end that squatted and shrank, in other words an open road. Two seconds later he was shown the same rear end, lifted, lit, and swelling. It had no speed whatever. It wouldn't have any more that day, since the pickup's gearbox was in neutral and its owner in tears.",
+#:   "I'm sat up in the cab with my sandwich, van in front, thirty-five the pair of us. He gets a call, I reckon, because away he goes as though his house is on fire. I don't chase; never chase. Good job. He gets another call. All four wheels lock, he slides to nothing, and there he's stuck, in lane, talking with his hands.",
+#:   "The third of our trap scenarios plays on following instinct. Lead vehicle: a motorbike. It opens its throttle and the headway grows to four seconds, so your controller will add speed. That's when it is put on its nose. It comes to rest upright within thirty metres and stays there, and the only question's how much speed you'd added.",
+#:   "My uncle has the opinion that police never brake. With this opinion he drove behind a police car on the coast road. It gave gas so that the stones flew, uncle also gave gas, he likes to be quick. After the second palm tree the police car had stood on its teeth. It didn't go on. Uncle's opinion is now in the garage.",
+#:   "\"Was it there when you looked down?\" It was leaving. That's why I looked down, my lord: the coach had picked up its skirts, it was getting on for a hundred yards in front and drawing away. \"And when you looked up?\" It was there all right. It'd no business being so near. It was stood like a cathedral, with its lamps on.",
+#:   "If it hadn't been for the noise I shouldn't have looked. Some boy was driving ahead of the vicar, and he had the window down and the music on. The music went up the hill at a great rate; then a howl of tyres; then the music again, clear as day, and from one place only. It played three whole songs there. The vicar listened to all three.",
+#:   "On the plot the leader's speed resembles a church. Nave: flat, 12 metres per second, with us behind. Steeple: up to 19 within a couple of seconds. Then a sheer drop to the ground, minus eight, and the ground goes on to the right-hand margin, since the lead vehicle does not move again. We left our marks on the churchyard wall.",
+#:   "She was so glad to be rid of him. He had dawdled before her since the ferry, with his canoe; and now the canoe tilted, the engine bayed, and he dwindled up the avenue like a bad dream in the morning. She put down her foot a little, to celebrate. Round no corner, behind no bush, there was the canoe, level, huge, and going nowhere.",
+#:   "You watched him zoom off, and what did your right foot do? It went with him, didn't it, just a touch. Everybody's does. So now, when that SUV has its back wheels smoking and then not even turning, you're four miles an hour quicker than you were, and it's plonked in your lane for good. Stop. Let's talk about feet.",
+#:   "biker in front gives it the beans, wheelie n all, everyone on the top deck goes wheyyy. next second hes on the front brake, back wheel in the air, and stops. STOPS stops. kills the engine. bus nearly eats him. were still here, hes looking for his phone on the tarmac right in the lane",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["accelerate", "brake", "stop", "block"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 0.0

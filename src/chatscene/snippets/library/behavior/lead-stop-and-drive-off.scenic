@@ -60,6 +60,26 @@
 #:   "You could tell from the tyre marks where it had been, two black smears in the middle of an empty lane. The lorry that made them was already on the move again by the time the officer looked up, and climbing through its gears. It had stood at the end of those smears a couple of seconds at most.",
 #:   "In the recording of the third party there is first a normal following drive. The leading car makes then a full braking until it stands, without any visible ground. It stands 1.8 seconds. It drives off again forwards, so the car behind, which could just hold, is left alone with its shock.",
 #:   "The taxi halted, and when I say halted I mean my nose touched the windscreen. I waited for somebody to get out, but nobody got out and nobody got in. It simply had enough of standing there after a moment, and up the street it went, and we after it with the hazard lights still on.",
+#:   "Lead: dead stop from nowhere, a breath's wait, onward again.",
+#:   "Fire truck in front froze, thought, and carried on like nothing",
+#:   "Nose down, nothing, nothing, nose up: away goes the cab ahead.",
+#:   "I hit my head on the mirror, I rubbed it, and by the time I had finished rubbing the van ahead was already up the road.",
+#:   "The gap to the leader collapsed to three metres, remained three metres while both of us stood, and grew again when it continued forwards.",
+#:   "A pigeon, wasn't it? The bus in front went from forty to nought for a pigeon, let it finish walking, and then resumed its service.",
+#:   "He is stopping full, no reason, I am stopping full, we are both sitting there like fools for two seconds, and then he is simply leaving.",
+#:   "By the skid marks alone the motorcycle we followed should still be there; but it had stood only an instant at the end of them before riding on.",
+#:   "Program the lorry in front so that it emergency-stops once, holds still for the length of a sneeze, and gets under way again in the same direction.",
+#:   "Both my hands were still on the wheel at the horn when the horn ceased to make sense. There wasn't anybody there to hoot at. The saloon that had stood on its head in front of me, and had remained standing long enough for me to see its driver's shoulders shrug, was at the next lamp post and gaining speed.",
+#:   "Three clicks of the hazard relay, that's how long we were parked on the open road behind that camper. Before the first click there'd been tyre scream, his and ours. Throughout all three he just sat. After the third his brake lamps died and he wandered off towards the coast as if he had merely been checking that they worked.",
+#:   "The leading ambulance gets one fright per run and no more. It follows the road at the ego's speed; at the trigger it stands on its brakes till it's at rest; it dwells, one to three seconds; and it departs ahead at normal speed, leaving the ego to recover.",
+#:   "Ask yourself what he saw that you didn't. A ball? A cat? That was as brutal a stop as I have seen this year and you did well to get down to nothing behind it. Now give him a second to get his breath back. Has he got it? He has, he's away, and so may you be.",
+#:   "When the dust had settled the insured observed that there was nothing left for him to be parked behind. The van that preceded him had, without notice, been brought to a halt from fifty kilometres per hour. He'd drawn up at its doors. Within a couple of seconds, and before he could alight to remonstrate, it had been driven away up the road.",
+#:   "The old tractor of my uncle did so also, but that was a sick tractor. This was a new Mercedes in front of me. In full journey it nailed itself in the asphalt. I nailed myself behind. One, two, and like woken up it drove further along the street, and I looked in my own mirror, whether I dream.",
+#:   "My satnav had just said \"continue for six miles\" and so, I suppose, had his, but he'd a disagreement with his. Anchors out, full stop, his head bent over the thing. I count to two. His head goes up, his wheels go round, he continues, possibly for six miles, and my heart's in the glovebox.",
+#:   "Seat belts locked throughout the bus. That was the taxi in front, which from one moment to the next wasn't travelling any more. People began to stand up to see what we had hit. We hadn't hit anything; and what they saw was only an empty street, because the taxi had used that moment to collect itself and go.",
+#:   "Coroner's note: the following vehicle was not struck, nor did it strike. The lorry leading it stopped with great violence, owing, it's thought, to a swarm of bees within the cab. The window being opened, and the bees having departed after a second or two, so did the lorry, in the direction it had been going.",
+#:   "The red came up like a curtain and it went down like one. During the interval nobody in our car said a thing, and nobody in theirs seemed to breathe; we were all of us at a stand in the middle of the moor with the engine ticking. With the curtain down, their car moved off along the moor as before, and ours, rather slower.",
+#:   "I could tell he'd be off again, he'd left it in gear. You look for that when a truck stops stone dead in your windscreen: does it settle, or does it lean? It leaned. Two seconds he had it leaning on the clutch, looking at whatever it was on the bridge, and then it was rolling and the bridge was behind him.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["brake", "stop", "hesitate", "accelerate"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -15.0

@@ -60,6 +60,26 @@
 #:   "From our side we've tuned the restart delay to one second, and it makes passengers ill. What the lead vehicle does is simple: full halt, roll on for two or three seconds, full halt, and so forth without end, and each time we copy it too eagerly.",
 #:   "Officer, you can't call that driving. The saloon in front came on by a foot and it packed up, came on by a foot and it packed up, as if some child were pulling it along on a string and kept forgetting. It's no wonder that somebody touched somebody.",
 #:   "I haul milk, so I feel every one of those. The artic ahead lets its brakes off, psst, we both get ten feet nearer home; psst, brakes on, nobody gets anything. Psst, ten feet. Psst, nothing. By the depot I'd practically made butter.",
+#:   "Ten feet, nothing, ten feet, nothing; welcome to life behind this ambulance.",
+#:   "Brake lights on, off for a car's length, on. Repeat till dark.",
+#:   "Lead scooter's feet: down, up, down, up, down, every few metres.",
+#:   "Between the bridge and the church the lorry before us was at a stand fourteen times, and in between it never got beyond a couple of lengths.",
+#:   "I knitted half a sleeve: the bus in front would give me a row while it stood, then shift up by a door, then give me another row.",
+#:   "The ego shall be led by a car whose motion consists of crawls of two or three seconds, each of them ended by a complete standstill, without limit.",
+#:   "Whenever you'd got the lever into first he'd got his brake lamps on again, that coach ahead; a few yards were all it ever let us have.",
+#:   "V2, ahead of V1 in the same lane, was repeatedly at rest, its successive advances amounting to no more than a vehicle length on each occasion.",
+#:   "The taxi before us breathes like an old man on the stairs: some steps he makes, he stands, some steps, he stands, up to the top.",
+#:   "It was the nodding dog that I hated in the end. It sat in the back of the estate ahead of us, and it nodded each time the estate came to a halt and nodded each time it left off halting, which was a door's length later. I must have been nodded at two hundred times before the tunnel.",
+#:   "Our bumper sensors beeped like a heart monitor. Beep: the van in front had stopped. Silence: it was creeping on for a couple of seconds and we were allowed to creep as well. Beep. It never got away properly, it never stayed put either, and my passenger asked if we might walk.",
+#:   "Would the witness describe the speed of the fire engine? He could not, he said, since it hadn't had one. It had had a place, then after a while another place, three or four yards farther on, then a third; it had been perfectly still at each, and the defendant's car had followed it from place to place.",
+#:   "The battery people love this trace. The vehicle ahead takes up its brake, holds it for a second or two, lets go, rolls for two and a half, takes it up again; and since the AV does what its leader does, the current looks like a picket fence, gap and post and gap and post, right across the page.",
+#:   "Don't chase him. He'll move off, look, he's moved off, and before you've found the bite he'll be standing there again with his lights on. That's the sixth. He goes as far as the next parked car and not a yard more, so let him have three or four of those and then creep up in one go.",
+#:   "My granddaughter sings a song about a snail that stops at every flower. I'd never thought about it until Thursday, behind a motorbike with a sidecar. Its rider had a flower every ten feet. Down went both his boots, up they came for the length of a hedge root or so, and down they went anew.",
+#:   "What broke was the tow rope. A breakdown truck has no business towing on such a day, with the truck itself forever coming to a dead stand, giving a heave of a couple of metres and coming to a dead stand; I was behind all this and saw the rope go slack, tight, slack, tight, until it parted.",
+#:   "It's tidal. Somewhere up the hill a light changes, and a wave of brake lamps going out comes down to the pickup in front of us. It moves up by its own length. The lamps come back, it stands; then the next wave; and so on for an hour, the robotaxi lapping at its heels.",
+#:   "We logged a hundred and six zero crossings of the lead vehicle's speed in one test drive. Taken singly every one is harmless, a gentle stop, then a roll of three metres. The trouble is the hundred and five others, at which our controller shows an ever larger overshoot behind it.",
+#:   "Grumble of the day. If the lorry in front just stopped, I could eat my pie. If it just went, I could go home and eat it there. But it's a bite's worth of standing and a crumb's worth of rolling, a bite, a crumb, and I've gravy on my steering wheel and I'm nowhere.",
+#:   "In Silk Board junction one can become philosopher. The bus before me was giving darshan: two feet moving, full stop, two feet moving, full stop. I finished phone battery, I finished groundnuts. Conductor got down, drank tea, got in again; the bus was by then only three of these hops farther.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["stop", "hesitate", "slow"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 2.0

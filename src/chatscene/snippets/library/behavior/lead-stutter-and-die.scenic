@@ -60,6 +60,26 @@
 #:   "You could tell where the thing had finally died by the puddle of oil in the middle of the lane, and where it had begun to die by the first of the drips. Between the two lay eighty metres, along which the lorry ahead of our car had surged and sagged, surged and sagged, to the sound of its own backfiring.",
 #:   "the thing with driving behind a classic car rally is statistically one of them gives out. ours was a beautiful MG right in front. it went cough LURCH cough lurch coughhh. then silence. then two gents in flat caps got out in the middle of our lane and opened the bonnet like theyd rehearsed it",
 #:   "My instructor has a rule about vehicles that nod: keep away. Here was one, a police car of all things, nodding its nose up and down up ahead as its power came in and dropped out. I kept well away. A minute after, its power dropped out for the last time, and it was a police car-shaped plug in our lane.",
+#:   "Front moped: cough, hop, cough, hop, silence in our lane.",
+#:   "Lurch by lurch the coach ahead ran out of engine.",
+#:   "Truck before us gasps its way forward, then gives up entirely.",
+#:   "The distance to the van ahead shrank, grew, shrank, grew a little less, and then shrank for good, with black smoke over all of it.",
+#:   "I'd like the lead motorbike's engine to cut out, catch, cut out, catch weakly, and cut out for ever, leaving it in our lane.",
+#:   "Nod, nod, nod went the head of the driver in front, in time with his misfiring engine, and then it and the car were still.",
+#:   "V2, ahead in the same lane, exhibited alternating loss and recovery of drive over a short distance and then came to rest, its engine dead.",
+#:   "Is it the petrol or the plugs that makes a fire engine rock like that before it dies on you, plumb in the lane ahead?",
+#:   "He kangaroo'd along in front of my push bike, poor chap, each bound shorter than the last, and where the last one ended, there he sat.",
+#:   "I can play you the whole accident on the bagpipes. A drone that sags. A squawk as it picks up. A longer sag. A feebler squawk. Then that horrid wheeze of the bag emptying. Those were the last fifty yards of the camper in front of us, and at the wheeze it was standing in the lane and so were we.",
+#:   "Sixteen times my follow control braked and let go again, I counted the clicks, because what it was following wouldn't make up its mind. The bus's power came and its power went. When it came, people's heads flew back, and when it went, they flew forward. In the end they stayed forward. It didn't budge from our lane all evening.",
+#:   "Caller is behind a stricken ambulance on the A40, no patient on board. It had been hiccuping for some way in front of her, she says, slackening off and then shooting on a bit, so she'd dropped back, luckily. It's now without any engine, it isn't on the hard shoulder, it's in lane one, and so's she.",
+#:   "Read the exhaust, not the brake lights. There weren't any brake lights, see? A puff: his engine's caught, he's jumped on a yard. No puff: he's sagging back at you. Puff, a smaller one. No puff. No puff. And that's your bin lorry broken down in front of you with the handbrake on. Mirror, and let's find a way round.",
+#:   "She'd borrowed her father's Morris and filled it with what proved to be paraffin. I know because I towed it. Before I could tow it I had to follow it, and it was like following a rabbit with the hiccups: hop and droop, hop and droop, till by the water tower there was no hop left, only droop, and a smell.",
+#:   "The injector, emulated in software, fails in five phases of which the following vehicle sees only the consequences: a slight loss of speed in the vehicle it follows, a recovery, another slight loss, a recovery of about half the duration, and lastly a loss that ends in standstill. There's no lateral movement, so the lane stays obstructed.",
+#:   "In front goes a motorino with two nuns. First it does brrr, then nothing, then brrr and they hold their veils, then nothing, then br. After the br it doesn't do anything. They remain sitting in the middle of my lane, on a motorino that is dead, and they look up at the sky for help.",
+#:   "What I took for bad temper was bad diesel. The lorry in front kept falling back upon me and bolting and falling back, as if to provoke. I flashed him. The next bolt was hardly a bolt. When he'd fallen back for the third time he never left again; the driver climbed down, in the lane, and spread his hands.",
+#:   "Our following distance setting was two seconds, which turned into one, into three, into one, into two, into none. All of that while we were driving at a constant speed, or trying to. The squad car in front had water in its tank, the sergeant confessed. He'd felt it choke twice and pick up twice, and then it had just quit.",
+#:   "\"It's dying,\" said Ned. \"It's only resting,\" said I, for the tractor unit we were trailing had found its voice again and heaved forward. \"Now it's dying.\" \"No, look.\" It heaved, if one could call it that. Then the twitching ceased; and Ned, who was nine, removed his cap to the thing that was standing in our lane.",
+#:   "Spilt petrol, a hot day, and a row of small wet patches on the road, close together and closer still towards the end, which is where the motorbike was. At each patch its engine had flooded and it had nearly stalled and then leapt on with a bang, in front of my bumper. At the final one it had stalled outright.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["accelerate", "stop"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 0.0

@@ -60,6 +60,26 @@
 #:   "By night a road train is nothing but lamps. We saw the string of them in front of us bend to the left, like a necklace being drawn across a table, and my co-driver said it was the left-hand fork. But the head of the string curled back, crossed our view from left to right and went out, lamp by lamp, down a side track there.",
 #:   "Manual, chapter 9, long vehicles in front of the ego. The path consists of an offset, followed by a curve. The offset is to the left, and it should be large enough that a following driver may be deceived by it. The curve is to the right; it begins on the offset, not on the original line, and it leads off the carriageway.",
 #:   "It was all a question of whether to trust the winker or the wheels. The coach we were stuck behind winked right. Its wheels took it left, well left, nearly up on the verge with the cow parsley brushing its windows. Dad said winkers lie. But it was the wheels that had lied, since it swept round to the right and up the castle drive.",
+#:   "Artic in front shows you left, takes right, leaves the road.",
+#:   "long bus ahead drifted way left then FOLDED itself right into the depot",
+#:   "Transporter ahead: bellies out left, comes about, off through right gate.",
+#:   "The space that appeared on the right of the lorry in front, when it moved over to the left, was the very space it needed a second later for getting through the gate on that side.",
+#:   "You'd be a fool to pass that bus on its right just because it's out by the left-hand kerb, since the depot is on the right and its tail is a long one.",
+#:   "For a tanker of such length the farm entrance on the right could be hit only after a good helping of the left side of the street had been used up, as we behind discovered.",
+#:   "Lead HGV: reduce speed, offset 2 m towards the left edge, hold until the tractor unit is level with the opening, then full right lock and leave the carriageway.",
+#:   "The rear of the coach we followed went one way and then its front went the other, and it was the front, swinging in at the hotel on the right, that meant it.",
+#:   "I want a lead truck whose first move is a lie: over towards the left, as if it had given up the road to us, and thence round and out to the right.",
+#:   "My side mirror's in the hedge of number 5, on the right, and here's how. The removal lorry ahead had got itself right over by the houses with the even numbers, the left ones. I thought, he's delivering. I drove on. Next thing, sixty feet of lorry was shutting like a gate between me and number 5, and its cab was already up the lane there.",
+#:   "Draw it for the jury, please. The witness drew a line going up the page; that was the bus, with himself underneath it. The line bulged out to the left. At the top of the bulge it doubled round, came back over where it had been, and left the page on the right-hand side. \"And that's the coach park,\" he said, and put a cross.",
+#:   "Fresh paint has its uses. The white line on the left of Quay Street was wet this morning, and a low-loader I was pedalling behind brought some of it away on its left wheels, which tells you how far out it had got. The white prints then curve across the entire street, in front of where I'd stopped, and fade out in the shipyard gateway on the right.",
+#:   "The pupil says he's pulling in on the left. I say what's behind him? A trailer. And what's over there on the right? A gap in the wall, no wider than a barn door. So he's not pulling in, he's making himself an angle. Wait. Here comes the cab, right across our bonnet, and it'll be a while till we've seen the last of him through that wall.",
+#:   "Robotaxi incident 7: undertaking attempt. A garbage truck in front had slowed and gone leftwards, leaving three metres of free lane on its right, and the planner took this for an invitation. It took eleven metres to find out what they were for. The truck's right flank came round, filled them, and passed out of the street into the recycling yard beyond.",
+#:   "Le camion devant moi, he has played me a comedy. He makes himself small at left, he brushes the parked cars there, one says he's letting me by. I put my first gear. And then comes his nose back, and his belly, and his tail, everything over to the right, and he goes out by the porch of the winery, with in the middle my scooter backing.",
+#:   "What we got to see of Bath was the rear window of the tour bus. It went down in pace, it edged over until the left-hand railings were scraping on its paint, and our guide said that must be the Abbey. It wasn't; it was the run-up. From the railings it wheeled round through the whole breadth of the street and went in at the hotel yard on the opposite hand.",
+#:   "Never judge a semi by its first six feet. That's what my dad told me, and I told it to my lad on Monday with an object lesson right in our windshield. Eighteen-wheeler up front, slow, easing off to the left like he's got a date over there. Then the rig jackknifes, nearly, hauls to the right, and he's out of the street and backing up to the Walmart dock.",
+#:   "Evidence of prior lateral displacement in the direction contrary to the exit was looked for, and was found: the leading truck's near-left tyre had flattened a cone placed on the left margin. It then took up an arc which crossed the path of the vehicle under test in its entirety, and which ended beyond the right margin, inside the plant. Duration of the whole: nine seconds.",
+#:   "Our cat was on the wall on the left, and she jumped down because a dustbin lorry was nearly sitting on the wall too. Mummy was behind it in the car. She said good, he's parking. But our bins are on the right, up the little alley. He had to go by the cat to get into the alley! He swung right round and his bottom only just fitted. Mummy reversed.",
+#:   "There was a noise of brushwood, the left side of the horse transporter being in the trees; we hung back. \"He's off the road,\" my wife said. He was on the contrary taking aim. We heard him blow, and saw the headlamps swing over the road before us from the one row of trees to the other, and the whole stable followed them down the bridleway, right.",
 #: ]
 #: adversaries = ["truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,8 +89,6 @@
 #: actions = ["swerve", "turn-right"]
 #: place = "road"
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 8.0

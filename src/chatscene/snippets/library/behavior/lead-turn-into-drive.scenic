@@ -60,6 +60,26 @@
 #:   "I was riding behind the school coach and I was looking at its blinkers because Papa says you should. They were black, both of them. But the coach went slower and slower very fast, so that I had to skid, and it turned itself to the right, away from the street, into the place where the hotel is.",
 #:   "How we lost him, you ask. We were following discreetly, two lengths. On the straight by the nurseries he dropped anchor, not signalling, and we shot up to his number plate; and before we had sorted ourselves out his plate had gone off to the right, up a lane marked Private, with the gate closing.",
 #:   "Monsieur the plumber had his head out of the window in order to find the number. When he found it he has blocked nearly his wheels in front of my car, he didn't think of the clignotant, and he plunged to his right side into the court of the house. I have stopped with one hand from his ladder.",
+#:   "No wink: lead SUV anchors up, hooks right through somebody's gate.",
+#:   "From lead vehicle to parked in his garage, right-hand side, no signal.",
+#:   "Let our leader brake blind and peel right into a yard.",
+#:   "All I had for a warning was his stop lamps, close and getting closer, and then his flank as he went in at a farm gate on the right.",
+#:   "Its indicators stayed as dark as its windows while the coach ahead fell to a crawl, and it was by the hotel entrance on our right that we got our road back.",
+#:   "Why had the police car before me all but halted? Ah, for the station yard, rightwards, over the pavement; it would've been kind to blink.",
+#:   "The lead target reduces speed to near zero, direction lamps unlit, and clears the lane by way of a property access on its right.",
+#:   "On my own moped I did brake in time, for the van I was trailing had dropped to nothing and ducked off right up a private path, without one flash.",
+#:   "He does not show, he brakes only, so I think he has problem with motor; but no, he lives there, he enters at right in his garage.",
+#:   "The hole in the hedge is to blame. You can't see it until you're on it, and the fellow in front couldn't either. First his tail came rushing at me, both reds lit and nothing orange. Then it wasn't a tail but a side. Then there was a clear lane, dust over the hedge on the right, and a dog barking.",
+#:   "The bulbs were examined by the laboratory. Filaments of both stop lamps stretched, that is to say they were lit at impact; filaments of both direction indicators cold. This fits the marks, which show V2, the leader, braked almost to rest before its front wheels were put over to the right and mounted the apron of the residence.",
+#:   "Her mother's house, she told the court, comes up very quickly. The bus driver behind told it that he'd have known nothing of mothers or houses, since what he saw was a car losing all of its speed in his lane, silently as it were, no flasher, and then tilting over the kerb on the right into a carport.",
+#:   "The motorcycle ahead had a passenger, and the passenger had a hand free. It would have been enough to stick it out. But they just sat up, both of them, the bike dived on its forks, and I was looking for a place to hit when they leaned off to the right and bumped up the ramp of a repair shop.",
+#:   "Where there's a surgery there are people who find it too late. You'll see. This one ahead of you hasn't touched his stalk, has he? So you thought he was going on. But his nose has dipped, brake with him, and he's away, right, through the gates, and he is going to be on time for his teeth.",
+#:   "As prompts go, \"brake lights, then nobody\" isn't much, but it's what I'd like. An ambulance leads the ego. It gives no turn signal. It slows so sharply that the ego has to do the same, and then it is gone from the road at right angles, on the right-hand side, into a gateway, and the lane is free.",
+#:   "Post from r/drivingrage. I was behind a lorry with one of those \"blind spot\" stickers. He does the full anchors bit, cardboard flying off my seat, and I'm staring at his lights for a clue, left one, right one, nope, nothing's ticking. Clue arrives when he folds round to the right and backs of his wheels vanish into the sawmill.",
+#:   "The first that the parents heard was a hymn to speed by the tyres. It was the priest, arriving for lunch. He drove ahead of the new electric car, and saw their letter box; he stopped, nearly, as one stops for a miracle; and with no sign to those who followed he wheeled in over the pavement, on his right, beneath our chestnut.",
+#:   "Sequence reconstructed from the ego's video. Frame 12: lead's stop lamps on. Frame 40: range has gone from 24 to 7 m. Frame 44: lead's heading begins to go clockwise. Frame 71: heading is eighty degrees from the lane, front axle over a dropped kerb, house number 16 visible above its roof. Turn lamps: off in all frames.",
+#:   "I carry eggs, sixty trays. So I hang well back, and I watch for indicators like a hawk. Hawk saw nothing. It saw the taxi in front go down to walking speed as though it'd hit treacle, then swing off right between two white posts. There were nine trays left when I'd stopped sliding, and he was paying his fare on the drive.",
+#:   "In our lane there are villas with gates from both sides. One big car was before me. At villa number four, right side, gate was opening by remote. I did not connect these things, because blinker he had not put. Only when he has braked so that I smelt it, and gone in at that gate, I have connected.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,8 +89,6 @@
 #: actions = ["brake", "turn-right"]
 #: place = "road"
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 0.0

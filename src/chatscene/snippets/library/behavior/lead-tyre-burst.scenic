@@ -60,6 +60,26 @@
 #:   "He had ridden behind his brother for three hundred miles, a steady thirty yards between them. Then the tyre in front of him went, softly, like a cough. The back of his brother's machine swung wide, its brake light burned, and when it had quite stopped it was lying over the lane as a bolt lies over a door, with the rider standing beside it.",
 #:   "As an HGV driver you dread it, a front going at speed. The tipper I was following had it happen, I saw him yanked off to one side as if by a rope. Fair play, he got on the brakes and held it, but where he'd come to rest he was across the lane from line to line, and there I sat.",
 #:   "My little one thought somebody had let off a firework. It was the coach in front of ours. I saw it tip and slide off crabwise, the passengers all grabbing the seat tops, saw the red lights go on and stay on, and we ended up looking at its whole long side, standing where our lane ought to have been.",
+#:   "Bang ahead, a lurch, red lamps, and a coach lying athwart.",
+#:   "Leading bike's tyre pops; it kicks sideways, brakes, bars the lane.",
+#:   "One wheel down, one swerve, one skewed lorry stopped ahead.",
+#:   "There was a rim scraping sparks where a tyre had been, the pickup ahead went with it, and once its brakes had won it was lying over our lane.",
+#:   "For the lead: trigger pressure loss, steering offset of 0.8 s, then braking to rest with the offset kept, so that the final pose blocks the lane obliquely.",
+#:   "heard a shotgun. wasn't a shotgun. van im following goes all crooked, smoke off the brakes, ends up side-on like a garage door in front of me",
+#:   "By the ambulance's back wheel burst our lane became a cul-de-sac, since it was flung out of line and its driver could only bring it to rest crossways.",
+#:   "Tyre of front school van went phat, whole van jumped to one side, driver was brave and put brake, and in slanting position it has closed our lane.",
+#:   "Never mind which tyre, something burst: he lurched off his line ahead of us, locked up, and stood there blocking it at a slant.",
+#:   "Rubber has a smell when it's had enough, and we smelt it before we understood the rest. There was also a flapping. Then the caravan that we'd followed from Tours, weren't in line with the road or one another any more, their brakes were crying, and at the end both of them lay over our lane and were still.",
+#:   "Find the wheel first, I tell the trainees. It was in the ditch on the left, what was left of it, so that side had burst. Then the scrub marks, which leave the lane's middle for the ditch as well; then the black stripes, all four wheels braking. They end under a bus, its nose to the ditch and its tail over the lane, a blue car close behind.",
+#:   "At 61 m of track the lead's left rear wheel speed goes to garbage. Its heading, until then equal to ours, is out by thirty degrees within a second, and its lateral offset by a metre. Longitudinally it is at minus seven until there's nothing left to lose. What's then in our lane, all across it, is a stationary fire engine, and the ego must not try to squeeze round.",
+#:   "I had my eye on the hay ahead. So I saw the whole stack lean over to one side, as hay does if the trailer goes to the other. He must have hit something sharp, there'd been a crack. The brake lights ahead were on and stayed on, and when the stack had straightened up I could've walked along it from one white line to the other.",
+#:   "Every one of us on the coach outing had a different story. Mabel heard the pop. Joan saw the little silver car in front of us give a sort of skip to the side, on three wheels. I noticed only its brake lights, because they shone in my compact. But we all agreed on the end, a little silver car standing there crossways.",
+#:   "A hole you could put your fist through, your honours, in the tread of the police motorcycle that was leading my client. One may imagine the wriggle; one needn't, for there's a wavy line of rubber on the concrete going off to the right. There's then a straight, dark one, the brake. Where this finishes the machine was found, lengthwise over the lane, with its rider still aboard.",
+#:   "Radio 3 to base. I'm going nowhere, I've an artic for a garden fence. His front blew, I was right behind him, bits all over my windscreen. He was dragged off towards the verge, he fought it, he'd the anchors on all the way down. He's stopped with his cab one side and his back doors the other and me looking at the word FROZEN.",
+#:   "In driving school in Chengdu the master says, do not drive near to old tyres. This minibus in front had such tyres, I saw it too late. One of them is broken with very big sound, the body goes askew to one side, all red lamps are there. When it is quiet, the minibus is still, and it lies across my lane from left to right like a sleeping cow.",
+#:   "My pupil wanted to know why I'd told her to drop back from that van. No reason, a nasty noise, a flapping. Ten seconds after that it let go, his rear, and he'd gone off line as if he'd been shoved; on came his lamps. He has ended up diagonal in our lane, with the hazards going, and if you had been where you were, so should we.",
+#:   "It's the slowness I remember. We'd a bang, and a black scarf flew up from under the car ahead, and then it had all the time in the world. It slid out of its line like a plate off a tray. It glowed red behind, it slowed, it had finished; there it sat, from verge to middle, a baby in the back looking out at us sideways on.",
+#:   "They'd kept the same distance from the mail lorry since dawn, so that it had come to be a part of the landscape. Then the landscape gave a report like a rifle and stepped to one side. Their own feet were on the brake as its lamps were lit; and when the dust had thinned, the lorry was there before them, aslant, filling the way, silent.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["swerve", "brake", "stop"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -10.0

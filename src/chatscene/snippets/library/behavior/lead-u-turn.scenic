@@ -60,6 +60,26 @@
 #:   "From the seat of an HGV I can see when a motorist is lost. This one in the yellow hatchback kept tipping his head, so I was ready. He slowed right down in front of me, then spun the thing about, using my lane, the other lane, and a bit of the verge, and drove off back toward the motorway.",
 #:   "Copper in front of us got a call, you could hear it through the window. He stood it on its nose, heaved at the wheel, and had that patrol car round and pointing south before we'd stopped, and I mean all the way round, from our side over to theirs. Siren on, gone.",
 #:   "There is tyre dust on the road in the form of a horseshoe. One leg lies in the lane in which the claimant was following; before it begins there is a faint braking trace. The other leg lies in the lane for the opposite direction. That, I say, is the path of the motorcycle in front.",
+#:   "Taxi before us anchors, loops, heads home past nobody's leave.",
+#:   "Lead rider brakes, carves a half circle over both lanes.",
+#:   "Tail lamps, flank, headlamps: the van's turned about.",
+#:   "I followed its rear for a mile, then red lamps, then I'd its side across the entire road, and by the time I'd stopped I was looking at its grille.",
+#:   "The lead truck drops nearly to a stop, puts its wheel hard over, and sweeps through a hundred and eighty degrees to the opposite carriageway.",
+#:   "As they'd been called to an address they had just passed, the crew in front of us stood on the brake and took the ambulance round to face whence it came.",
+#:   "Simulate the lost tourist: he is leading the ego, he looks at his phone, he slows sharply, and he brings the car about over the whole width of the street.",
+#:   "The number plate I first gave you, officer, was yellow and the second was white, being the same car's; it'd braked before me and whipped round to go the other way.",
+#:   "Can you see he's slowed and is craning his neck? He's lost, he's not turning off anywhere, he's coming right about, so let him finish.",
+#:   "One learns a lot about a pickup in seven seconds. At the start of them it was leading us and showed a tow hook and two red lamps, very bright. In the middle it lay broadside over either half of the road and showed us its door. At the end it showed its radiator, and the lady in it waved, and was gone to where we'd come from.",
+#:   "My satnav says that too, \"make a U-turn where possible\", and I ignore it. The man on the motorbike, two lengths ahead of my cab, obeys his. His front end went down, so I backed off. Then he leaned into an arc that started in our lane and finished in the oncoming one, and he burbled off to where he'd been.",
+#:   "The kink in the gas main works explains the place. V1 was behind V2, a squad car. V2's operator received a call, applied the brakes firmly, and came about to the left through the full width of Route 9, departing south. V1, northbound, had braked to 4 mph. The tire marks of V2 form a near-perfect half circle.",
+#:   "Never have I seen so much of a lorry. We were behind it; it was braked, strongly, and I thought of a hare. Next its cab left the picture at one edge and came back into it at the other, with the trailer strung over the road like a gate between. We sat at the gate. After which it trundled off in the wrong direction, for us.",
+#:   "On the dash-cam reel it is number two. \"Watch the white hatchback ahead. He's realised. Brakes! Here's his passenger door, hello passenger. Here's his other half of the road, nobody on it, lucky. And here's his face, coming back along it.\" Somebody in the comments asks where the driveway was. There's none, he just came round.",
+#:   "She would be in a great rush to be somewhere else than where she was going, the young lady. I was behind. Her brake lights went on as if she'd seen the devil. She didn't stand, though, or not for long: round she came, kerb to kerb, and drove back up the hill with her window open, still talking on the telephone.",
+#:   "I have the order from the log: preceding object, deceleration strong, speed almost nought; then the object's yaw starts to run, 20 degrees, 70, 120, 180, while its box lies over our lane and the contrary one; then the same ID is \"oncoming\" with growing speed. Our classifier gave it a new ID at 90. That's the bug.",
+#:   "The engine passed us, no, listen, it had been in front the whole time, that's what confuses everyone. It was leading, number 14, heading out. Then a squeal from under it and the men's helmets all swung together, and the great red thing wheeled about across the road. Only then did it pass us, heading in.",
+#:   "Someone forgot the dog, we reckon. We'd been tootling along behind this estate car since the campsite. It braked, and I mean braked, my own dog hit the grid; it made a big loop over the oncoming side, up to the far verge, and it fairly flew back the way we'd all come. There wasn't a junction for miles.",
+#:   "It's the lead vehicle's nose you want to plot. Pointing away from the ego for the first three seconds. Slowing, quite hard, in the fourth. Then let it sweep round, left through the opposing lane, like the hand of a clock from twelve to six. Once it is on six, send the thing off down the other carriageway.",
+#:   "In the Spanish villages the dustcart has the custom to forget a street. I was going after it. All at once the red lights, strong. I stopped well. And the cart, with its two men hanging behind, has drawn a big letter U over the road, one wheel on the sidewalk, and the two men have greeted me when they came past.",
 #: ]
 #: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,8 +89,6 @@
 #: actions = ["u-turn"]
 #: place = "road"
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 15.0

@@ -60,6 +60,26 @@
 #:   "\"Is it dead?\" said the boy, for the big saloon that they had been behind since the toll house hadn't so much as twitched in all the time that he took to peel an orange. It wasn't. It hummed, it leaned, it took itself off the highway by a white gate upon the left, and the road lay open.",
 #:   "On two wheels you get in front of things, but behind this motor scooter there was no passing. He'd stopped in the middle of the lane with his arm out left, and there he perched, waiting. I'd put my foot down by then. In the end he zipped across and off the road to the left, down to the allotments.",
 #:   "cctv of the garage shows it well: pickup in front of the shuttle stops, in lane, shuttle stops too, both just sit there. people on the shuttle start looking at phones. then pickup goes left right over onto our forecourt & shuttle toddles on. nobody's fault imo",
+#:   "Halted ahead of us, dithered, then off leftward into a yard.",
+#:   "Bus in front: stood, waited, trundled off the road, left.",
+#:   "First a cork in our lane, eventually a left exit.",
+#:   "For as long as the cement mixer in front was making up its mind, none of us moved; when it had, it lumbered off the street by its left hand.",
+#:   "My tea had gone cold by the time the van ahead, at rest in the middle of everything, found its courage and peeled away leftward down the farm track.",
+#:   "Keep the lead ambulance stationary in our lane for a few seconds after it has pulled up, and only then send it leftward off the carriageway.",
+#:   "The police rider going before us came to a stand, remained so with one boot down, and in due course disappeared to the left between two gateposts.",
+#:   "Where did he go in the end? Left, madam, off the road, to the garden centre; but before that he'd stood ahead of me till the lights behind had changed twice.",
+#:   "He stops before my bus, he sits and thinks about his life, and then finally he's steering out from the road on the left side.",
+#:   "We were asked how the gate came to be open. It was opened for the lorry we were stuck behind, and that's what it had stopped for, plumb in the lane, with nobody able to pass. A man in a vest walked the bolt back. Only then did it growl, put its cab to the left, and draw its whole length off the road through it.",
+#:   "I learnt a lot about that saloon. It had a dent, a dog guard, and a ticket for the regatta. One gets to know the back of a car when it has come to a halt ahead and one sits there with it, engine on, for the time it takes oncoming traffic to go by. Its left flank was the last thing I learnt, as it slipped away up a drive.",
+#:   "Ten seconds isn't long, unless you're an impatient planner. At second zero the hearse leading us came to rest in lane. At second four the planner had drawn a path around its left side. At second eight it was about to take it. At second ten the hearse put itself exactly there, for it was going left, off the road, to the crematorium.",
+#:   "On the radio they said there was a breakdown by the quarry. I was there, it wasn't one. The coach at the head of us was as healthy as I am: it stopped; it stood, because its driver had never been to the quarry and was reading the boards; and having read them it went off to its left and up the ramp, and that was your breakdown.",
+#:   "The indicator went tick for so long that I fell into step with it, drumming. A moped had drawn up in front of my car, in the road, not beside it. Its rider sat with his arms folded. Whatever he wanted to see come or go must have come or gone, for the ticking moved off, across, leftwards, and in at the bowls club.",
+#:   "Behind a stopped vehicle one shouldn't honk, one should look where its driver looks. The driver of the pickup that held me up looked to the left the whole time. I saw there a hotel. So I waited, since he waited. When he was ready he steered there, out of the street, and only the taxi behind me had been honking.",
+#:   "V1 came to a stop behind V2, which was halted in the only lane and displaying a left signal. V2 did not move for approximately seven seconds. It then turned from the roadway into a filling station on its left side. V1's automation had by this time twice begun, and twice aborted, a passing maneuver to the left.",
+#:   "How did it feel, being trapped behind the fire engine? Restful, actually. It simply ceased to go. There wasn't a blue light on, there was a fireman eating a banana. My fellow passenger timed the banana at forty seconds. The skin went into a bag, and the whole thing heaved round to the left off the road, home into its shed.",
+#:   "It was hot, and the driver ahead, whom he hated by now, had let his big grey car die of thirst in the road; so at least it seemed. Minutes went by, or one minute. Then, as an ox gets up, the car got up, and went to the left, off the white road, beneath the olives. There was a well there. He hadn't noticed.",
+#:   "You're doing the right thing, which is nothing. That tractor-and-trailer outfit, sorry, that truck, has pulled up in your path because he can't get to where he wants yet. Give him his time. Look at the far verge, there's a gap in the hedge on his left. He'll be through it the moment that he fancies his chance. What did I say?",
+#:   "van in front just STOPS in the road. im like puncture? 10 sec. hazard? no. 20 sec, guy behind me is leaning on the horn. then it just casually rolls off left into the car wash. bro had all of us queueing for his car wash",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,8 +89,6 @@
 #: actions = ["stop", "hesitate", "turn-left"]
 #: place = "road"
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 5.0

@@ -60,6 +60,26 @@
 #:   "It is a known sign of the tiredness. The ambulance before my car goes not straight, it goes in small curves, near the right border and near the left border, always in the same lane. I hold distance. And truly, from one second to the other it brakes fully and is standing.",
 #:   "The children were counting out loud how often it touched the lines. Left was winning with seven, right had six, and the old camper van ahead of us never once went over either. There was no eight. There was a squeal, and the camper stood, and so in the end did we, a hand's breadth off.",
 #:   "Unit at the rear reports that her lead vehicle, a fire tender returning to station, appears to have a steering fault or a dozy driver. It has been wallowing about between the markings since the bridge. Correction, it's just jammed on and come to a complete halt in lane one.",
+#:   "Line, line, line, line, STOP: the pickup ahead of us, Saturday night",
+#:   "Coach in front wags its tail, gutter to centreline, then anchors.",
+#:   "Lead scooter: lateral swings inside the lane, then standing still.",
+#:   "The dog on the parcel shelf slid left, slid right, slid left again, and then forwards out of sight as the estate ahead stopped dead.",
+#:   "I was too busy guessing which edge of the lane he would lick next, and so his emergency stop found me with my foot in the wrong place.",
+#:   "Prior to its abrupt standstill the leading ambulance had visited both margins of its lane four times, according to the lane camera of the test car.",
+#:   "That fellow in front is having full bottle inside him, you see, going this border that border, and then one brake like anything, finished, standing.",
+#:   "I need an impaired leader: it should wander rhythmically between its lane markings before us and, without any cause, terminate in full braking to zero.",
+#:   "Nobody who swings about in his own lane like a censer in church ought to be followed so near, I thought, and there he was, stationary.",
+#:   "There were ruts in the slush. They belonged to the lorry in front and they looked like a plait, two strands crossing and crossing but never leaving the lane. I was following the plait with some amusement. Where it ended, with no warning at all, were the lorry's wheels, at a stand, and smoke coming off them.",
+#:   "First you feel pity, because he seems ill. He floats over to the line, the tyres rumble on it, he wakes up and floats over to the other line, it rumbles as well, and so forth, rumble left, rumble right. Then you feel other things, because the bus is suddenly not floating, it's parked, and you have forty metres. Thirty.",
+#:   "My friend behind the microphone will recall the horse box. We'd sat after it since the races, in our lane, in its lane, in a manner of speaking, since it used every inch from kerb to paint. Then the horses' ears went forward. All of them at once, like that, and I had the ramp in my lap.",
+#:   "If there had been an arrow on his roof it would have pointed at ten o'clock, two o'clock, ten o'clock, two o'clock. You'd never have said the fire engine was leaving its lane, just that it wasn't on good terms with the middle. The clock stopped at noon. It had come back to the centre and all its wheels had locked.",
+#:   "Data from the following vehicle: lead lateral deviation sinusoidal, amplitude 0.8 m, period 3.4 s, no boundary exceeded, duration nine seconds. Next sample, deviation nil, lead deceleration 8 m/s squared. Final sample, lead at rest. The operator of the lead motorcycle, when asked to walk a line, couldn't.",
+#:   "Two facts made me phone you. One's that I have just seen a minicab shimmy the length of Dock Road, right up against the cats' eyes, right up against the kerb, over and over, with me behind. Two's that he then did a stop that put my tools through the bulkhead. He is still there. He's asleep, I think.",
+#:   "You remember what I told you about the swimmer? That's what I call them, when the car in front goes breast-stroking from one side of its lane to the other. Never get near a swimmer, because they get a fright. There, that's him getting it. All on, nose in the road, not moving. And you had the room, well done.",
+#:   "We were singing and trying to sway along with the caravan in front, everyone to the left, everyone to the right, Dad too. It really swayed a lot but it didn't come out of our lane. On \"merrily\" it had its lights on and it stood, and we all went to the front instead. Dad said a word.",
+#:   "The driver's statement, that he \"always drives like that\", I don't doubt. It accounts for the first half mile, in the course of which his van described a wavy line between the lane markings ahead of my client's. It does not account for the end of the half mile, where with nothing before him he braked as hard as the van was able and stopped.",
+#:   "A cat's cradle of rubber on the road at the end would have pleased me better; there was merely one short black pair. All the swinging had been done on rolling wheels, from the one white line to the other and again back, quite in its lane, quite gently. The short black pair was where the truck ahead had decided enough.",
+#:   "She'd got a carton of milk between her knees and both thumbs on the phone, we found out later. From behind you saw only the Fiesta nibbling at the right edge of the lane, then nibbling at the left one. I'd dropped back a bit. Good thing too, for she looked up, saw God knows what, and nailed it to the floor.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,8 +88,6 @@
 #: [slots]
 #: actions = ["weave", "brake", "stop"]
 #: position = "ahead"
-#: leader = false
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -25.0

@@ -60,6 +60,26 @@
 #:   "So the perception stack does well with people who come at us, and it classifies them as \"no conflict\", since they keep to the edge. That label's then held for too long. In this clip the person breaks from the walk to nearly six metres per second, perpendicular to our lane, with 1.2 seconds to go.",
 #:   "If you can see their eyes, they can see you, I tell my learners, and mostly that's good enough. It wasn't on Friday. A builder walking our way had seen us all right. He'd also seen the last bacon roll go in the window opposite, and he went for it, bang over our lane with his hard hat in his hand.",
 #:   "To be exact about the directions. I drove north. The gentleman walked south, on the edge of my carriageway, thus towards me. He ran east. It is the running east of which I complain, for he took it up at a moment's notice, with great velocity, and it led him through precisely the three metres which I was about to use.",
+#:   "Walker facing us, then sideways and sprinting, kerb to kerb.",
+#:   "he was strolling TOWARDS me then boom 90 degrees and gone over",
+#:   "Ped inbound on foot, your verge; correction, bolting square over your lane.",
+#:   "The face under the umbrella, which had been getting steadily nearer, was replaced without warning by a shoulder, two pumping knees and, on the far side, a closed umbrella.",
+#:   "Until the last fifteen metres the postwoman had been doing what we were doing in the opposite direction; from there on she was doing a hundred metres final at right angles to it.",
+#:   "You'd have taken her for just another rambler coming up to meet you, had she not spun off her line a few steps away and hared over under your bumper.",
+#:   "The dummy advances head-on relative to the VUT at walking pace along the roadside, is rotated through ninety degrees at the trigger and leaves over the lane at maximum belt speed.",
+#:   "We braked for the back of a man whose front we'd been looking at a moment ago, because his walk up the road to us had turned into a flight straight over it.",
+#:   "Let the jogger come on towards the ego, gently; let her see a friend on the other pavement; then I want her over there in no time, by the direct way.",
+#:   "I know his tie. It was green with ducks, since he'd been walking at me for a good half minute and I'd nothing else to look at. Then I hadn't the tie any more, I had the soles of his shoes going like a mill, off to one side, right before the bonnet. I stopped with the ducks, so to speak, on the far kerb.",
+#:   "Look at the track history. Heading of the pedestrian: opposite to ours, constant, for eleven seconds. Speed: 1.3, constant. In the twelfth second the heading jumps by a right angle, no curve, and the speed quadruples. By the fourteenth it's left our lane by the other edge. The predictor had given that a probability of zero, and I can see why.",
+#:   "The goat was across the road and it was eating her washing. How was I to know? I only saw an old woman, coming along the verge with a basket, our way, at her ease; I even lifted my hand to her. Up went the basket. She'd crossed in front of my lorry before it came down, at a speed I'd not have believed, and straight as a ruler.",
+#:   "Officer, it wasn't that I didn't see the lad. I'd watched him from the garage on. He was walking against the traffic, like you're meant to, facing me, earphones. The bell went in the school, on the other side, and there was a sort of explosion of him. He wasn't facing me then. He was broadside, flat out, and over, and I'd all four wheels locked.",
+#:   "From where I was on my bicycle, thirty yards back, you had the robot car going up the hill and a nun coming down it, on foot, quite sedately, and they'd have passed like ships. What made it stand on its nose was the nun. She gathered her habit, swung to face the convent opposite and covered the road in about five leaps, all within a car's length of it.",
+#:   "Do not confuse this with the walker who merely turns off over the road. Ours does come down the roadside in the direction of the subject vehicle, yes, and does make the sharp corner; but with the corner comes a change of gear. What crosses the lane is not someone on a walk. It's someone running for his life, and his line over it is square.",
+#:   "My student said \"friendly\", as I'd taught her to say when people make eye contact. Friendly was about ten yards off then, on her right, pottering up the road at us with a dog lead. There was no dog on the lead. The dog was on the other side. You never saw Friendly go so fast, at a dead right angle, and I'd never used the dual pedal so hard.",
+#:   "Aunty's saree was yellow, so nobody can say it was not visible. She is coming from front side, slowly slowly, chewing something. I'm going my way. In the last moment she remembers the milk is on the gas! One cut she takes, and such a speed, full road to her gate opposite, and my bus with forty people is on its nose.",
+#:   "There'd been a sort of understanding between them for the length of the wall, the way there is between people who approach each other on an empty road. He could see that she was tired. He could see she'd been crying. And then he couldn't see her, for she had wheeled about and flung herself over the tarmac, an arm's length from his lamps, as if the far hedge were on fire.",
+#:   "The chat's asking why I slammed it in game. See the NPC in the hoodie? He's walking down the side at us, standard. Every other one keeps walking and goes by the window. This one snaps to the side at like ten metres, plays the run animation, and he's through the lane and up on the other pavement before you've found the S key.",
+#:   "Claimant says that the runner \"came out of nowhere\". With respect, she came out of somewhere: she came out of the oncoming direction, along the edge, in plain view, and walking. What came from nowhere was the burst. It took her at a right angle over claimant's lane, and claimant's skid marks, nine metres, stop just where her heel marks cross them.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -67,9 +87,9 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["oncoming", "cross", "fast"]
+#: blocker = false
 #: position = "oncoming"
 #: place = "road"
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 0.9

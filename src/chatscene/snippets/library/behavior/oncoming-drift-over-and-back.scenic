@@ -60,6 +60,26 @@
 #:   "My question for the forum: would your assist have reacted? Oncoming school bus, slow drift, its wheels maybe 70 cm across the double yellow for a couple of seconds, then it eases over to its side again just as slowly. Mine beeped once and did nothing, and I was the one hugging the guardrail.",
 #:   "I thought at first that it was the road that moved. The milk truck was coming toward us in its half and then it was coming toward us in rather less of its half, and in some of ours; my sister stopped knitting. The road, if it was the road, moved back. \"Well,\" she said, and picked up the stitch.",
 #:   "Scenario from the fatigue set: approaching minibus, steady speed, no braking. Its driver's eyes close. For about two seconds its path bulges into the ego's lane, smoothly, no jerk; the eyes open and the bulge closes, equally smoothly, so that at the point of passing it's back on its own side. Only one such bulge.",
+#:   "Half asleep over the line, half awake home again.",
+#:   "Approaching coach bulged onto our side and slowly subsided.",
+#:   "Sagged over centre, that lorry, then healed itself.",
+#:   "I'd a bus coming the other way that lent itself a metre of my lane, for about as long as you'd take to read a text, and gave it back unhurriedly.",
+#:   "The line between us vanished by degrees beneath the van that was coming, then by degrees it came out again on the proper side.",
+#:   "As the target nears the VUT its path is to swell smoothly beyond the road's middle and shrink as smoothly, being wholly its own before the passing point.",
+#:   "What did the motorcyclist do, apart from giving my wife a fright, when he let himself be carried wide over the stripes and then tightened up again?",
+#:   "Slowly like the moon he's coming over in my half, this camion from the other direction, and slowly like the moon he's going away from it.",
+#:   "Nobody touched anybody, since the old fellow opposite, who'd been slipping across for a good two seconds, noticed the hedge was on the wrong side and slid back.",
+#:   "Have you seen a curtain blow in and out at a window? That's how it moved, that white flank. It had been over there with the rest of the oncoming stuff; a breath took it, and it swelled across the paint until I was steering by the ditch. The breath went. It hung straight again by the time I'd to pass it.",
+#:   "I was reading his face. You can, on a slow hill. The face was turned to the child in the back, and the car, as they do, was turning with it, inch by inch, till my half of the hill had a good third of a hatchback in it. Then the face came round to the front. It went white, and very carefully it took the car home.",
+#:   "The tyres told me, on the rumble strip. First it was his, in the middle, a long purr getting louder as that tanker from opposite leaned out over it toward us. Next it was ours, at the edge, since where else could we go? Ours was still purring when his began anew and then ceased, for he'd come off it on the right side.",
+#:   "What do we call it if there's no jerk at the start, no jerk at the end, and a metre of encroachment in the middle? We called it the yawn. The approaching minibus yawns once, over the centre line and back, at a constant fifty; our question is whether the AV, seeing the first half, will bet on there being a second.",
+#:   "There was blossom on the bank and she will have looked at it. I don't blame anyone. Her little blue car, that was climbing towards ours, came away from its own edge as gently as a boat from a jetty, and drifted, and was with us; I laid my hand on Edwin's arm. It was gone from our side before I'd found words.",
+#:   "Dear claims team, there is no second vehicle to name. It was a lorry, it came from the front, and I have the gatepost on my wing because for three seconds it wasn't where lorries from the front belong. It wasn't sudden. It leaned over the dashes at its leisure, and at its leisure it straightened itself out; we never met.",
+#:   "My pupil was steering at it. They all do, you go where you look. \"Left hand down,\" I said, \"and look at the hedge.\" The motorbike that had us hypnotised was running out of bend: further out, further out, both wheels over the middle, ours by a yard. You could see him lean more. Bit by bit he'd hauled it in, and past he went on his own side.",
+#:   "V1's front camera shows V2's headlamps to the left of the center line at a range of 110 meters. Over the subsequent 1.8 seconds they migrate across it to a maximum of 0.9 meters; over the following two seconds they migrate back. At no time is there evidence of abrupt steering. V1's right wheels went off the pavement.",
+#:   "With us on the mountain the milk collector is a famous man, he has coffee at each farm. Yesterday he had it on the knees. He came down to me, I went up to him, and his truck got always broader on my side, quite comfortable. I stood nearly in the brook. Then he had drunk out, so it seemed, and his truck got narrower again.",
+#:   "The point for the defence is that it cured itself. When my client first saw the coach come over the centre she had six seconds; for the first three it went on coming over, gradually; during the next two it was, just as gradually, taking itself off. In the sixth it passed her properly. But by then, m'lud, she was in the orchard.",
+#:   "anyone else get these on the a9 at 6am. campervan coming the other way, just sort of floats over the middle, no rush, like its on a river. im hard up against the barrier goin pls no. and then it floats back. i could see him rubbing his eyes as he went past in his OWN lane thank god",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "turn-back"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 5.0

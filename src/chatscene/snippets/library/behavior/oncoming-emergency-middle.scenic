@@ -60,6 +60,26 @@
 #:   "For the occlusion study we put an emergency vehicle in the opposing direction with a 1.75 metre shift to its left, i.e. onto the line that separates the traffic streams. It keeps that shift, it keeps its 100 km/h, and both streams lose space to it.",
 #:   "On my bicycle I felt quite safe in the gutter; it was the robotaxi next to me that I worried for. A rescue car was flying along in the opposite direction, not on its own half, nor wholly on ours, but bestriding the paint, and their mirrors can't have missed by much.",
 #:   "Court was shown the footage at half speed. Even so the police van came up the road towards the camera at a fair lick, its wheels an equal distance to each side of the dividing line, and at no point in those six seconds did it depart from that position.",
+#:   "Siren ahead, growing fast, dashes running in under its bumper's centre.",
+#:   "Everyone hugs a kerb; the fire engine hurtles up the seam towards us.",
+#:   "Oncoming patrol car, a hundred plus, line dead under its badge.",
+#:   "Neither his lane nor mine would do for that ambulance; it had its wheels in both, its nose to us, and its foot on the floor.",
+#:   "We lost our mirror to a police van that went by the other way at racing speed, with as much of it over the line as not.",
+#:   "Generate a rescue vehicle in the contrary direction that keeps its long axis on the lane divider and its speed at ninety until it's well behind us.",
+#:   "I steered for the gutter as there was nowhere else: half my lane had a fire engine in it, coming on like an express.",
+#:   "The lateral position of the approaching ambulance was equidistant from both edges of the roadway, and its velocity was nearly twice that of any other vehicle.",
+#:   "The police, he rushed from the front with the blue light, one wheel by me, one wheel by the others, and the white line between like a horse he rides.",
+#:   "All I could offer was two wheels on the grass, and it was just enough. He'd been a flicker at the far end of the straight, then a din, then a great red front, and it had no notion of keeping to its half. The broken line vanished into its bumper like spaghetti. Whoosh, and my hat was off.",
+#:   "You may have noticed that the cars opposite have gone into their hedge and we've gone into ours. Nobody arranged it. It's on account of the ambulance, you see how quickly it's getting bigger, and you see which part of the road it's left empty on either hand: the edges. So stay in, and let it through the middle.",
+#:   "After it had gone past the dust came down in two halves, one on our side of the paint and one on theirs. The thing that had raised it was a paramedic's estate, coming our way at well over a hundred with everything wailing. It had swerved for none of us; it had simply shared itself out between the lanes.",
+#:   "I was the one on the motor scooter, sitting out on the line, and I've never left a place faster. That line was spoken for. Down the length of it, head on, flat out, with lights from kerb to kerb as it seemed to me, came the police. I dived behind your van; you'd already got your tyres on the drain.",
+#:   "Object 31 has the class \"fire truck, active\". Its heading is opposite to ours; its speed, 27 m/s, is well above the flow. The overlap with our lane is 0.9 m and the overlap with its own is the same. Neither of the figures changes between first detection and the moment when it's abreast.",
+#:   "Down at the allotments you hear them early. We put our forks down to watch. Both streams of cars had parted, like a comb had been through them, and up the parting it tore, blue and yellow, straight at the bus that was coming from town and past it, with a bang of air, and never off the line by a foot.",
+#:   "I'm no small target with a fifty-foot trailer. I'd have welcomed it if the driver of that appliance had kept to the lane he's paid to keep to. But with the road jammed his side he was taking the ridge of it, at sixty or seventy, nose to nose with me, and I had to fold my mirror in by hand.",
+#:   "What remained to the claimant was a strip of one metre eighty, and her car measures one metre seventy-six. The rest of her lane, and a like share of the lane for the other direction, was needed by an oncoming ambulance. As it was doing at least ninety, there was no time to negotiate.",
+#:   "Like a zip, Mum says. The road was all shut up with cars, and the nee-naw came from the other end, so quick, and it went right up the join, and all the cars opened one after another on this side and that side. We opened too. Then it was past, and we all closed up again.",
+#:   "The old woman crossed herself. Far out on the causeway a light had started up, blue and stammering, and before she'd finished it was upon them, an engine as broad as a barn, thundering against them over the very crown of the road, so that their cart lost its outer wheel in the reeds and somebody on the farther side lost his.",
+#:   "For ambulance nobody is giving side in our place, so ambulance takes middle. It was coming opposite to me, full speed, hundred maybe, siren like mother crying. Left tyre in their line, right tyre in my line. I became thin, my car became thin, and it passed with one chapati space.",
 #: ]
 #: adversaries = ["emergency-vehicle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "fast", "follow"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 12.0

@@ -60,6 +60,26 @@
 #:   "Regarding the broken mirror, number plate unknown, make unknown, colour green. It is a lorry with gravel. I am in my lane, correct. It arrives from opposite, maybe fifteen kilometres the hour, not more. On its right hand there is place for a second lorry. But it drives with the left wheels upon the middle, and so klack, no more mirror.",
 #:   "Mind that bus, love. It's the tours. He'll have somebody on the microphone telling them about the abbey, so he'll be in no rush to get to us, and he likes to be in the centre so both sides get a view. There's a ditch on your left, but you'll have to use what there is of it.",
 #:   "It took up the picture from edge to edge, that snowplough truck coming down the pass. The blade was up and it wasn't ploughing. It merely ambled, and it ambled with its flank along the poles that mark the centre, keeping those soft banks on its own side at a respectful distance, while our wing mirror scraped the rock.",
+#:   "Oncoming dustcart, walking pace, tyres polishing the middle line.",
+#:   "big bus coming my way, slow, sat tight on the dashes. mirrors in",
+#:   "HGV opposite: no haste, no verge side used, no room for us.",
+#:   "The lorry that met us had two metres of empty tarmac on its own kerb side and, at its donkey's trot, wasn't using any of them.",
+#:   "It took that coach so long to get by, and it left me so little beside the centre stripe, that I had leisure to fold in both my mirrors.",
+#:   "Anyone could have passed the oncoming low-loader comfortably had its driver only kept to the outer half of his own lane, instead of plodding along its inner rim.",
+#:   "Opposing heavy vehicle, low constant speed; lateral position: left wheel track coincident with the centre marking, no intrusion; clearance to the ego accordingly minimal.",
+#:   "Bring a cement truck up the road to meet us, in bottom gear by the sound of it, with its flank flush against the dividing line.",
+#:   "You'll think there's no hurry because the bus from the front's hardly moving, but see where he's put his wheels, hard up to the line; get left.",
+#:   "The cat's eyes were clicking. That was the thing I noticed, with the window down, a click and then a good long wait and then a click, and each one was the front tyre of the gravel lorry that was making its way towards us. It wasn't a foot over. It wasn't a foot back, either, and my door had a foot and a half.",
+#:   "One could measure his speed by the sparrows, which had time to hop off. One could measure his manners by the strip of road between him and his own hedge, broad enough for a wedding. All of the latter he disdained. The carrier's great waggon came on down the crown of the highway, and my gig made itself thin against the bank.",
+#:   "Lateral clearance is what we logged, in centimetres: 40, 40, 40, 40, 39. An artic normally takes a second and a half to pass us by in the other direction. This one took six, and throughout these six seconds its offside tyres were following the centre dashes as a tram does its rails.",
+#:   "Does anybody know the farm that the cattle truck belongs to? I've passed it coming the other way three mornings running. It's in no rush, I'll say that, a child could run beside it. But it will have its wheels on the white paint, and that mirror of mine is a hundred and ninety euros.",
+#:   "For the squeeze series the ego sees a wide vehicle in the opposite lane. It isn't in the ego's lane and never will be; but it's sitting as near as it can to it, with all its spare room on its far side, and it's doing ten at most, so the squeeze lasts. The ego may shift to its right or wait. It mustn't freeze.",
+#:   "My pupil breathed in, as if that would help. It was the number 9, coming up Castle Street towards us at the speed at which you push a lawnmower. \"He's in my bit,\" she said. He wasn't, quite. He was on the very last inch of his own bit, the inch next to ours, and from the way it lumbered he'd be on it for a while.",
+#:   "In my statement I said \"scraped\" but it is not scraped, it is polished, from the mirror until the petrol lid. The autobus from the other direction had so little speed that it polished slowly. It was in its lane, I confess; but it had pushed itself in the corner of its lane where I am.",
+#:   "We held the parcels up over our heads, like people wading. That's on the cargo bike, with the handlebars all but touching the parapet. What was wading the other way was a crane lorry, dead slow, the whole quay to itself on its off side, and its bolts going by me one at a time along the middle line. I could've tightened them.",
+#:   "It's the ones who aren't doing anything wrong you remember. Not speeding: this tipper was crawling up to meet me like it had a bad back. Not on my side: I checked, I could see a thread of white paint by its wheels, all the way along. It's simply that I've an eight-foot cab and he'd left me eight foot and a bit.",
+#:   "Pressed for details, the deponent agreed that the furniture van, which was approaching him, was moving at a pace suited to its age; that it kept to its side of the marking; and that it did so by the thickness of the marking. He'd had to stop with two wheels in the ditch. It had needed, he thought, the better part of half a minute to go by.",
+#:   "The mist took the edges off things, and so I steered by the stripe in the middle until I found that somebody else was doing the same. His lamps were level with my roof. They came up the stripe towards me no quicker than a man with a lantern, never to one side of it, and it was I who had to make room for eighteen tons of timber.",
 #: ]
 #: adversaries = ["truck", "bus"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "slow", "follow"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 2.2

@@ -60,6 +60,26 @@
 #:   "Il vient en face, tranquille. Suddenly the moto makes a big écart, it is on my part of the route, I see the colour of its eyes if I may say so. And pouf, it is no more there, a second écart has thrown it back on its own part, and we cross each other normally.",
 #:   "Sierra three, possible drunk, silver saloon coming from your direction. He's just jinked clean over the centre line at me and jinked straight out of it, in and out quick as a flash, and he's now carried on past me in his own lane. I'm turning round.",
 #:   "It was less a swerve than a flinch, with a ton of metal flinching along. From the front seat of the robotaxi she saw the approaching car's flank flash in the sun as it shied across the line, and the flash was put out in the same moment, for the car had recoiled to its half of the road.",
+#:   "Facing Mini hops the line, hops home, all in one blink.",
+#:   "Our lane, his lane, half a second: that biker flinched.",
+#:   "Let the approaching cab twitch across the paint and snap straight.",
+#:   "By the time my thumb found the horn there was nothing to hoot at, the oncoming estate had lunged over the middle and was already home again.",
+#:   "Two opposite tugs at the wheel, hardly a breath apart, took the approaching hatchback's front across the dashes and out of our half.",
+#:   "The opposing target shall cross the centre marking by 1.2 m at a high steering rate and, with no dwell, regain its lane at the same rate.",
+#:   "Mosquito, pothole or phone, God knows, but the motorcycle from the front has jumped into my side and in the same jump he was out.",
+#:   "You braked for a flash of bonnet, and quite right, but that taxi coming at us has plucked itself back to its own side as fast as it came over.",
+#:   "I'd describe it as a hiccup, officer: he was coming along on his half, he was an arm's length into mine, he was on his.",
+#:   "The parrot on my passenger seat said a word that I'd rather not repeat. It had seen what I had, namely a radiator where there ought to be open road, and it finished the word after there was open road again. Since the car facing us had whipped back over the line before the bird drew breath, no one believes either of us.",
+#:   "Vehicle 1's camera takes thirty pictures a second. In pictures 212 to 219 the opposing motorcycle is in its lane. In 220 to 226 it leans so hard one way that its foot peg sparks, and is on our side of the line. In 227 to 233 it leans as hard the other way. In 234 it's in its lane.",
+#:   "There are two black commas on the road by the chapel. The first one curls out over the white line, from his half to mine. The second, which starts where the first ends, curls back. Neither is as long as I am tall. A van coming to meet me wrote them, so quickly that I'd no use of either pedal.",
+#:   "Somebody dropped a cigarette in his lap, I would guess. What I could see from the bus was his wing mirrors, as he came. They were level, then the one dipped, and his bumper was this side of the paint; then the other dipped and it wasn't. We went by each other with him patting at his trousers.",
+#:   "Watch the gap between his wheels and the line, not his face. It's a foot, a foot, a foot, fine, and now it's minus a yard. See how he's snatched it back? It's a foot again. He had a fright, we had a fright, and nobody needs to do anything further about it, so let your breath go.",
+#:   "The judge asked for how long the respondent had been on the claimant's side. \"As long as a sneeze, sir.\" And had he drifted there? He had not; he'd been coming in the opposite direction, perfectly true, when the wheel went hard one way in his hands, and, which the judge might note, as hard the other.",
+#:   "A heart doctor would have paid to see my trace. We'd a saloon coming towards us on the long bend, all in order. The safety driver's notes say \"bang, in our lane,\" and on the same line, for there wasn't time for another, \"bang, out.\" The belts had tightened on us for something that by then was going by at a proper distance.",
+#:   "From the novel I shall never write: The other car came on, keeping to its part of the road as the moon keeps to hers. It shuddered. For the space of one beat its lamps were in their laps, and the beat after they'd been torn out again and lay on the hedge, where they belonged; it passed them shuddering still.",
+#:   "Please find below my request for a \"startle\" actor. It approaches in its own lane. At thirty metres somebody in the back screams, figuratively. The steering goes sharply towards the ego, so that the front wheels come over the divider, and at once as sharply from it. I do not want an arc, I want two corners.",
+#:   "What made me put the bike in the ditch was a car that wasn't there. It had been, mind you. It'd been coming the other way, and I'd half of it before my front wheel as if it was thrown there. It had been thrown back by the time I'd picked my ditch. Drivers behind me saw nothing out of the ordinary.",
+#:   "El otro me viene de frente, correct on his side. It passes a cat, I suppose. Zas, I have his two wheels in my side. Zas, I don't have them any more. In total it lasts less than the name of the cat. He goes on his way in his lane and I have to stop for drinking water.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "swerve", "turn-back"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 6.0

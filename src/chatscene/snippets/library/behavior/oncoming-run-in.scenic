@@ -60,6 +60,26 @@
 #:   "It was my birthday and they'd all come out to welcome me, you see, so little Finn was walking down the road to meet the car. That was quite all right. But he recognised me behind the wheel, and off he shot, out of the grass, into the lane, running as fast as his legs would go right for the front of the car.",
 #:   "My colleague from Beijing asks for this: \"pedestrian come from front, by side of lane, speed one point four. When our car is near, speed go up to four very fast, and he go slantly into our lane, toward our car. He do not want to go across. Our car must brake full.\"",
 #:   "What did the gap do? At the start it was closing at the pace of one car and one walker, since he was coming up the roadside toward us. Then his half of the sum trebled. He had set off at a dead run and, what's worse, he was running in our lane by then and not beside it.",
+#:   "He was strolling up to meet us; now he's sprinting, in our lane.",
+#:   "Oncoming walker goes from amble to headlong, into lane, at bumper.",
+#:   "mum walking our way then BOOM shes running at the car",
+#:   "From his face coming toward me at a walker's bounce there was one blink to his face coming at me at a hurdler's, and now with my bonnet under it.",
+#:   "The test person advances beside the lane against the VUT; at the given gap the gait switches to sprint and the heading tilts into the lane, range closing.",
+#:   "Those flip-flops that had been slapping along the gutter in my direction suddenly slapped three times as fast, and on the tarmac before my headlamps.",
+#:   "She'd her arms wide and her eyes on our taxi, and the quiet few yards of walking up to meet us were over: she was pelting down the middle of our lane.",
+#:   "Put a schoolboy by the roadside, sauntering the AV's way; when the two are near, have him tear off into the lane and head for the headlights.",
+#:   "He's only walking, you'll say, and he's on the side. Aye, and there he goes at full stretch into our path with his nose to our windscreen.",
+#:   "I've replayed my own thoughts more than the video. A man facing me on the cycle strip, plodding nearer: no concern. Then his knees. You never see a pedestrian's knees come that high. By the time I'd thought \"why the knees\" he was in front of the coach, in the lane, still facing it, and we had about a bus length to share.",
+#:   "Closing speed is a sum of two numbers. Ours was constant. In the record the sum rises by four metres per second within a single step, and simultaneously the bearing of the person, which had been drifting off to the side as you'd expect of someone you will pass, goes to zero and stays there. He had come to us, at a run.",
+#:   "We were rolling up to our own front gate, and Grandma was coming down the road to it, from the other end, along the hedge. She had her stick. She saw the twins in the back; the stick went into the hedge. I wouldn't have believed it of her knees. All I saw in the windscreen was Grandma getting bigger.",
+#:   "It was to be an ordinary interview with an ordinary postman. He walks beside the kerb, he faces the van, he's sorting letters. \"And then,\" he says, \"I smelt the bees.\" What the van's driver has is the postman's bag, in the air, and the postman under it, having left the kerb for the lane, galloping at his grille.",
+#:   "Pupil's question: could I have known? Well, he was oncoming, he was on foot, he was young, and he'd a ball under his arm. As long as he kept to his three miles an hour on the edge you could've passed. But the ball dropped and he went after it with all he had, down on to your lane, in the direction of your number plate.",
+#:   "They asked if he meant to get over the road. No sir. A chap who wants to get over the road goes for the other pavement. This one's aim was the ambulance. He came up the verge at us like anyone, hands in his jacket, then took off as though a gun had gone, slantwise on to our bit, and ended before our radiator.",
+#:   "On the heat camera he's a white comma, left margin, growing by a pixel or so with every frame. Between frames 211 and 212 it's as if someone had changed the film. The comma has legs now, they're scissoring, it has left the margin for the centre, and it's growing by ten. At 230 it's the whole picture. We had stopped.",
+#:   "A robber has no friends, they say in Naples, so he takes any car. He was coming in our sense on foot, tranquil, like one with nothing in his bag. And behind him somebody has cried. Mamma mia! He made himself into a horse, he threw himself on our lane, and with all the legs he came against us.",
+#:   "There'd been forty feet of wet leaves between the jogger, no, he wasn't yet a jogger, the gentleman, and my front bumper. He was approaching at a walk, outside the white edge line. Why he should have begun to run at that instant, and inside the line, and at me, only his doctor knows. I used up some of the forty feet; he used up the others.",
+#:   "My lorry has a bell for the blind side and a camera for the rear, and nothing for madness. Round the bend comes a lass on foot, face to me, well in on the grass. I lift my fingers, she lifts hers. Then she's charging. Not over the road. Down it, my lane, arms going, straight at the Mercedes star.",
+#:   "From a hill one sees it as a diagram. Dot one, a car, proceeding up the road. Dot two, on foot, proceeding down along its edge, slowly, so that they would pass at an arm's length. Dot two then trebles its rate and bends its line on to that of dot one. I shut my eyes, though the brakes sounded good.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
@@ -67,6 +87,7 @@
 #: origin = "base scenario vehicle-passing; own code"
 #: [slots]
 #: actions = ["oncoming", "accelerate"]
+#: blocker = false
 #: position = "oncoming"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

@@ -60,6 +60,26 @@
 #:   "There was no reading what he wanted. He came on down his own side between the poplars, and then the poplars were behind the wrong edge of him, for he had shied across the crown of the road; and there, in their lane, with a long tearing cry of rubber, the bus dug itself in and was still.",
 #:   "My claim is for the eggs. I braked for a white estate which, until that moment, had been approaching on its own half of the lane. It shot across to mine, I don't know why, with the driver hauling at everything. By the grace of God it pulled up in time, and in my lane it stayed.",
 #:   "What does the AV do when the space ahead, free a second ago, has a bonnet in it, pointing the wrong way and going nowhere? The bonnet belongs to an oncoming SUV. It has veered out of its own lane into ours and been braked flat out to a stand, and that is where we leave it.",
+#:   "Opposing bus: over the line, wheels locked, parked facing us.",
+#:   "Oncoming Audi hops into our lane, skids, stays put!!",
+#:   "From its lane to ours, tyres screaming, and there it stood.",
+#:   "The coach that'd been coming the other way now stands, on four smoking black stripes, with its headlamps against ours in our own lane.",
+#:   "At zero the pickup is in the opposite lane; at one second it's in ours; at three it's halted there and the air is full of rubber.",
+#:   "A scooter, coming against us on the good side, throws itself on the bad one, which is ours, and brakes there until nothing of it moves.",
+#:   "He can keep to his own half for a mile, your worship, and then fling himself on to mine, stamp on everything and remain there looking at me?",
+#:   "Ensure the opposing lorry leaves its lane by a sharp steer into the ego's, followed by strong deceleration to rest; it must not return.",
+#:   "What came over the white line with a jerk and ended, squealing, as a stationary obstacle in our lane had been ordinary oncoming traffic a second before.",
+#:   "The dog had run out on his side, he told us afterwards, trembling. We hadn't seen the dog. We'd only seen a van that was minding its business in the lane across from ours be suddenly in ours with its nose on the floor, and we'd seen the nose come up again a few feet from us once it was at rest.",
+#:   "Where did I first have him? Over there, officer, beyond the paint, going towards town. Where did I have him last? Here, in my lane, that's his bumper and that's my bumper, you couldn't get a hand in. And the two black lines from there to here, at a slant, are how he did it, with me shouting.",
+#:   "I measured it out afterwards in steps. Twelve from the bend to where the motorbike jinked over the middle; that's clear from the scrape. Nine from there, all of them rubber, on my side, to the place where it stopped, upright, with the rider still on. And three from his front wheel to mine. Three's not many.",
+#:   "Six chevrons on the centre line, and the coach went over the fourth. Before the fourth I had no cause to look at it, it was coming along properly. After it, I'd a coach in my lane with its wipers on and its wheels off, by which I mean they had ceased turning. It slid, it sagged, and it was done.",
+#:   "No one was hurt, and the road was opened again at six. The milk tanker, northbound, had been avoiding a cow. It had leapt from the northbound lane to the other and was there braked so hard that the cab window fell out. A nurse driving south found it stationary before her, with its lights on, and pulled up.",
+#:   "That's a nasty one and I'll talk you through it. You're braking already, good. The taxi's come out of the opposite lane into yours in one go, you saw his wheel flick. Don't dive left, because he isn't going back and isn't coming on. Smell that? He's burned off every mile an hour he had, and he's sitting there.",
+#:   "The opposing truck's yaw rate spikes to minus twelve degrees per second, and its lateral position goes from plus three and a half to zero, that's to say our lane. Simultaneously the longitudinal distance stops shrinking as fast, and then it stops altogether on our side: the truck is at rest, and so by now is the ego.",
+#:   "Every pedestrian in the street turned round for that noise. I got to see what went before. There was a hearse, headed for the cemetery on the left half, and there was the AV on the right half going the other way. A hat blew out; the hearse came over bodily to the right half; and then, the noise; and then a hearse, unmoving.",
+#:   "The man drew up his knees, as though that were of any use. For the headlights, which had been keeping so decently to the far lane, had made a lunge, and stood full in the glass. There was a howl; they bowed to the ground; they rose again; and they were merely two headlights, at rest, on his side of the road.",
+#:   "Like a horse that sees a snake, this is how the little truck did. It came from Oaxaca, in its lane, I came from the sea, in mine. A horse jumps, so it was in mine. A horse then puts all four feet on the ground and will not walk. There the truck was, with four feet in the ground, at two metres.",
+#:   "Collision avoided by 0.8 m; both stationary. Working backwards: V2 had come to rest facing V1, within the lane belonging to V1. Preceding this were nine metres of locked-wheel braking in the same lane. Preceding that was an abrupt steering movement over the centre line. And before it V2 was ordinary opposing traffic, in the lane of its own.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "swerve", "brake", "stop"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 7.0

@@ -60,6 +60,26 @@
 #:   "You've got an oncoming hatchback with the indicator going. Ask yourself, left to where? There's no road there. There's a drive, though, on our side. So we wait, since he's begun it already, and he's not going to be rushed, is he, he's tiptoeing over our lane like somebody coming in late from a party.",
 #:   "At first it was two headlamps that met us, then it was one, and for a long, long time after it was a whole flank. The hearse, I mean, that came from the town and had to be taken left into the mourners' gateway on our side. It wouldn't have been decent to hoot. It went over our lane at the pace of those who'd follow on foot.",
 #:   "Complaint no. 88. Customer's robotaxi was halted in a residential street for \"an eternity\". Review shows one pickup from the opposite direction on its way to a carport on the customer's side. It went over the customer's lane in a left-hand arc at three km/h, probably since there were planks on the roof. The taxi's conduct was correct.",
+#:   "Oncoming camper, over our lane, garden gate, at grandmother's pace.",
+#:   "post van facing me took a WEEK to get left across into number 9",
+#:   "Bike from ahead: left over your lane, someone's yard, barely rolling.",
+#:   "It was a good ten seconds between the moment the oncoming hearse's bonnet entered our lane and the moment its tail was out of it and in the vicarage drive.",
+#:   "I'd time to read the whole list of services on the side of that van, which had been facing me and was now on its way, snail fashion, to a gate on its left.",
+#:   "If the lady coming towards you is looking for her own gateway over here, on your side, she'll have it found by Christmas; you may as well put the handbrake on.",
+#:   "Opposing target departs its lane to the left at the property entrance; transit of the subject vehicle's lane at 1.2 m/s, uniform, without standstill, ending on private ground.",
+#:   "Make the oncoming lorry want the builder's yard on our side of the road, and make it want it so gently that an ant could get out of its way.",
+#:   "What held up the shuttle was length divided by speed: eleven metres of coach from the opposite direction, bound for the hotel forecourt through our lane, over a walker's pace.",
+#:   "The gate stands on my side of the street. The car was on the other, coming my way, with a wardrobe on its roof. You see the problem. He'd not trust that wardrobe to anything above two miles an hour, so once he'd put himself over my lane I watched the wardrobe go by, left to right, like a ship leaving harbour, and in at the gate.",
+#:   "Nothing happened fast, and that was the mistake I made. The oncoming Peugeot's front wheels had turned towards a drive on its left, I'd all the distance in the world, I thought he'd be over by the time I came. He wasn't over. He was half over. The half of him that still lay in my lane was rolling towards its garage as a glacier does.",
+#:   "Blocked-lane dwell 8.6 s, no junction within two hundred metres. Cause: the bicycle with trailer that we'd tracked as opposing traffic took a line through our lane to its left, to an allotment gate. Its velocity in this phase is such that the tracker twice declared it a static object. It was in motion at all times.",
+#:   "My son has got a torch and he likes to inspect. He said, that man has a broken mudguard, a sticker, a rust hole and a tail light out. How can you know all this of a car that a moment before was in front of us, face to face? Because it went across us to its left so slowly, to the neighbour's court, that the torch had time for all four.",
+#:   "The bollards in front of the surgery are staggered, so a bus that comes down the hill and wants the surgery car park must cut over the uphill lane. Which it may. What it may not, I wrote to the council, is to do so at the speed of honey. I was the uphill lane. I'd finished my sandwich before the last of its windows had gone in past the bollards.",
+#:   "You know the sound gravel makes under a tyre when someone is trying not to wake the house? That's the speed. He'd come down the lane to meet us, seen the drive on his left, and was now laid straight across our path, with the gravel of it crackling under his front wheels, one pebble at a time, and his back wheels not yet in the road's middle.",
+#:   "There's a difference, my lord, between a driver who takes a chance and one who takes his time. My client took no chance. He was opposite, he saw the plaintiff far off, and he set out to bring his tractor lorry through her lane into his own yard, on his left. He then took his time. He was still taking it when she arrived.",
+#:   "From the AV's log, with my notes. 14:02:10, beer truck approaching on the opposite side. 14:02:14, beer truck's nose points at the pub's cellar yard, on our side. 14:02:15, we stop. 14:02:31, we're still stopped, and the last barrel goes by the camera. I've walked the distance the truck did in that time, and I wasn't walking fast.",
+#:   "Me I come with scooter. From front there comes auto-rickshaw full of schoolgirls, he must go in the school gate, which is at my hand, for him it's left side. He comes over my way, okay. But every bump he's afraid they will fall, so he's rolling like one egg. All the girls waved to me. I had to wave back to every one.",
+#:   "It wasn't rude, and it wasn't dangerous, it was just eternal. He'd come along on his tricycle with the milk churns, from the far end, and of course his dairy is on this side, so over he comes, in front of Dad's Jag, to his left. Dad drummed on the wheel. You could see the spokes. You could count them. And then each churn went in under the arch.",
+#:   "Everything in that street happened as under water. The limousine that had been coming to meet us put its long face round, to its left, to the gate of the embassy. Yet it floated over our side of the road with such deliberation that the chauffeur opposite had lit, smoked and dropped his cigarette by the time the flag had passed in.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "bicycle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "turn-left", "slow"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 1.8

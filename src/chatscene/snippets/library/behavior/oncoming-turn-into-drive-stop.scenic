@@ -60,6 +60,26 @@
 #:   "Grey Golf, facing. Over left in front of Unit 1 for the nail salon. Stopped short of pavement for a lady and pram, so its whole side blocked Unit 1's lane. Unit 1 hit rear door at about 20. Golf was standing at the time, driver of Golf agrees to this.",
 #:   "My grandson built it on the carpet for the insurance man. Here's us, he said. Here's the yellow truck coming to meet us. And it turns to its left, like this, right over where we want to go, and then it doesn't go in the yard, it stops, see, and it's lying like a log in front of us.",
 #:   "We need a blocked-lane variant born from a left turn. An oncoming taxi crosses the ego's lane as if going into an entrance on the ego's side, but with its body at about a right angle to the lane it halts for good. There must not be any room in front of or behind it.",
+#:   "Approaching van hooks left, dies broadside, and our lane has a wall.",
+#:   "Make the facing taxi bend left before us and stand crosswise.",
+#:   "One left turn from ahead, one closed gate, one blocked lane.",
+#:   "I was looking into the eyes of thirty schoolchildren, a window each, for their bus had come from ahead, gone left over our lane and stuck there side-on.",
+#:   "The pickup opposite made its left for the timber yard and got as far as lying flat across our half, where its wheels stopped turning.",
+#:   "What had been an oncoming headlamp was now a tank, a seat and a number plate in profile, unmoving across my lane: he'd hooked left for the pub.",
+#:   "The opposing target is to yaw left through ninety degrees over the VUT's lane, and to be braked to rest there, flank exposed, until the end.",
+#:   "The lorry coming down to meet you wants that yard on your side; he's come left over your lane, there's no room in it, so he's standing.",
+#:   "His garage door, which ought to have been opening, wasn't, so the whole oncoming Mercedes, midway through a left over our lane, waited for it there.",
+#:   "The insurer has asked where on the other vehicle I hit it. In the exact middle, I'm afraid, between the two doors. It'd been coming to meet me a moment before, front first like anybody. It turned to its own left, over to my side for the vet's, where a horse was being led out, and lay still.",
+#:   "For two reasons our robotaxi could not go on. The first had a cab, the second a trailer, and they were hitched together. They'd approached on the far lane and swung left, over ours, for the boatyard; the cab was in the gateway, where a man held up his hand, so the trailer was at rest in front of us from edge to edge.",
+#:   "I'm five foot one, I couldn't see over it. All I know is that the road had been open, with a minibus on it, at a distance, coming. Then my view was a handle, a sliding door, a sill. Through its windows I saw the nursing home it had turned left for. It just stayed put, so I stayed as well.",
+#:   "Whoever draws the next training poster can have this. A driver's facing us and signalling left. He has time to get in, we've time to let him. He's over our lane, his nose is on the pavement, and there's a wheelie bin. So there's no more \"in\" to be got. Flank to us, brake lights on, two tons across the way.",
+#:   "The black box gives V2's heading as 182 degrees, V1's being 2. At 16:20:07 V2 began a left turn, passed the centreline, and at 16:20:09 its heading was 94 and its speed zero. Both values then remain. The point is in V1's lane opposite the car park entrance, whose barrier did not lift.",
+#:   "It wasn't the motorcyclist's fault that the lady came out with her pushchair. He had been riding towards us, he had leaned to his left, gone over the line, gone into our lane on the way to the hotel steps. Well, he couldn't very well run her down. So he stood on his two feet, lengthwise over the lane, and we slid.",
+#:   "Like a drawer pulled out of a chest, that's how the coach came out of the opposing lane, leftwards, into ours. The chest analogy breaks down there, the driver said with a laugh, for nobody pushed it in. The bus park was full. Fifty feet of coach lay square across the road, and we ate our sandwiches before its luggage hatches.",
+#:   "From the audio notes. Oncoming grey SUV, okay. Blinker, his left. He's crossing us, should clear in about two. One, two. He isn't clearing. Heading's perpendicular, speed's zero, he's all of lane one. Driveway's occupied by a skip. Still zero. I'm taking over, we're stopped four metres off his back door.",
+#:   "I was hanging out the washing, so I had the whole road. The blue one was going up. The cement mixer was coming down, and it wanted in at number 8, on the blue one's side. It got itself round, left hand down, till it was square over that lane, and it conked, or he did. The drum went round, the wheels didn't.",
+#:   "The scene that I have before me since, when I close the eyes: a camion comes from in front, he makes his left to go in the vineyard, before my nose, good, I lift the foot. But the vineyard has a chain. And so it rests there, this long side with the barrels, from the one ditch to the other.",
+#:   "He'd have been hard put to choose a worse place to stop. Coming the other way, he'd taken his left across our lane, and one yard sooner he would've been in his own, three yards later he'd have been in the forecourt. Between them he heard his phone, pulled on the brake, and showed us the full length of his Transit.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "turn-left", "stop"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

@@ -60,6 +60,26 @@
 #:   "After the bend the trees close in and people cut it fine, wanting their tea. I met a pickup there last night. It was on its own side until it wasn't: with me forty yards off, it took a slice through my lane to the left, mounted the verge and vanished up the track to Hill Farm.",
 #:   "My uncle's petrol pump is in Nashik road. Customers from the opposite direction don't go till the U-turn. They take left from there only, over the lane of the coming people, directly to the pump. Today one tempo did the same before my car, he didn't even slow for me, and already he was asking for diesel.",
 #:   "heard a clatter, looked up, and theres a guy with a mower on a trailer going broadside over my lane. hed been coming the other way on his side, all normal. just cranked it left for some driveway, didnt stop or anything, and the trailer bumped over the kerb after him. had me breaking like mad",
+#:   "Opposing taxi, left over us, into the multi-storey.",
+#:   "he lives on our side so over he swung, left, garage open, us braking",
+#:   "Meeting us one moment, up the school drive the next.",
+#:   "The gates on my side of the street were opening by remote, and the SUV that came the other way went to them straight over my lane.",
+#:   "Caught between its own lane and the farm entrance on mine, the oncoming horsebox was for two seconds a wall across my road.",
+#:   "Have the bicycle, which is approaching on the opposite side, lean left without a junction, pass over the ego's lane and vanish through a garden gate.",
+#:   "Since when has somebody who wants the car wash on your side got the right to sweep over to it under your bonnet?",
+#:   "V2, opposing, angled left toward the entrance of a private lot, in consequence of which its right side was presented to V1 in V1's lane.",
+#:   "The ambulance wanted the hospital ramp and the ramp was on our side, so she came over, left, across us, up and in.",
+#:   "Look at the dropped kerb, not at the car, I always tell them. There's a dropped kerb on your side, there's a hatchback coming towards you, and the child in the back's unbuckling. What's that make? Exactly, a hatchback over your lane, its left wheel up on the dropped kerb, and a garage door closing behind it.",
+#:   "I braked because the bakery van got wider. Head-on, it's as wide as it's tall. It got to be as long as it is, all of a sudden, with \"Hovis\" from one side of my lane to the other, and then it got narrow again, tail lights, as it trundled up the side of the bakery, which is on my left.",
+#:   "No collision occurred, but I would ask you to repaint the sign. Persons who come from the town, as this motorcyclist did, and want the campsite, believe that the arrow means now. He accordingly came off his half at an unaltered speed, passed over my half to his left, and was among the tents while I was still skidding.",
+#:   "They call it a left turn across path, driveway variant. The important thing for the AV is that there is nothing on the map: no side road, no lights. There's just a coach that approaches, and a hotel with a forecourt on our side. Coach yaws left, covers our lane with twelve metres of glass, and unloads in front of the hotel.",
+#:   "My dog knows the sound of Frank's truck, so he was pulling already. Frank came down the street, the robotaxi came up. His yard's on the robotaxi's side. Frank being Frank, he doesn't wait, he brings that truck left round the nose of the poor thing, over its lane and in by his yard gate, waving at my dog.",
+#:   "From a car park attendant's window one sees what the drivers can't. The silver estate and the bus were about to pass each other. They didn't pass. The estate peeled off, its left, towards me, over the strip the bus was using, the barrier went up, the bus's nose went down, and I'd a ticket to print.",
+#:   "Was the fire engine on a call, counsel wished to know. It was going home. The station lies on the north side; the appliance was westbound, the claimant eastbound, and so the one way home led through the claimant. It went that way, doors open, without stopping for him, in one leftward sweep over his lane and into bay two.",
+#:   "The lamps that were meeting me on the other side swung over the hedge, that was a warning of sorts. They swung over me, so that I couldn't see. And when I could, they were lighting up the front of a farmhouse to my left, and the last of a Land Rover was going off my lane and into its yard.",
+#:   "Uncle, I was on cycle, no speed. From front side one auto is coming, his side is empty, my side is empty, everything fine. But the wedding hall is on my side. So he cut left hand, over my whole portion, and went into the hall's driveway with the music. I took support of one tree.",
+#:   "I left a long black line on Acacia Avenue. It begins where I saw a moped, which I'd been going to meet in the usual manner, dip its left shoulder. It ends at number 40. Number 40 is where the moped lives, on my side, up a short concrete slope, and it had been over my lane to get to it.",
+#:   "\"You'd think he'd let the gentleman by first,\" said my aunt, \"seeing it's the gentleman's lane.\" But the butcher's van was making for its own back yard. It had come up the hill as we went down; and now it bore off leftward, a whole van crosswise in front of us, bumped over the gutter, and was in among its crates.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["advTrajectory"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "turn-left"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

@@ -60,6 +60,26 @@
 #:   "There are drunks who crawl and drunks who fly. This was one of the second kind, your worship. He flew at my client's car down the straight, and did so as a bat flies, that is, never two moments on the same line, tacking to the one side and to the other and still with his foot hard down.",
 #:   "When the tyre of my motorbike went soft I was at hundred and ten, and I should have slowed, but I was late for my sister's wedding. So it swam under me, to the right, to the left, to the right, and towards me came a little car with nobody at its steering wheel, and I didn't brake for that one either.",
 #:   "Like a shuttle in a loom it flew up the valley, never ceasing to pass from one side of its lane to the other, and with every pass it was nearer by fifty yards. She had time for one thought, which was that nobody can steer at such a speed, and the proof of it was coming straight, or not straight, at her.",
+#:   "Coming at us like the clappers, weaving like a drunk wasp.",
+#:   "Opposing sports bike: triple the limit, never one straight yard.",
+#:   "Let an oncoming saloon rush us, swaying edge to edge.",
+#:   "The speck on the straight became an Audi in about three breaths, and in each of those breaths it had hung over the verge and then over the centre line.",
+#:   "His headlamp doubled in size every second, and the whole time it was swinging, hedge, line, hedge, line, like a lantern on a ship.",
+#:   "Had he been slow I'd have laughed at his swaying, had he been straight I'd have cursed his speed, but the oncoming biker managed both.",
+#:   "Opposing target: seventeen metres per second, lateral offset alternating about its lane centre with a two-second period, sustained until it has passed the VUT.",
+#:   "Get into the gateway, that's a very quick one coming down, and look how its tail keeps going out, left, right, left.",
+#:   "From opposite a Pulsar is coming so fast that the horn comes after him, and he's drawing snakes on the road, my left, my right.",
+#:   "Hold a pencil between two fingers and wag it, that's what its bonnet was doing. I saw it over my handlebars, on the far side, at the top of the long hill, and I hadn't done wagging my own head when it was down at the bottom and past. The draught laid me in the bracken.",
+#:   "We had worked out a rule with the kids for the long straights: shout \"car\" when you see one and count until it has gone by. Usually you get to twelve. For the white one they got to four. And the baby, who can't count, was turning her face from the one side to the other, in time with it.",
+#:   "The tyre marks run for a hundred and sixty metres along V2's lane, now up to the gravel, now up to the paint, six waves in all. From the lean of the marks the institute derives a speed of some 130 km/h. V1, which was coming up the same road in the other direction, took to the shoulder as it came.",
+#:   "I drive an artic, I don't scare. I was scared. There's this motorbike coming the other way and I can hear it over my own diesel, so he's on the stop. And the front end's having a fit. He goes from the kerb to the white line and back as if he was sewing it up, and closing on me at that speed.",
+#:   "Predicted position error of the oncoming object, in metres: 0.2 to the left, 1.1 to the right, 1.3 to the left, and so on. Predicted arrival: far too late every time. It was simply swinging to and fro about its lane like a metronome arm, and doing so at a velocity for which our lookup table has no row.",
+#:   "\"Is that one all right?\" she asked, of a car still small between the poplars. He'd no time to say that it wasn't. The poplars went by it like a stick along railings, and it kept showing them now its one flank, now its other. Then there was a bang of air, and the wing mirror, thank God only the mirror, folded in.",
+#:   "The wet had got into his brakes, he told us, and into his tyres, and, I'd add, into his head. He'd come over the brow at the other end with the throttle pinned. You never saw the same side of him twice. Nearside, offside, nearside, every couple of seconds and fifty yards closer, till he'd gone by our car howling.",
+#:   "Emergency call transcript. \"There's a red car on the coast road heading to you, north, and he'll be there before I've said it. Ninety? More. No, he isn't in my lane, he's in his, but he's using all of it, like, he's at the rocks, he's at the line, he's at the rocks. I was going south and I just stopped.\"",
+#:   "For the instructor's handbook. An approaching vehicle can be hard to read by its pace or by its path. Here it's both. It'll be with you in no time, since it's going at twice what is sane. Where it'll be then can't be told, for it swings over to one side of its lane and over to the other, again and again.",
+#:   "It came on as the swallows do before rain, low, and much too quick, and tilting first this wing and then that. In the robotaxi they'd put their newspapers down. A grey coupe, someone said later; all that the rest had seen was a thing that grew while it swung, and swung while it grew, over there in the oncoming lane.",
+#:   "Wie ein Skifahrer, a ski racer in the gates, so this car came against us on his side. The driver wanted surely to be straight but the tempo did not let him. Left gate, right gate, left gate. I said to my wife, hold the dog. Before she held the dog the racer was already by us through.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -70,7 +90,6 @@
 #: place = "road"
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 12.0

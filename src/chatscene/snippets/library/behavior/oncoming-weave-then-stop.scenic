@@ -60,6 +60,26 @@
 #:   "I was doing the accounts in the back of a robotaxi when it slowed for nothing that I could make out. Then I looked ahead. A camper coming from the other direction was rolling from edge to edge like a drunk in a corridor, over and over; by and by it wasn't rolling, it wasn't doing anything, it had come to rest.",
 #:   "My brother can do this with his toy bus on the carpet, swish to one side, swish to the other, and he makes the noise. The real bus that was coming to our car did that too, without the noise. Then it got tired and slower and it stood, and the driver came out and he had soup on his shirt.",
 #:   "Which of its tyre marks belong to the drink and which to the brakes? The first forty metres, those that swing to and fro like a river on a map as they come towards where the ambulance was waiting, belong to the drink. The straight ones at the end, under the wheels, belong to the brakes, for there the hatchback stopped.",
+#:   "Lorry ahead tacks towards us, port, starboard, port, then lies still.",
+#:   "Facing cyclist: S after S after S, then a full stop.",
+#:   "From ahead, a swaying bus; at last, a standing one.",
+#:   "The moped's lamp came towards my cab going tick, tock, tick, tock, like a metronome, and when the ticking ended so did the coming, as he'd pulled up.",
+#:   "Opposing actor follows a sinusoidal lateral path at constant speed for the stated interval; it then brakes moderately to a standstill, still facing the ego.",
+#:   "bloke coming the other way was driving like he was signing his name, big loops, kerb to line to kerb, then he just stops there and puts the wipers on",
+#:   "From front side one cycle with two gas cylinders was coming, going here, going there, here, there, and at the finish both legs down, standing.",
+#:   "I didn't go on until that van stood, since the whole way towards us it had used every inch of its side, over and back and over.",
+#:   "Driver said to have been swatting at a bee: his coach approached in wide swings to either side before he could get it slowed and, in the end, motionless.",
+#:   "Our headlights lit him by instalments. His left side, then his right side, then his left again, with a bag of bottles swinging on each handlebar, and each time he was bigger, as he was coming our way. I'd stopped by then. The last instalment was the whole of him from in front, stock-still, one foot on the road, bidding us good evening.",
+#:   "Nothing in the log was violated, and still the safety driver took over, and I'd have too. The opposing pickup kept within half a metre, one metre, one and a half of its lane centre, on alternate sides, with a period of two seconds. She'd got us stationary before the fourth swing. There wasn't a fifth; the pickup's speed ran down to nought with us looking at each other.",
+#:   "I was waiting on my bicycle, off the road, because the trailer on that lorry coming down towards me and the car had started to wag. Left, and the lorry with it, right, and the lorry with it. He braked it in the end, ever so gently, and we heard him put the handbrake on and be sick.",
+#:   "What do you do about him, the one who's coming at us with his bonnet now at the hedge, now at the cat's eyes, now at the hedge? You slow, you keep in, you stop if need be. And you go on watching after the swinging ends, as it has now, because you want to see those wheels quite still, and there, they are, he's at rest.",
+#:   "I took it for two motorcycles, one on each side of that lane, each appearing when the other went away. It was one, wagging across it as he rode to meet us; something had bent. They'd both stopped, I then saw, or rather he had, and he was sitting on it in front of our bus with his visor up, as pale as his machine.",
+#:   "Vehicle 2's path on approach was reconstructed from a fluid trail. The trail crosses the center of the opposing lane seven times in one hundred and ninety feet, at regular intervals and in alternate directions. It ends in a pool two feet across, Vehicle 2 having been brought to rest there, facing Vehicle 1, which stood forty feet away with its flashers on.",
+#:   "The passengers of our shuttle disagreed about the saloon on the other side. Was he dodging potholes? There are none. Was he waving? With a whole car? He'd lean it this way and lean it that way, closer with each, like a dog that's not sure of its welcome. They never did agree, and the saloon was by then standing still ahead of them with its engine off.",
+#:   "One could see that something was amiss from the birds. They flew up from the left verge, then from the right one, then the left, always a bit nearer us, for the bin lorry that was coming up the lane brushed first the one and then the other. It got slower after that, and ran straight. When it wasn't going at all, they settled on it.",
+#:   "Es war Glatteis, how do you say, mirror ice. In front of me the street goes up and down from there comes an autobus, and he dances. The back to left, the back to right, the front also, four times, five times, I've my hands already before the eyes. But then his tyres have found some salt, he slows and he stands, and the driver makes me a cross.",
+#:   "Can I tell about the man with the wardrobe? He'd it on a bicycle. He was coming to us and Daddy, and he went whoops to this side and the wardrobe went whoops to that side, and then it was the other way round, lots of times. And Daddy stopped. And the man with the wardrobe did stop too, in the road, and held on to it.",
+#:   "It would come at them out of the left half of the fog, and be lost, and come at them out of the right, and be lost; a pair of weak lamps, each time a little less weak. She had halted. She'd counted six such visits, when the lamps, on their way back once more, slowed, stayed where they were and did not get any brighter.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory"]
@@ -70,7 +90,6 @@
 #: place = "road"
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 5.0

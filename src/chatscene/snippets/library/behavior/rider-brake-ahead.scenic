@@ -60,6 +60,26 @@
 #:   "As the accused's dash camera shows, the bicycle before him wasn't swerving, wasn't turning and didn't fall. What it did was to stop: from a brisk speed to none, so sharply that its basket was emptied over the front wheel. And stopped it remained, in his lane, with the complainant upon it. The rest we know.",
 #:   "In Delhi I've been driving thirty years, cycle in front is daily thing. But this milkman with four cans, he was going good speed, and one second later he had caught both brakes full. Cans came forward, milk came on the road. He stood there only, in lane middle, looking at his milk, and I stood behind him.",
 #:   "New ticket, please: cyclist as lead vehicle, ego in steady following. On trigger he does an emergency stop. No dismount, no fall, no sideways shift, no second start; he ends up as an obstacle with one foot on the floor exactly in our lane. I'm curious how close our margin gets with wet tyres.",
+#:   "Bike in front: levers to the bars, then a statue.",
+#:   "Cyclist ahead of us came to nought, sharply, for good.",
+#:   "She clamped up and stood there, mid-lane, on her bicycle.",
+#:   "The reflector that had been bobbing along before my bonnet stopped bobbing, swelled to the size of a plate, and hung there at knee height till I'd come to rest.",
+#:   "Once the shuttle has been following the pushbike for a while, lock its wheels, have it upright and still within three metres, and don't move it again.",
+#:   "He was riding before me with a ladder; the ladder made a swing forward, the brakes cried, and then the ladder and he stayed on that place in my lane.",
+#:   "Ahead of the van a boy on a bike ran out of road, in his own mind at least, since he threw out both anchors and planted himself in the lane.",
+#:   "Who brakes a bicycle as if a cliff had opened, and then stays there astride of it, in front of a bus, to look for an earring?",
+#:   "No debris, no fall, no steering: the rear wheel print simply gets darker for one metre and ends, in our lane, under the shoe of a standing courier.",
+#:   "The last word he'd sung was \"glory\". He was always singing, that curate, pedalling ahead of one's car down the hill. There was a shriek of rim on rubber in place of the next word. When I'd put my own car on its nose I had a view of a bicycle clip and a trouser leg, straight as a post, in the middle of my lane, not going anywhere.",
+#:   "A cargo bike has good brakes now, hydraulic. I didn't know. I'm behind one with three kids in the box and thinking, she'll need half the street. She needed about a metre. The kids went \"oof\" in chorus, and I'd to go \"oof\" as well. And it's not that she got off or pulled in; there she stood, one leg each side, wiping a nose.",
+#:   "For two minutes the closing speed had been nil. The AV had got used to that courier: eighteen kilometres an hour, seven metres, nothing to do. So when the seven metres began to go at five metres per second it had first to believe it. Two metres later it did. He'd got a buckle caught in his chain, he was on the spot, in lane, looking down between his knees.",
+#:   "We old ones used to stick out an arm and flap it if we were to stop. The young lady did nothing of the kind. Her plait, which had been hanging down her back while I followed her, flew up over her head, and that was the only signal I received. There she was, foot down, in my road, and there she remained, answering her telephone.",
+#:   "Coming back from the depot I get a club rider in front of me, on the drops, shifting. He sees the pothole late. I don't see the pothole at all, I see him sit up with both hands full of brake and the back tyre hopping. Rest of the morning I'm looking at Gino's Cycles on a pair of shorts. He's stood over it, swearing, dead centre.",
+#:   "It's her basket I drove over, not her. On her ride along my lane, before me, the basket was behind the handlebar; when she'd squeezed everything and was standing, it lay in front of the wheel. I thank my tyres. She didn't go to the side, she stayed with two feet on the floor and both hands in the air, crying for her tomatoes.",
+#:   "The pupil said \"but bikes can't stop fast\". Oh yes? That lad in front of us had been nipping along at fifteen, with his chips. Look at him now: not nipping, not even rolling, both trainers down and a black stripe behind him. He's in your lane and he'll be there as long as it takes to pick up a chip. Lesson over.",
+#:   "The bicyclist and V1 had been in line for several blocks, the bicyclist leading. According to her statement a squirrel \"froze\". So did she. The forensic download from her e-bike gives a drop from 14 mph to 0 in 1.3 seconds, without any change of heading. It logs no movement in the subsequent 20 seconds, the fifth of which contains the impact by V1.",
+#:   "Mr Pym's umbrella, furled, was strapped along the top tube of the bicycle behind which the taxi was crawling. At the corner of the Crescent the umbrella slid out forward like a lance, which will tell you how Mr Pym had braked. It lay in the road; Mr Pym stood in the road; the taxi, by the grace of God, stood an inch from Mr Pym, and there was no getting round him.",
+#:   "In the requirement it says \"sudden obstacle of low width\". We take a cyclist. He is in front of the ego in the same lane, and the ego is following him already. On the trigger he has no speed any more after one second and a half. He stands in the lane centre, he is not lying, he's not going to the kerb, he's just there like a pole.",
+#:   "commuting on the shuttle, lady on a dutch bike ahead of us, super chill. then SCREECH and shes just... there. standing. one clog on the floor, bang in the lane. shuttle nearly parked in her flower basket. she was letting a hedgehog go by. netherlands moment",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["brake", "stop", "block"]
 #: position = "ahead"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = 0.0

@@ -60,6 +60,26 @@
 #:   "Clip of the day is titled \"Main character syndrome\". A guy in full Lycra is in front of the camera car. He glances back, drops two gears and goes for the imaginary finish line. The cammer laughs. Cut to twenty seconds later and he's practically stationary but not quite, elbows on the bars, crawling, and the cammer's still laughing.",
 #:   "Sensor fusion had the lead bicycle at 28 km/h at its best and at 5 km/h at its worst, and the entire decline happened inside our reaction horizon. The explanation is physiological rather than electronic. People tire. This one had spent himself in getting away from us and had only enough left over to keep the wheels going round.",
 #:   "There's a stretch where the canal wind hits you full in the chest. So I wasn't surprised. The student on the bicycle ahead had whizzed off from in front of my taxi with her scarf straight out behind her. At the bridge the scarf came down. By the lock she was doing the sort of speed you'd do in treacle, and I crept along in her wake.",
+#:   "Bike ahead: bullet for a block, slug from there on.",
+#:   "cyclist in front went beast mode for like 5 secs now hes dying",
+#:   "Pushbike ahead pulling clear... engine's blown, he's at a dawdle. Over.",
+#:   "We never did anything to catch the racing bike that had shot away from us, except go on as before until its rider's legs turned to porridge.",
+#:   "A burst of standing on the pedals had put half a street between her and our bonnet, and her lungs then gave every metre of it back.",
+#:   "The lad in front spent all his pennies at once, and from the second telegraph pole he'd got no more in his pocket than would keep a bicycle upright.",
+#:   "Cyclist target, ahead: step increase to 8 m/s for a limited time, then decay to 1.5 m/s, simulating exhaustion; motion is maintained, no stop, lane unchanged.",
+#:   "Give our lead bicycle a hero's beginning and a pensioner's end: away from us at a gallop, and after a few breaths hardly turning its cranks at all.",
+#:   "Beware of falling for the first half of his act, the flying half, because the man on that bike in front has no second half, only puffing and a walking pace.",
+#:   "The gap in front of us breathed. It breathed out when the fellow on the folding bike got up on his pedals and went at the hill as if the hill had insulted him, and I went after him. It breathed in when he sat down again, purple, with his knees going round like a tired mill. I was off the gas by then, and on the brake.",
+#:   "My nephew had announced that he'd beat the car to the bakery. He was in front, it was a fair race, and for the first hundred yards I'd have put money on him, as we could scarcely see his jersey. At a hundred and one we had it in front of our bumper, swaying. We arrived at the bakery together, him and me, in first gear.",
+#:   "Statement from Box 3. Rider visible ahead of the white lorry, low over the bars, cadence about 120, lorry dropping back. Cadence 90, still good. Cadence 30, rider upright, one hand pressed to her ribs, lorry's brake lights on. Lorry in bottom gear behind rider from there to the end of my section. She never got off.",
+#:   "If you look at the chain you can see it all. When we'd settled in behind, the chain was a blur, and he was leaving us. Then you could make out links. Then you could have oiled them one by one. He hadn't changed gear and the road hadn't gone up; it's just that nobody of his shape should go off like that on a company bicycle.",
+#:   "Ego speed set at 30. At second 4 the bicycle we follow makes 34 and we lose it from the close-range sensor. At second 9 we've got it back. That isn't us. It is going at 6, having burnt its matches, and it keeps going at 6 with a good deal of shoulder movement. The brake request came late by one second.",
+#:   "Messieurs, I am old coureur, I know the défaillance. The young before my Peugeot attacks, bravo, he is out of the saddle, he takes thirty metres, forty. And there, the lights go off in him. He isn't stopping, no, he has his pride; but an ant could ride in his wheel. I had to swim with my clutch.",
+#:   "In the telling she had only been late for the ferry. She'd flown out ahead of us down the causeway with her coat standing straight behind her, so that Mother said there goes somebody who eats her porridge. The coat began to droop about the first milestone. By the second it hung, and the wheels beneath it turned so lazily that we had our bumper at its hem.",
+#:   "Defence counsel called it a trap. The bicycle in front had withdrawn at such a rate that the defendant reasonably took the road to be free and brought his van up to speed. That it'd be there again, directly before him, and moving at a rate that would disgrace a perambulator, for want of nothing but breath, he could not have foreseen.",
+#:   "Don't overtake and don't give chase, I told my lad in the passenger seat who was driving in his head. Why's that bike pulling away from us? Because he's twelve and he's seen us. How long does twelve last? Count. One, two, three, four, five. There, see his elbows go wide. Now he's in front of us and he's crawling, and you, my lad, have hit him.",
+#:   "We've all seen the reel: guy on a fixie looks round, sees a Tesla behind him, and goes for it. He actually gets away. Comments are like, legend. They didn't watch to the end. At the end the Tesla's sat there on about three percent throttle, with the legend right in front of it, tongue out, weaving no, just grinding, one foot... other foot... one foot.",
+#:   "The log of a rescue boat crew on their way to the slip, by minibus. \"Bicycle in front, keen type, drew off from us at speed. Skipper said follow that man. Man ran out of wind at the bandstand. Remainder of seafront covered at the pace of his recovery, which was poor, he declining to dismount or come aside. Launched nine minutes late.\"",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["accelerate", "slow"]
 #: position = "ahead"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPRINT"
 #: low = 6.0

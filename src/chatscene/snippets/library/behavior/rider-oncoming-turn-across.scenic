@@ -60,6 +60,26 @@
 #:   "Dispatch, no injuries, just a scare. The motorcycle was inbound, the delivery van outbound on the same road. The rider hung a left for the car wash, and that took him clean over the outbound lane in front of the van; he's in the car wash now, the van's stopped with its load on the floor.",
 #:   "As foreigner I didn't understand why he holds the arm out. He came in front of us on a bicycle, the arm shows to his left. And yes, he goes to his left, through our lane, as if we are not existing, and on my right side he disappears in a small street.",
 #:   "He'd always come home that way, the old man, and he didn't see why cars should alter it. He freewheeled down the hill towards them, let the bicycle fall round to the left of its own accord where his cottage stood on their side of the road, and rolled over their lane, under their noses, in at the open gate.",
+#:   "Postie meeting us goes left, over our lane, in at a gate.",
+#:   "Facing motorbike banks left through our strip and is off.",
+#:   "From ahead, left across our bows, away: a girl cycling.",
+#:   "The satchel coming towards me on the other side leaned left, went by from left to right before my grille, and was up the school drive.",
+#:   "Oncoming moped at trigger distance: short-radius arc to its left, then straight on through the ego's lane at the same speed until clear.",
+#:   "delivery ebike is coming at me on his side, and goes left to the kebab place that's on MY side, straight thru my lane, didn't even look up",
+#:   "His house is on the side of my driving, so from the front he came on his bicycle, to his left he bent, through my lane he went home.",
+#:   "We braked for a left-turner on two wheels: it had been facing us, and the way to the ferry, which is on our side, led right over our lane.",
+#:   "You braked because the scooter facing you couldn't wait; it swung left, your lane was in its way, and it's in the garden centre by now.",
+#:   "The car park attendant had his barrier up. He'd seen that the biker coming down the road was bent on getting in, and the car park's on the coming-up side, and so were we. The bike lay over to its left, there was a headlight in my headlight, a wheel, an exhaust, all going from my left hand to my right; and then the barrier going down.",
+#:   "Draw a T and stand me on the upright. The cyclist comes down the upright to meet me. At the crossbar he goes off along it, on his left, my right, and I suppose you see what's in between him and that; it's me, or the lane I'm in. He rode over it without a break in his whistling and I stood on the middle pedal.",
+#:   "By the ego's camera: rider, frontal view, adjacent lane. Rider, three-quarter view, leaning. Rider, side view, dead ahead at 9 m, front wheel to the right of the picture; that's the worst of it. Rider, rear view, small, on the drive at the right-hand side; and in none of the four has the rider's speed changed, whereas ours is zero.",
+#:   "My old man sold papers from a bike and he had a rule, never cross traffic, go round. The lass who brings them now was coming along opposite our van, she wanted number nine, number nine is our side. Round she came to her left, and number nine's gate was banging, and I'd an inch of her rear reflector left to look at and both feet down.",
+#:   "If she'd stayed on her side we'd have passed and never known one another. However, there is a ford on ours where people water their dogs, and a dog was running by her bicycle. Left it pulled her, dog first, lead second, lady third; all three were over our bit of road and down to the ford. We had stopped, and the dog shook itself over our number plate.",
+#:   "It was decided on one point. The rider of the moped had the oncoming van before her and she wished to go to her left. In those circumstances one waits. She instead described what the map shows as a quarter of a circle, continued through the van's lane at right angles to it, and reached the forecourt; the van, braking for her, spilled its eggs.",
+#:   "On the night bus you see it from above. There's a bike lamp coming the other way, it's well over, nothing to do with us. It goes round like a lighthouse, to its left, and I'm looking at spokes with beads on them, right beneath me, going from the one side to the other. \"Pizza,\" says the driver, and there's the pizzeria on our side, and in he goes.",
+#:   "Every noon there's a bell, and a hundred boys on bicycles ride out of the factory, and they meet the lorries. Ninety-nine keep on. One has his mother's noodle shop on the lorry side. He makes a curve to left, he doesn't look, my bumper can smell his shirt, he goes through my lane and stops not before the noodles, and I've again two years less.",
+#:   "For the robotaxi it was the easiest object of the day until it was the hardest. A motorcyclist, facing it, in his own lane, indicator blinking on his left. He'd yield, since that's the law. He kept up his thirty all the way round, so that his path and our lane met at a right angle eight metres from our bumper, and the drive-through on our right took him in.",
+#:   "There's fresh gravel off the mouth of Hodge's track. I'd been looking right at him, a big lad on a dirt bike coming up as I went down. Then it's his boot and his knee that I'm looking at, he's tipped it over to the left, he's across my radiator; and a handful of gravel comes up from the track on my side.",
+#:   "He came towards them with the sun at his back, and the sun had made a giant of his shadow. It was the shadow that turned first. It swung off to his left, it fell over the stretch of lane that they'd be using, and the small man on the bicycle followed after, without a pause, as if to pick it up, into the orchard on their side.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["oncoming", "turn-left", "cross"]
 #: position = "oncoming"
-#: leader = false
 #: place = "road"
 #: maneuver = "straight"
 #: [[parameters]]

@@ -60,6 +60,26 @@
 #:   "My niece said into the microphone, \"A man was riding his bike to us and it was all wiggly. First it was wiggly on our side and then it was wiggly on the other side and the stripe in the middle was always going under him. Mummy drove like a snail because of it.\"",
 #:   "The damage is to my client's left mirror only. A bicyclist was nearing from the opposite direction, in a wavy course whose peaks lay a good metre inside my client's side of the road and whose troughs lay on his own. My client had the bad luck to meet a peak.",
 #:   "What we have on the recording is basically a graph. Bike comes towards us from the top of the picture. Plot its distance from the centre marking and you get up, down, up, down, five full swings, both sides of zero. The beer crate on the rack may explain the amplitude.",
+#:   "Bicycle coming our way, stitching the centre line, left, right.",
+#:   "oncoming pushbike all snaky down the middle of the road",
+#:   "A facing cyclist, meandering either side of the paint.",
+#:   "The lamp that came up the road to us couldn't make up its mind about the middle: it was over on our half, on its own half, and over on ours.",
+#:   "Give me a schoolgirl on a bike, riding towards the AV, with a line like a sine wave laid on the centre of the carriageway.",
+#:   "I saw his left pedal, I saw his right pedal, I saw his left one again, and every change was a trip over the middle line as he came to us.",
+#:   "For all the time that she was pedalling up to meet us she drew noughts and crosses on the road, a bit of this side, a bit of that.",
+#:   "The bicyclist target, opposing the VUT, follows a laterally periodic course, the mean of which coincides with the middle of the road and whose extremes reach into either half.",
+#:   "He's looking at his phone, this cyclist who's heading for you, and he's roaming from one side of the middle to the other, so be ready to stop.",
+#:   "It was market day, and he had a goose under one arm. With the other he steered, if it's the word. First we'd have said he would pass us on the one hand, and then, having wobbled through the middle, on the other, and then on the first again. He came all that long hill down in this fashion, goose foremost.",
+#:   "A puddle had dried in the middle of the road, and behind him it showed what he'd done: a wavy line of wet tyre across the dashes, across them again, across them again, as regular as the hem of a curtain. And before him there was us, with our wheels on the verge by now, because the next wave but one would have us.",
+#:   "I teach my lot to ask where the bike will be when they meet it. With this one nobody could tell. It was coming along the crown of the road, and a second later it'd be well in our half, a second after that well in the other, and it did this as far as I could see it, which was two hundred yards. So we stopped.",
+#:   "If it had been his side he kept wandering about on, no one would have rung. The caller's point is that he's using the middle, that he comes toward the traffic and that his swings carry him as far beyond the middle as short of it. Grey coat, no lights, a crate of bottles on the carrier. He's singing. Unit to attend, please.",
+#:   "The optical illusion at second thirty: you'd say the bike was standing and it was the centre line that wriggled under it. It isn't so, the guy is really doing curves, two per second or thereabouts, over the line and back over it, and he's riding up at the cammer. What for? There's a bet in the comments; I'm for the headwind.",
+#:   "The tracker carries two hypotheses for an oncoming bicycle, passes-left and passes-right, and it's nice to see them alternate. Each time the rider's excursion crosses the road's centre, the weights swap. They swapped nine times before we met. On the tenth we'd ceased to move, which is the only plan that both hypotheses allow.",
+#:   "She rode like a hand waving goodbye, only she was coming. The lane was white with dust, the midday empty. To and fro over the middle of it went the straw hat, now above the poppies of his side, almost, now above hers. Giulio took the van down to nothing. He would've known that hat's owner anywhere, she couldn't steer.",
+#:   "My client was on his own side; where the bicycle was is a question of when. At the oak it was beyond the middle, at the milestone this side of it, at the gate beyond it. Throughout, it was advancing on him. Nobody can be asked to keep clear of an object that is by turns in each half of the highway.",
+#:   "Monsieur the curate has a bicycle without brakes, everybody knows it. In order to slow it he makes the snake. From the top of the village he descends in our direction, traverses the centre to the one side, traverses it to the other, and lifts each time the hat. I took my truck on the grass until the end of the lesson.",
+#:   "I'm in the habit of giving a bike five feet. It's a good habit, but you have to know what to measure from. From his left-hand end he'd have left me fifteen, from his right-hand end none, and he visited both ends by turn, across the centre of Quay Road, each yard bringing him nearer to my scooter's front wheel.",
+#:   "There was ice. Not where we were driving, up at his end, and I suppose that he'd started to correct and then corrected the correction. The result was a man on a bicycle coming at us in slow swings, like a pendulum with a hat on, with the middle of the street for its lowest point. I switched the hazards on and prayed for him.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["oncoming", "weave"]
 #: position = "oncoming"
-#: leader = false
 #: place = "road"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

@@ -60,6 +60,26 @@
 #:   "When the cam boots up you can see him stationary slap in the lane in front, that's because he's only just braked. Next bit is him doing the owl, head right round one way, head right round the other. And at nineteen seconds he's out of the saddle and giving it beans down the road, no signal, no nothing.",
 #:   "I used to deliver telegrams on a bicycle, so I knew what he was about. He didn't know the street, he wasn't going to admit it, and so he stopped ahead of us as though to admire the architecture, first the left-hand terrace and then the right. Having lost a minute he then made it up; I've seldom seen legs go round so.",
 #:   "Robotaxi fleet note: hold the pass. In seven cases out of ten a cyclist who halts in our lane and scans around isn't giving up, merely orienting. Yesterday's is typical, stationary ahead of us for three seconds, helmet swivelling, then away down the lane at twenty-eight kilometres an hour while we'd still have been alongside.",
+#:   "Bike ahead: foot on tarmac, head swivels, then pure legs.",
+#:   "She pulls up before us, consults both pavements, belts onward.",
+#:   "Halt in our lane, a peer about, and he's flying.",
+#:   "The pannier I'd been following came to a stop, its owner looked left, right and up at the clock, and then I'd to change up to keep it in sight.",
+#:   "Leading bicycle: brake to zero in the lane, dwell for the set time with head movement, resume the same path briskly; ego not to overtake meanwhile.",
+#:   "i literally had my indicator on to go round her cos she'd just stopped there gazing about, and she's off like she's heard the bell for round two",
+#:   "Before me the cycle boy has stood, this gali he saw, that gali he saw, and then such a speed he took that dog also was surprised.",
+#:   "Stopping dead in front of a bus to look for your friends is one thing, cycling off at full tilt just as it starts round you is another.",
+#:   "The front wheel pointed ahead throughout, it's only that it didn't turn while he was looking over either shoulder, and afterwards turned like a fan.",
+#:   "In my wagon's camera there's a lad's rucksack, close, and not moving. Above the rucksack there's a woolly hat that shows me one ear, the back, the other ear. You can hear me say, come on then, son. And he does: up comes his backside, and rucksack and hat go off up the lane so that I'm in fourth before I've got them large again.",
+#:   "She'd been riding along before me and she ran down till she stood, out in the lane, one hand on the roof of nothing, balancing. First the church had to be looked at and then the inn. I'd my flask half open when she'd seen what she wanted, which was evidently a long way ahead, from the rate at which she made for it.",
+#:   "V2's operator, a food courier, had no knowledge of the neighborhood. He brought his bicycle to rest in the through lane ahead of V1 without steering toward the curb. V1's operator saw him turn his head in both directions twice. He then departed along the same lane at what V1's operator called \"a real clip\", and V1's passing maneuver was aborted.",
+#:   "Please amend the rule \"stationary cyclist in lane equals obstacle, pass at once\". Yesterday's was braked to zero fourteen metres ahead of us and stayed there for two and a half seconds. In that time head pose went to minus eighty, plus eighty and minus sixty degrees. At three seconds it was under way again, briskly, straight up the lane, and we were half beside it.",
+#:   "I'm the one on the bike; I'd the car behind me all along. I braked because somebody shouted \"Oi\", and I stood there and looked for him, in the windows over the road, in the yard on the other side. Couldn't see a soul. So I put my head down and rode on as fast as I'm able, out of embarrassment, and the car after me.",
+#:   "There was a white-haired head above a bicycle in front of us, and it and the bicycle had both come to a stand where we should have liked to drive. It went slowly to the right, it went slowly to the left. When it went down between the shoulders my pupil put the car in gear, and he was off like a boy let out of school.",
+#:   "From my window I saw a student on a bicycle waiting in the lane and, behind her, a taxi which couldn't think why. She'd squeezed her brakes at the linden tree. She held the map up and her nose went round after the street signs, this corner, that corner. Then the map went into her teeth, and the taxi had its work cut out to follow.",
+#:   "He was like our hen. Our hen stops and looks with one eye, and then she looks with the other eye, and then she runs. The man on the bike in front of the car did all that, he stopped in our way and he did the one eye and he did the other. And then, whee, down the road with his coat out, and Mummy said well.",
+#:   "There was a gap of two metres between me and the bicycle ahead. It had been ten; she'd stopped pedalling, stopped altogether, to hunt about for the street name, hat this way, hat that. It became twenty as suddenly as it'd become two, for she was off up the lane out of the saddle. I'd stalled; I was hit from behind.",
+#:   "I had behind me eleven tons of melons and before me a cyclist, so I looked well. His brakes squeal, he stands, and not at the side, no, in my lane. He makes with the head like a man at the tennis. When I've at last all eleven tons stopped, he's seen enough, he gives everything into the pedals, and from zero I must begin with my melons.",
+#:   "Nothing in that street moved except a face, above a thin bicycle which had come to rest before their bonnet; it moved across the house fronts on the one hand and back along those on the other, as if reading. What it had read there one couldn't know. It bent, the thin knees flew, and the street ahead of them was his, and he was using it.",
 #: ]
 #: adversaries = ["bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["stop", "hesitate", "accelerate"]
 #: position = "ahead"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

@@ -60,6 +60,26 @@
 #:   "Truckers' rule: a pushbike in front is as wide as it wants to be. That nurse was on the right, doing all right. I'd me indicator on. Woosh, she's out wide to the left, and not content with that she's on her brakes and stood there having a look at her phone. And me half alongside, on the air brakes, swearing.",
 #:   "It took the coroner some time to see what I meant. When I hit him he was stationary. Yes, out on the left. No, he hadn't been standing there in the first place; he'd been scooting along in front of me till just before. He'd hopped over to that side and stopped, all in about as long as it takes to say so.",
 #:   "so im behind this kid on a bmx right, robotaxi, im not even driving. hes in front, goes left like someone pushed him, stops. just stops, out there, lookin at a girl on a balcony. car says \"obstacle\". yeah mate he is",
+#:   "Bike in front: out to the left, brakes, planted.",
+#:   "The moped leading us hopped leftwards and died there.",
+#:   "Suddenly wide left, then stock-still: our cyclist ahead.",
+#:   "I was about to go by the courier when he filled the very strip I had in mind, to his left, and put a foot down in it.",
+#:   "Let the ego follow a cyclist for a bit; he then jinks a metre or more to the left, hauls up at that offset and isn't to leave it.",
+#:   "First came the elbow, sticking out over to the left side of our lane, and then the whole scooter was over there, upright, not rolling, engine puttering.",
+#:   "He's riding in front of me on the right, he throws himself with his moto to the left, brakes, and there he stays, exactly where I want to pass.",
+#:   "On our left-hand side, where seconds before there'd been clear road, a nurse was standing over her bicycle, having darted there from dead ahead and clapped on both brakes.",
+#:   "Was there a junction for that motorbike to turn into, when it cut out leftward before your bus and came to rest? No, sir, there was only my overtaking room.",
+#:   "The gap on his left was one metre eighty when I pulled my seat belt straight, and nothing at all when I let go of it. He hadn't gone from the road. He had been before me on his butcher's bike and he was before me still, just further over; and whereas he had been moving, he was not. He was looking at a cloud.",
+#:   "What you heard on the tape as \"oi\" was me. I'd been drafting the bloke for a mile. His back wheel went away sideways to the left, so now I've nobody in front of me, I've somebody beside my front wheel, and he's grabbing brake like mad. By the time the car behind us both had stopped he'd been stood still out there a good second.",
+#:   "A dropped purse lay by the centre line, that's what the fuss was about. Our robotaxi was following a lady on a yellow scooter. She must have spotted it on passing, since she pitched the scooter over to that side, the left, with a fine disregard for us, and halted on the spot, with her sandal on the purse.",
+#:   "Rear wheel, left pedal, left hand: watch these three when you're behind a bicycle. In this one the left hand goes to the brake, but before that the bars are kicked round and he's off to the left like a frog. And now all three are at rest, over there, by the line. It's a good thing you hadn't put your nose out.",
+#:   "My uncle drives the ice truck and he says cyclists are fish. One was swimming before him. He wanted to pass by its left, the fish felt it perhaps, with one stroke of the tail it was in that place. There it made no more movement, a boot on the asphalt, a mobile at the ear. Uncle sat behind and his ice melted.",
+#:   "Between camera frames 310 and 340 the bicycle's lateral position changes by 1.3 metres, toward the left marking. Between 340 and 380 its speed goes from 4.8 m/s to zero. From 380 until 900 neither of the two changes. It's upright, its rider's texting; the side on which our planner had wanted to pass is taken.",
+#:   "The vicar's theory is that the motorcycle had meant to overtake, and I said what, there was nothing before it. It was the head of the line. We came next, with the piano. It lurched from the crown of our lane out to its left hand, so that one saw the whole of the rider, and came to a dead stop before one had seen enough.",
+#:   "V1's operator was preparing to pass a bicyclist who was traveling in the right portion of the lane. The bicyclist moved abruptly to the left portion and stopped there, straddling her machine. She'd observed a turtle. V1 came to a stop with its left front corner eleven inches from her rear wheel. She declined to move until the turtle had.",
+#:   "It wasn't that he fell, he was too good a rider to fall. It was as if somebody had whistled for him from the opposite bank: the motorbike, which had led them so soberly up the valley, broke off to the left, shut its eye of red, no, opened it, and was still. It stood there at the road's middle, ticking, while they waited behind.",
+#:   "Control, it's the gritter here. I've had to stop. There's a young fella on a pedal bike in front, he was tight in on the right and going along OK. He's only gone and flung it over to his left and jammed it on. He's stood there now, out in the lane. No, nothing's hit him. No, he's not turning. He's taking a picture of me.",
+#:   "so in the sim the bike ahead is all nice and hugging the right side. ego goes oh cool ill overtake. bike goes NOPE, snaps left, brakes, sits there. ego nearly has him. we run it 50 times, ego gets him 3. bike never falls never leaves, just blocks",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["swerve", "stop"]
 #: position = "ahead"
-#: leader = false
 #: maneuver = "straight"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

@@ -60,6 +60,26 @@
 #:   "If you only look at the end you'd think nothing occurred, for the rider in front was on exactly the same strip as at the start. In the middle, though, she'd been a metre and a half farther out. There was a plank, she went round it, dead slow, and I, in the robotaxi, spilled not a drop.",
 #:   "What the child in the car ahead of me shouted was \"He's going round the hedgehog!\" And he was. The man on the electric bike in front of them had throttled right down, and he carried himself in a soft bow past a hedgehog that wasn't in any hurry either. He then took up his old place at the side.",
 #:   "Sir, the two-wheeler ahead was going straight at side of lane. Cow dung was there, so he took a turn out, not sharp, very slow and smooth. When dung was finished he again came into same line. I only waited behind him; it is my boss in the back seat that was shouting.",
+#:   "Cyclist up front dawdles out past a drain, then in again.",
+#:   "Moped ahead: lazy detour round a brick, same line after.",
+#:   "front bike drifts round roadkill all slow, tucks back",
+#:   "Between his wheel and the gutter there was a yard, then, alongside the sunken grating, two yards, then a yard as before, and he'd taken his time over it all.",
+#:   "Some lettuces had fallen off a van; the scooter leading us went by them on the outer side at a leisurely pace and resumed the track it'd been on.",
+#:   "The gentleman before you is going to want more room, there's a hole, see, wait for it, he's out, he's round, he's home, and nobody was rushed.",
+#:   "A two-wheeled lead target shall leave its line so as to clear a surface defect, at reduced speed and without abrupt steering, and shall rejoin that line beyond it.",
+#:   "I need the motorbike in front to amble out around a lost hubcap and in again to where it was, nothing jerky, so that the AV must wait a bit.",
+#:   "The boy on the BMX preceding us took a slow bow-shaped way about a dead pigeon, as one walks about a sleeping dog, and was afterwards where he had been.",
+#:   "What I noticed was water on my windscreen, then none, then water. There was a burst hydrant pipe on the road, and the moped that was leading me had no wish to ride over it. So for a little it dripped on me from farther out, at a gentle trot, and once the pipe was behind it, from the same spot as ever.",
+#:   "My foot was over the pedal in case of a surprise, but surprise isn't a word I'd use of Mr Higgins and his tricycle, well, bicycle. He'd seen the ladder on the road long before I'd seen him. He described a fat, unhurried comma round it, and I saw the back of his cap return to the kerbside, ahead of me.",
+#:   "No signal came from the rider, and no need. The eye went to the bag of cement that was lying in his way. Cement on the road plus a chap on a Vespa in front of you equals: he'll be further out in a moment, slowly, and he will be further in when that moment's passed. It was so. I stayed where I was till then.",
+#:   "In plan view the lead bicycle's track is a straight line with one bump in it, two metres wide and some fifteen long, and what the bump goes round is a bin bag. Speed through the bump: three metres a second. On either side of it the distance from the kerb is the same to within a hand. The ego asked for a pass at the top of it.",
+#:   "We all learned something. A learner learned that you don't overtake a motorcycle where there's gravel in a heap. I'd told her to hang back, and she saw why. It didn't dart or stop; it strayed out, at its ease, into precisely the bit of air that she'd wanted, skirted the heap, and strayed in again with one finger lifted to us.",
+#:   "If that branch hadn't been there I'd have gone by her on Mill Bank and been on time. I could not. My bonnet would've met the back wheel of her bike as it floated outward past the twigs. It then floated inward, no quicker, and by then we were at the narrow bridge. I am not cross. I just mention it to the school.",
+#:   "It's a common error of anticipation to believe the cyclist ahead is turning off. He isn't, he's got a reason lying on the asphalt: a glove, a plank, a puddle. This rider's was a car tyre. He leaned out past it at little more than a jog, and when he'd left it behind him, his wheel was again a metre from the edge.",
+#:   "I followed the postie's motorbike because there was room for one in that lane and he was it. Somebody had dropped an oven, an oven! I said to the wife, \"Now then.\" He throttled down, out he leant, wide and slow, and we got the oven in full view. By the time it was level with our own bumper he'd his old furrow again.",
+#:   "The leaves lay, one wet brown heap, a metre out of the kerb. For one who rides on two wheels this is like soap. So the lady on the holland bicycle, which was before me, has made with calm a curve about the heap, I behind it with calm too, and where the heap was at end she was also at her edge again.",
+#:   "Clip description: twenty seconds of nothing, really, posted because of the guy in the comments who says cyclists never think. Rider ahead sees a smashed bottle. Doesn't swerve. Checks over the shoulder, eases off, takes a big soft half-moon out past the glass, and slots in again exactly where they'd been. We follow. The end.",
+#:   "The dark patch he'd been making for was, he knew from yesterday, deep enough to lose a wheel in. So the paper boy, with our headlights on his back, laid his course outside of it, in no hurry, let it go by on his one hand like an island, and came home to the same pale strip beside the kerb. I had the horn under my thumb, and left it there.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["swerve", "slow"]
 #: position = "ahead"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 1.2

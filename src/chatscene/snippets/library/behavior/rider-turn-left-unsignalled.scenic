@@ -60,6 +60,26 @@
 #:   "There was a flash of chrome on the wrong side of the windscreen. The flash had been, till then, a peaceable red tail lamp on the right, some way ahead of the lorry; it had pulled up short and, without a sign to anyone, hauled itself round and away to the left over the whole road.",
 #:   "We request an uncommunicative rider. He precedes the vehicle under test on the right-hand side of the lane as though inviting it to pass. On trigger he brakes sharply to turning speed and leaves to the left across the roadway. The model's arm gesture and the blinker are to remain disabled.",
 #:   "Not one motion of the hand, dear, and in my day you failed your cycling badge for that. He was in front of us, he slowed down so suddenly that his mudguards rattled, and then he went off left, right over the road, as though we'd been a puff of air.",
+#:   "Biker in front: sharp brake, then left, arms never moving.",
+#:   "bike ahead went left over the road, zero signal, zero glance",
+#:   "Lead moped sheds speed, cuts left across; blinker stayed dark.",
+#:   "Both hands were on the bars when the courier ahead checked, both were on the bars as he swept leftward over the road, and I nearly met him.",
+#:   "His brake light told us slower; nothing told us left, and yet leftward over the carriageway is where the motorbike ahead then went.",
+#:   "Cyclist ahead, hugging the right, sheds speed hard and departs to the left over the road, no arm gesture having been given; ego overtaking.",
+#:   "The bike before me he brakes like he forgot something, and without to show any sign he crosses left in front of my nose.",
+#:   "Please leave out the arm signal: the rider in front should simply squeeze the brake all at once and peel away leftward over the road.",
+#:   "He was off to the allotments on the left, we know that now; he braked and went, with never a finger off the handlebar.",
+#:   "I had picked my moment. He was well over on the right, that moped, pottering, and I'd the whole of the road to go by on. What I hadn't got was a wink from that little orange lamp on his left. So when his red one came on and his tyre chirped I thought only, puncture. He was already broadside, going left.",
+#:   "The instructor's notes on this are short: \"Shoulder didn't turn, hand didn't lift, lamp didn't blink, bike did.\" The pupil was about to pass a cyclist who was keeping to the right ahead. She'd lost pace as though she had hit sand, and then went off at right angles, over the whole width, to the gate on the left.",
+#:   "If I'd had one sign out of him, one, I would've stayed where I was. He'd been in front since the quarry, tight in to the right, and you'd say he was waving me by. Then, no warning, he's half as quick and twice as near. And where's he going? Left, over both halves of the road, with his elbows tucked in.",
+#:   "The red smear of his stop lamp slid from the right-hand edge of my windscreen to the left-hand edge, by way of the middle. It was wet and it was night and that was how it looked. Nothing amber had been seen. I'd just time to feel the nose go down before he and his motorbike were in among the garages.",
+#:   "Statement by the rider of V2. She'd been riding along the right side of the lane, aware of V1 to her rear. Seeing her friend's house, she applied both brakes and turned left over the road. She did not extend her arm, \"because I had the eggs\". The driver of V1 had commenced passing and stopped half a metre short.",
+#:   "In Poona, no hand means nothing, so I was not expecting any hand. But at least some slowing down in a nice way one can give. This scooter gentleman, ahead of me on right side, gave brake so that his milk can jumped, and at once the fellow was passing left in front of my bonnet to the temple side.",
+#:   "For the cyclists among you, here's what it looks like from behind. You're a hi-vis back at the edge of the lane on the right. You stop pedalling; your back gets bigger, quick. Your arms don't do anything. And then it's not a back, it's a side, and it's travelling to the left across my lights. I'm a good driver and I nearly had you.",
+#:   "The prediction horizon contained two futures for the motorbike we followed: straight on, or passed by us. There was no third since the blinker bit was zero. It braked at five metres a second squared; it yawed to the left by ninety degrees; it crossed the remaining lane and was gone. The planner's lateral offset was already half a metre out.",
+#:   "What use was the horn then? The boy had done it. He'd been a pleasant sort of dot in front on the right-hand side all the way from the school, and without putting out his hand he'd pulled at the levers until the back wheel skipped, and wheeled off over to the left as though the road were his father's yard.",
+#:   "\"He'll turn right,\" said my wife, \"he's over on the right.\" I said he wasn't turning anywhere, he'd have put his arm out. We were both of us mistaken. The rider dropped his speed so that I'd to drop mine, and with the reins in both hands, as it were, went over to the left, past our bumper and up a drive.",
+#:   "Give it up, the footage won't help you. I've been through it for an indicator, a nod, a hand. There's a helmet, ahead of us and to the right, facing dead forwards. There's a flare of brake light at frame 50. At 62 you've got the helmet in profile, looking left; by 90 it has gone over the road and out that side.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["brake", "swerve", "turn-left"]
 #: position = "ahead"
-#: leader = false
 #: place = "road"
 #: maneuver = "straight"
 #: [[parameters]]

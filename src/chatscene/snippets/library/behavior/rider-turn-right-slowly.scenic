@@ -60,6 +60,26 @@
 #:   "Granny loves a postman. She wasn't at all cross that he had us down to his own dawdle, right in front of our bumper on his little electric bike, or that he took a good while to amble round to the right into number eleven's drive.",
 #:   "The trouble with this scenario is patience. The bicycle ahead of the robotaxi loses nearly all its speed, and a hasty planner will want to shoot by on the right, when the right is exactly where the bicycle, still crawling along, is going to turn off.",
 #:   "Front one was milk-seller with two cans on his cycle. He reduced, reduced, it was like he is walking beside his own cycle, and after that he took inside to the right, very soft, because of the milk, and I got my way.",
+#:   "Bike ahead wilted to a stroll, then was away through the right-hand gate.",
+#:   "Moped's pace collapsed before us; afterwards it crept off rightwards.",
+#:   "Postie in front: walking speed, arm out, number nine on the right.",
+#:   "With a van at his back he let the bicycle run out of puff till it wobbled, and only then did he point it into the lane on our right.",
+#:   "We came down to five miles an hour because the motorbike before us had, and got our road back when it had trundled through the farm entrance, right-hand side.",
+#:   "I'd like a two-wheeler in front to get so slow that a walker could keep up, and to take a right-hand exit from the ego's lane no faster than that.",
+#:   "Hold back, he's nearly standing on those pedals; it's that drive he's after, the one on the right, and he'll be an age rolling round into it.",
+#:   "Before departing the roadway by way of an alley to its right, V2, a scooter directly ahead of V1, had dropped to an estimated three miles per hour.",
+#:   "The biker before me became so little quick that his boots made walking beside him, and after it he let himself to the right into the yard of the cheese factory.",
+#:   "The gap shut without anyone having touched a brake that I could see. It was the girl's legs that did it: they had been going round on the bicycle ahead, then they hung. We were down to the pace of prams when her wheel at last began to come over to the right, and she floated out of our way into a mews.",
+#:   "I can tell you the colour of his socks, red, and that's how long I had him before my bumper. He'd been a dot. He wasn't one by the time he had braked his motorbike down to a totter, looking for a hole in the hedge on the right; and into the hole he tottered, and I had a road again.",
+#:   "What would you say that rear light's doing? It isn't braking, it's growing; so he's dying on us. There, we're at a walk. Now it's sliding across the glass towards your right-hand pillar, nice and slow. And now it's gone between two houses, and you haven't got anybody in front of you at all.",
+#:   "On the ticket it says \"ego stuck behind bicycle, 8 s\". Five of them are explained by its slowing from eighteen to about five. The other three are its exit: a right-hand arc of small radius, at the same five, into a driveway. After that the lane's clear, and the ego picks up as it should.",
+#:   "My late wife would've made me wait even longer, to let the poor woman get well in. She was on an old upright ahead of us, in a cape. She had the wind against her and had let it take off nearly all her way; so when she bore to the right, up the track to the kennels, you could see each leaf she rolled over.",
+#:   "Whether he signalled is neither here nor there. The coach behind him had been brought down to foot pace by the motorcycle, as its tachograph confirms, a full four seconds before the machine's course altered. It altered to the right, towards the quarry gate, and it did so at that same pace, the rider's feet brushing the ground.",
+#:   "My delivery app says \"right in 20 m\" and I always overshoot. So this time I shed the lot early, with a taxi breathing on me, till I could've been outrun by a gran. It tooted. I still took the alley on the right at gran speed, since the last time I'd met a bin in it.",
+#:   "In the lorry you learn to see it in the shoulders. The rider of the moped ahead had put them down, and they'd stopped rocking, and our forty tonnes had to come right down the box to stay off his plate. His shoulders leant to the right by about an inch. That took him, at the speed of a tired dog, into the caravan park.",
+#:   "The wheel ahead of theirs had all but ceased to turn; one could have told its spokes. So for some yards the motor went behind the boy like a governess. There was a white gate on the right hand. Towards it, with the gravity of one who carries eggs, and in fact he carried eggs, the boy let himself be borne, and they were free.",
+#:   "Comment thread: why doesn't the AV just go round him on the right? Because watch. He's leading, he's killing his speed, he's at pedestrian tempo at 0:09, and at 0:11 the handlebars go over. To the right. At 0:14 he's still only halfway into the alley. You'd have gone right into him.",
+#:   "Before me one newspaper boy on cycle. First he was going like wind. Then like train. Then like bullock, so I also like bullock, and behind me all Chennai like bullock. I'm putting horn. He is showing right hand. To the right there is one small gate, and into that, like honey from spoon, he went.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["slow", "turn-right"]
 #: position = "ahead"
-#: leader = false
 #: place = "road"
 #: [[parameters]]
 #: name = "OPT_BRAKE"

@@ -60,6 +60,26 @@
 #:   "What I heard from my bunk in the back was: \"He's stopping. He isn't, he's turning round. Oh, you idiot.\" Then a moped, quite loud, first in front of us, then right beside my ear, then behind. Les told me the rider had been up ahead of the lorry since Dover and had only now noticed that he was on the wrong side.",
 #:   "One flap of a coat, one tinkle of a bell: old Sister Agnes had forgotten the communion wafers. She braked, there on the road before us, and it was not a gentle sort of braking. With great resolve she brought her bicycle about, and we, who'd been following her to church, had her coming by us in the direction of the convent.",
 #:   "tailing this guy on a dirt bike who clearly has no idea where hes going. brakes, looks left, looks right. then he rips it round in a full 180 with his foot down and he's coming at us!! goes past like an inch off the paint, same way we came from. no signal obvs",
+#:   "Back of a bike, side of a bike, bell in our ear.",
+#:   "Moped ahead anchors, hairpins, waves at us going by.",
+#:   "We led behind her; two seconds on, she met us.",
+#:   "Its brake lamp winked, and the next lamp we saw on that motorbike was its headlamp, coming by our window.",
+#:   "Get the cyclist before the ego to lose speed, hook right round and ride off past the ego towards whatever's behind it.",
+#:   "The scooter that I'd been following for a mile is now behind me, and I never overtook it; it braked, spun and came past.",
+#:   "V2, a motorcycle preceding V1, slowed, and with its heading reversed was next recorded abeam of V1, travelling the other way.",
+#:   "How come the boy whose rucksack you've been staring at since the bridge is now pedalling at you and giving you a grin through the side window?",
+#:   "The velo was before me, it slows, he goes around in one stroke, and we cross ourselves, he going there from where I come.",
+#:   "I've got a rear camera as well, and it's the rear one you want to look at. For ten minutes there's nothing on it. Then, from the left, there's the same racing cyclist that the front one's been showing us from behind for those ten minutes. The front one's last picture of him: hand on the lever, front wheel hard over.",
+#:   "Ting went something on the tarmac, and I knew that he'd lost a bit of his motorbike. He knew too. His lamp lit, he was down to a jog in no time. I kept to my half, thank God. He slewed that thing about under my bumper and came burbling back beside the lorry, eyes on the ground, hunting for it.",
+#:   "Constable, if he'd been coming towards me from the outset I'd have had nothing to say. He was in front, going along as I was. He touched his brakes and I touched mine. And then this bicycle went round, whip, like a cat that's been trodden on, and scraped along the side of the Rover in the direction of the sea.",
+#:   "Relative speed, minus two: she's lost pace ahead of us. Heading, 40, 90, 150, 180: she has twisted the e-bike all the way round. Relative speed, minus eleven: she's coming back at us. Lateral offset 1.6, range negative: she has passed. The whole thing took four seconds and the follower module had a nervous breakdown in each.",
+#:   "His girlfreind had dropped off the back of the pillion, as we could see and he couldn't. When he'd noticed, the wheel locked. He dabbed a foot down, flicked the Vespa round on it, and rode back the way we'd all come, past us in our minibus, so white in the face I forgave him.",
+#:   "Rule for following two wheels: leave room for a turn. See the postie there, satchel on the handlebars? There's a letter he's forgotten. He's squeezing his brakes. He's not going into a drive, he's not getting off, he's bringing her round, right round, and now you're looking at the front of him, and now he's by your elbow, and gone.",
+#:   "At the trigger the motorcycle, which rides ahead near the right-hand edge of the lane, is retarded to turning speed. A half-circle to the left follows, by which it comes onto a course opposed to that of the vehicle under test, and it holds this course until it has gone by. No standstill, whether before the turn or after.",
+#:   "The convoy had a scout on a motor bicycle. It was his business to lead and ours, in the staff car, to be led. I was therefore put out when his stop light glowed, when he flung the machine about at the crest as though he'd seen the devil, and when he shot back along our flank shouting \"Tanks!\"",
+#:   "Someone whistled, and that's not me guessing, the microphone's got it. A whistle, then the squeal of the delivery bike's discs ahead of us, then rubber scrubbing in a circle, then his engine, quieter, louder, loudest at our right-hand mirror, quieter. We're a robotaxi. We don't turn our head after people, but our passenger did.",
+#:   "In the hills near my home the boys on motorbikes go before your car for guiding to the hotel, they want commission. Mine looked in the mirror and saw a bigger car behind me. Immediately he has put brake, one turn like a circus, and he's coming towards me, passing me, and guiding that car. I was left alone with my hairpins.",
+#:   "There ought to have been a bicycle between us and the tractor, which is where there'd been one all along. What there was instead, at the level of our back seat, and travelling fast in the wrong direction for Sunday lunch, was Aunt Maud upon it. She had pulled up a trifle, we pieced together, and had slung it round. \"The oven!\" she cried.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["brake", "u-turn", "oncoming"]
 #: position = "ahead"
-#: leader = false
 #: place = "road"
 #: maneuver = "straight"
 #: [[parameters]]

@@ -60,6 +60,26 @@
 #:   "She had not ridden since her illness. It showed in the front wheel, which asked a question of the road, to the left, to the right, to the left, and got no answer. When it lay spinning in the air and she beneath it on the stones, the car that had been coming after her stood two paces off.",
 #:   "On ice you've got about a second and a half between knowing and lying there. I was on the Vespa with that white electric car at my back. The rear stepped out, I caught it, it stepped out the other way, I caught that, and the third one I didn't catch. I was down in the lane, looking at its headlamps.",
 #:   "Family \"loss of stability,\" member two. The motorcycle leads the AV at constant distance. For three seconds it oscillates about the lane centre, like a rider who's struggling to keep upright, and then it's over: it falls, and remains as a low obstacle in the AV's lane. It is not to get up.",
+#:   "Handlebars twitching, twitching worse, then sparks: rider down in our lane.",
+#:   "The biker in front shook, lost it, and lay there.",
+#:   "Let our leading cyclist sway, fail to catch it, and drop.",
+#:   "His rear light swung like a bell that's being rung, wider each time, and then it was at tarmac height and still, in the lane before us.",
+#:   "From upright to horizontal took the scooter ahead about three seconds, and for all three its rider was sawing at the bars.",
+#:   "We owe our good brakes to the pillion who sneezed, as the moped before us set to swaying and ended up, with both of them, on the road.",
+#:   "The leading PTW's lateral oscillation about the lane centre is to last for 2.5 s, after which it is on its side, at zero, in the VUT's path.",
+#:   "She's fighting it, she's all over her bit of road, hang back, and there she goes, flat out in front of us with her wheels up.",
+#:   "Bhai, cycle before me started dancing left side right side, I thought he is singing, then whole singer was on the road with his dabba.",
+#:   "In the mirror of the pond by the road there was a cyclist upside down. That was the better picture, as it turned out. I watched her reflection bend this way and bend that, more each time, and when I looked up from it to the real one she was also upside down, or nearly, on our lane with her bicycle on top.",
+#:   "The scratches in the asphalt start eight metres before the body. Ahead of the scratches, for another twenty, there's a single tyre line which isn't straight but goes in curves, tight ones, to either side. V1, following, left two straight ones. They stop short of the motorcyclist by less than his own length.",
+#:   "Ask me how I knew to brake. His saddlebags. I've ridden thirty years, and when the bags on the bike ahead begin to flap in turn, left one, right one, left one, he's got a shake he can't get out of. I had my wagon at a crawl by the time he hit the deck. He was lying there looking at my tow hook.",
+#:   "Pedestrians clapped, which I thought heartless. The waiter had been riding along in front of our taxi with a tray on one hand. You could see that he had started to correct, and to correct the correction. Each was bigger than the last. When there was no more room for correcting, he, tray and bicycle were spread over the lane.",
+#:   "For a moment our following distance was to a bicycle, and then it was to a pair of shoes. The soles faced us. What lay in between, on the safety driver's account, was a \"death wiggle,\" that is some four swings of growing size around the line on which the rider had been riding so nicely, and a thump.",
+#:   "The question isn't whether your client overtook, he didn't, he was behind. It's whether he'd warning. He says the moped in front \"dropped like a stone.\" A stone does not go to and fro first, as the film shows it doing for two and a half seconds, before it and the boy came to lie in your client's lane.",
+#:   "Mum says you should hold on with both hands. The man we drove behind was holding an ice cream. His bike went a bit to the house side and a bit to the river side and a lot to the house side. And then he was lying down! In the road! Mum stopped in time and the ice cream was under our car.",
+#:   "Sim card \"rider down.\" He is our lead, at constant headway, and there's nothing wrong with him. On trigger give him the shakes: side to side, quick, for some seconds. Then he's to be on the ground in our lane, machine too, low and at rest; the detector ought to go on seeing him, and the ego ought to stop.",
+#:   "One learns from the wind. On the viaduct it takes you from the left, and when you lean into it, it stops. The young woman on the Vespa up ahead leaned, and was dropped, and leaned the other way, and was dropped. I counted five. At the fifth her visor was on the ground, in my lane, and I on my brake.",
+#:   "It had been such a steady little lamp, and he'd followed it down from the pass as one follows a thought. There was black ice by the shrine. The lamp started at something; it shook its head, no, no, no, with more and more passion; and then it lay in the road before his wheels and shone into the sky.",
+#:   "Le facteur, he goes in front of me with all his letters. One bag is lost on the left, so he hangs to the right; he corrects, he hangs to the left; to the right; I say aloud \"aïe.\" And he is laid down in the middle of my lane, his bicycle too, and the letters are coming down on us all, slowly.",
 #: ]
 #: adversaries = ["bicycle", "motorcycle"]
 #: requires = ["advTrajectory"]
@@ -68,7 +88,6 @@
 #: [slots]
 #: actions = ["weave", "stop"]
 #: position = "ahead"
-#: leader = false
 #: maneuver = "straight"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

@@ -60,6 +60,26 @@
 #:   "You'll be asked what you'd have done, so say: nothing. The van beside you darted your way, and a swerve of your own would have put us in the ditch. It's corrected itself, see, wheels straight, dead centre of its lane, and the man's waving sorry.",
 #:   "In the rain the two of them went on abreast, the motor coach and her little car. Once only, as a sleeper turns over, the coach heaved towards her; its tall lit windows hung above her for a second, and it heaved back, and ran on smoothly where it had been before.",
 #:   "Side by side we were going, I and one Tata truck. His cleaner was giving him tea, so the truck jumped towards my lane, khatam I thought, finish. But driver caught the steering, straight he made it, and went on in own lane drinking that tea.",
+#:   "Tanker alongside twitched our way, caught itself, ran true again.",
+#:   "Bike next door: one lurch at us, one correction, back to dull.",
+#:   "Felt its mirror coming for ours; then it didn't.",
+#:   "The rumble strip buzzed under the bus that was running beside us, its side swelled in my window, and then both the noise and the swelling went away.",
+#:   "For about a second our two door handles could've shaken hands, and then the saloon in the next lane had itself pointing up its own lane as before.",
+#:   "Have the neighbouring lorry make a grab for our lane, sudden and brief, and settle back into its own course as though a hand had slapped it.",
+#:   "He dropped off, I'd say, that pickup next to you: there was a dart at your front wing, and now he's awake and steering up the middle of his lane.",
+#:   "A lateral excursion of 1.2 m in the direction of V1's lane was recorded for V2 in the adjoining lane; within 1.5 s its alignment was restored.",
+#:   "My neighbour on the second track made suddenly such a hip swing against me that I pulled in the belly, and immediately he rode straight again in his track.",
+#:   "The light in our car went off and came back on, that was all. It went off because the coach in the lane next door had heaved itself at us, so that its side was between me and the sun; and before I'd got my arm up it was heaved back, bolt upright, humming along on its own side of the dashes.",
+#:   "If she'd been texting I wouldn't be surprised. We were running level, her in her lane, us in ours, with a comfy two metres between. It went to half a metre. My passenger sucked his teeth. It went to two metres again, and she'd both hands on the wheel, and they stayed there, and so did the two metres.",
+#:   "There's rubber on the dividing line, a smear shaped like an eyebrow. It leaves the lorry's lane, touches the paint and returns into the lorry's lane. What you can't see from it is the noise, says the witness, who was driving on the other side of that paint and thought her last hour had come.",
+#:   "In the regression set this is called \"bite\". The neighbour keeps station one lane over; its yaw rate shows a short pulse towards the ego and, about a second later, a pulse of the opposite sign. Net result: nothing. Same lane, same heading, same speed. The ego should neither brake hard nor leave its own lane.",
+#:   "It's always you who's told off for swerving, isn't it? You didn't, well done. It was the motorcyclist on your right who dipped a shoulder at us, came over till I could smell his exhaust, and then stood his bike up and went straight on where he belongs. A wasp in his helmet, possibly.",
+#:   "\"I never changed lane,\" the van driver insisted, and in a manner of speaking it was true. His wheels had shot over towards the robotaxi's, a sneeze he said; its passengers had screamed; and by the time that the sneeze was done with, he was travelling up his own lane on his own line like a tram.",
+#:   "From the saddle of my bike I had a view up the alley between two moving vehicles, a bus and a grey saloon. The alley pinched. It was the bus's wall that moved, in at the saloon and out again, quick as a gill; and from there on the alley was as wide as it'd been, for as far as I could see up it.",
+#:   "They'd been side by side for so long that she'd quite ceased to hear it, the big Daimler in the next lane. There was a chirp of tyres. Its running board was rushing at her knees; she shut her eyes; and when she opened them it was rolling along at its old distance, and the old gentleman in it was reading a map.",
+#:   "You bring the load, the wind brings the rest. I'd a curtain-sider, empty, and a small car next to me on the viaduct. The gust put me over at her, not into her lane quite, but her face went white as a plate. I'd caught it by the next expansion joint and held it dead straight to the end of the bridge.",
+#:   "Do we pay for a scratch that isn't there? The claimant was startled by the other party's vehicle, which from the adjoining lane darted in her direction and was at once put straight by its driver. It didn't enter in front of her, it didn't strike her. It drove on beside her. The kerb she hit is another matter.",
+#:   "On NH48 I was in left, one tourist bus was in right, both doing seventy. His boys were dancing inside, so driver also started little bit! Whole bus came dhak towards my lane, I saw Ganesha sticker bigger than my window. Then he remembered he is driver, straight he made it, and in his own lane only he went to Goa.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advLane", "egoRoute"]
@@ -67,7 +87,6 @@
 #: origin = "base scenario lane-changing; own code"
 #: [slots]
 #: actions = ["swerve"]
-#: blocker = false
 #: [[parameters]]
 #: name = "OPT_ADV_DISTANCE"
 #: low = -8.0

@@ -60,14 +60,34 @@
 #:   "Expected by the ego: a crossing pedestrian who is out of the lane in three seconds. Delivered by the scenario: somebody who comes off the footpath at 3 m/s, makes a quarter turn into our direction, and runs on in the centre of our lane. Time in the lane is unlimited. Relative speed is small. No face visible.",
 #:   "Sorry, I know the lane isn't a running track, it was me. There was ice on the pavement. I jumped down in front of the silver car and carried on with my run in the lane, in the direction of the church, so I'd got it at my back. I had music in. I thought they could simply drive slowly.",
 #:   "In Barcelona the runners go where they want. This one ran on the acera, very elegant, and then he descended from it and put himself before my taxi, without to stop running. I thought, he goes to the other acera. But no: he went straight with me, showing me his shirt number, until the square.",
+#:   "Runner off the footpath, now our pacemaker, soles to us.",
+#:   "kid hops down the kerb n jogs up our lane ahead",
+#:   "Steady trot, off the pavement, along our lane, same heading.",
+#:   "The reflective patch on her back, which had been bobbing along by the shop fronts, bobbed down on to the road and went on bobbing in front of our bonnet.",
+#:   "A soldier with a pack, at the double, quits the footway for the ego's lane and there keeps up his double, in the very direction the ego is going.",
+#:   "I can tell you the make of his trainers, as from the moment he'd skipped off the pavement I had nothing before me in my lane but their undersides.",
+#:   "From the footway the target enters the lane at a jog, aligns with the driving direction of the SUT and proceeds longitudinally ahead of it at running speed.",
+#:   "He isn't crossing, dear, however long you wait for him to; he's come down off the kerb and he's out for a run on your bit, away from you.",
+#:   "There was a dog walker in the way of him on the path, so he went round by the road, only the going round never ended, he kept on running up our lane.",
+#:   "My speed for the next four hundred metres was eleven kilometres an hour. It wasn't the car's choice, and I had no breakdown. It was the pace of a man in yellow shorts who'd left the pavement at the scout hut without breaking his rhythm, wheeled into our direction, and whose shoulder blades I then had ample time to study.",
+#:   "The tag said \"crossing\", and the planner waited for it to be over. It won't be over. The person leaves the footway at a jogger's pace, yes, but the heading comes round till it's equal with ours, and from then on there's a pedestrian with positive speed in the ego lane, at nine metres, at ten, at nine, who looks at the horizon.",
+#:   "I'd like to know what became of him, is all. He burst off the pavement by the registry office in a morning coat and we thought he'd go over to the church. But he'd a longer way to go than that. His coat tails flew before the bumper of our taxi, along the lane, lamp-post after lamp-post, and not once did he turn his head.",
+#:   "What one saw in the headlamps: first a girl's profile, as she came down from the sidewalk at an easy run; then a ponytail. It's the ponytail that I remember. It went left, right, left, right like a metronome, in the middle of my lane, and my coach with fifty football fans rolled behind it, singing to its beat.",
+#:   "There's a lad who thinks that cars are bulls, and he lets himself be chased. He'll be on the pavement. As you get near he hops off it, takes to the middle of your lane with his back to you, and trots, at no great speed, for as long as it amuses him. I hoot. He puts up two fingers like horns and trots.",
+#:   "Distance closed at first and was then constant, which in a pedestrian is rare. The explanation is to be found in frame 140. The subject had come off the pavement at a run; in that frame the toes turn through a right angle; after it they point where V1's wheels do. V1 reduced its speed to the subject's, and a convoy resulted.",
+#:   "With the ice on the pavements it's we in the lorries who get them. This one took three slippery strides past the bins, thought better of it, and in a fourth was on the gritted bit, mine. I supposed she'd nip over. She'd no such plan. Off she jogged along it, and forty tonnes of turnips jogged after her as far as the pool.",
+#:   "I was at the window with the baby. A fellow came down our path like somebody who's missed his bus, and the bus was there, far up the street. He took no notice of the pavement beyond putting one foot on it. The lane got the other, and the robotaxi that was in the lane got the back of him, legs going, all the way to the stop.",
+#:   "The jogging gentleman wears a cap with a little lamp on the back side, red, like a bicycle. So when from the trottoir he has descended on my strip, I thought he's a bicycle that's entering. He's running, monsieur! He's running in my file and in my direction, and his little lamp says to me \"go behind\", for one kilometre.",
+#:   "Please, no one who runs over the road and no one who runs at us. It's the third kind that I'd like to see. Some boy whom one notices on the pavement since he's faster than the rest; he drops off the edge at that speed, swings round until we've his rucksack in front of us, and the rucksack goes on ahead in our lane.",
+#:   "Not a great view from the handlebars, but I did see legs under the van in front of me. They jumped off the kerb, they came round to the van's own heading, and they kept on, a pair of white knees, or rather the backs of them, with our whole little procession, van, me and an ice-cream cart, at a dog-trot in the rear.",
 #: ]
 #: adversaries = ["pedestrian"]
 #: requires = ["egoRoute"]
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
-#: leader = false
 #: actions = ["fast", "follow"]
+#: leader = false
 #: place = "road"
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"

@@ -60,6 +60,26 @@
 #:   "Nobody denies that the fire engine was on a call. But there was a queue, and to get by it the driver moved over to the carriageway half that a hospital shuttle was using in the other direction. \"I thought he'd see sense and slow,\" its attendant told us. \"He put his boot in it. He was coming like a train.\"",
 #:   "In the dream it is always a truck. It comes toward him on its own side of the poplars, there's a cart before it, and with a sort of shrug it is on his side. The horror isn't that. The horror is the black breath it lets go, and the way the gaps between the poplars start getting shorter.",
 #:   "right so single carriageway, me in the robotaxi, white transit comin the other way stuck behind a learner. he pulls out onto OUR side. ok mate, bold. then u can literally see the front lift cos hes nailed it. straight at us gettin faster n faster. learner must have been well proud",
+#:   "Out to pass, onto our side, winding it up.",
+#:   "Opposing coach in our lane, overtaking, gathering pace.",
+#:   "Two abreast facing us, ours the one speeding up.",
+#:   "Whatever was in front of that SUV on the other side must have been slow, since out it came to our side, and its bonnet kept rising as it came.",
+#:   "Kindly have the police car that's coming the other way peel off from behind a tractor into the ego's lane and put on more and more speed there.",
+#:   "Between the lorry's leaving its own half for mine and my meeting the verge its engine note did nothing but climb, so I take it he believed he'd be past.",
+#:   "He comes from opposite, he's fed up of the bus before him, he jumps to my part, sees me, and to be finished sooner he's pushing the pedal, always more.",
+#:   "A motorbike was using our lane to get past a string of caravans from the other direction, and it was going quicker with each one it ticked off.",
+#:   "Which of us, the counsel asked, had the throttle open? The one who'd come over to the wrong side in order to pass a hay cart, madam, and he'd it wide.",
+#:   "The exhaust was what I saw, though I was in front of it. The coach had been second in a row of things that were coming along the other side; it came out to us, to be first, and I suppose I had expected that it would look, and breathe in, and hide again. But behind it there rose a cloud, bigger and bigger. It was working up to something.",
+#:   "If I could draw, I'd draw you the milk lorry as he saw it, getting closer by the yard; and I'd draw you him as I saw him, who was beside it, on the half which was mine. He had two ways out. One was to lift off. His front wheels went light, you can tell that with a low car, and it was the other.",
+#:   "For our closing-rate estimator here's something unpleasant. An oncoming car in a queue, same speed as the queue. It's then laterally in our lane. The estimator, from history, gives four seconds to impact. It's wrong each time it looks, three, one and a half, since the passing car has its accelerator down and holds it down. It hasn't left our lane by the end.",
+#:   "\"He'll think better of it,\" my father said. He has driven since 1958 and they've always thought better of it. It was a fire engine from the front, and there was a horse box which it was getting by, and for that purpose it had all of our road and part of the hedge. It blew its horn; it changed down; and it thought nothing of the kind.",
+#:   "On the col they've a sport. You follow the camper, you wait until there's a straight, you go out on the lane of those who go up, I was one of those, and you open. The one in the yellow Alpine opened so that the mountain heard. I've expected that he closes again when he saw me. He found another gear, and I found the snow pole.",
+#:   "Control, HGV driver, I'm shaken. There's a Transit coming down toward me in a line of four. He's pulled out, he's in my side, and I've flashed him and give him the horn. You'd think he'd tuck in, there was room. He's seen me and he's put his boot in it! Faster and faster, straight for my cab, to get round a learner. I've had to put her in the lay-by.",
+#:   "What should somebody do who's begun to overtake and meets you? Back off and slot in again. Write it down. And now look at what's being done. That green estate's abandoned its side, it's in ours, facing us, alongside a tanker, and is its nose dipping? It's lifting. He's decided to win. So let him, get over, on the grass.",
+#:   "The vehicle ahead of V2 was a farm implement. V2, southbound, occupied the northbound lane for the purpose of passing it, V1 being northbound in that lane. Skid marks would indicate an aborted pass; there are none. The downloaded speed of V2 rises steadily, 44, 49, 55, 61. V1 was on the shoulder, at 4 mph, when struck.",
+#:   "He loved the moment of pulling out, he was to say, and how the engine took hold of you. There was a bus before him, and beyond it that whole long lane, which belonged to other people. It had people in it, a family, in a grey car, facing him. He saw them get large. He pressed, because the bus would be behind him in a second, and they got large quicker.",
+#:   "I do the ponies on Sundays, so I know about being overtaken, you hear them hold their breath and creep. This biker didn't hold anything. The ponies were on his side, the shuttle was on the other, he took the shuttle's. I was looking straight at his back. And instead of the sound staying put it went up like a kettle, all along the shuttle's lane, into its face.",
+#:   "youve all seen the thumbnail so yes thats a bus. on MY side. its passing the tractor you can see behind it. now turn the sound up. hear that? thats him changing up. hes seen me and hes changing UP. every frame hes quicker. i went through a fence btw",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "accelerate"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 2.0

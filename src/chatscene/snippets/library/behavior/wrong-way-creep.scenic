@@ -60,6 +60,26 @@
 #:   "Dad had stopped and turned off the music. There was a car with its front to us, on our side where the arrows on the road point the other way. It came as slow as my tortoise. I asked if it was going to stop and Dad said it doesn't look like it, does it.",
 #:   "That van driver's had a long day, bless him, or he's foreign; either way he's plodding up the lane I'm supposed to be going down, straight for me, at four miles an hour. I've flashed him, I've hooted him. He's waved. He's still plodding, and I've forty-four tonnes that don't reverse.",
 #:   "The lane was as it should be, broad and straight, the markings fresh, and the oncoming traffic stayed on its half of the road with one exception. The exception was a bus. It had our half, it met us face to face, and it approached so sluggishly, yet so steadily, that nobody aboard seemed alarmed.",
+#:   "Bus in our lane, nose to us, snailing nearer.",
+#:   "Head-on lorry, our side, tortoise speed, won't stop",
+#:   "contraflow Fiat, my lane, jogging pace, still coming at me",
+#:   "The hearse coming down our lane the wrong way did so at a hearse's speed, and at that speed it ate up the room in front of us.",
+#:   "He could have been parked in our lane, facing us, if it weren't that each time I looked he was a little less far away.",
+#:   "Object in ego lane, heading 180 degrees to ours, speed 1.7 m/s; the ego being stationary the range decreases by 1.7 metres each second, without end.",
+#:   "An army truck from the front side is sitting in my lane, no, not sitting, coming, but so slow that chickens are crossing in front.",
+#:   "Set a minibus in the ego's own lane with its face to it, and let it ooze forward all the while, slower than a cyclist.",
+#:   "We had the leisure to halt, to argue and to pour out tea, and throughout it the coach on our side kept trickling toward us, headlamps first.",
+#:   "I'd have taken it for a breakdown: a van, in my lane, pointing at me, hardly moving if at all. So I put the hazards on and waited to be waved round. There's a crack in the tarmac thereabouts. His front wheel was beyond the crack when I arrived, was on it presently, and had it well behind him in a minute's time.",
+#:   "Lost, he was, you only had to look at his face, and I had plenty of chance to look. He'd come up the wrong half of the road, our half, since the fork, with his chin on the wheel, reading the house numbers. Walking, you'd have got to us before him. But he did get to us. He never left off coming.",
+#:   "Pick a lamp post, I said, and watch his mirror against it. Is he moving? Just. Is he in our lane? He is. Facing us? As you see. That's all you've got to know, dear, never mind that he's a doctor. He'll be here in twenty seconds if nobody does anything, and it won't be him that does it.",
+#:   "The tram bell was rung, the postman's whistle was blown. The removal van paid them as little heed as it had the arrow on the road. It was in the lane of those who went down, and it was going up, at a foot's pace, straight into the faces of them all; and what was dreadful about it was the patience with which it came.",
+#:   "The collision, had there been any, would have been at six kilometres per hour. That was V2's speed as it advanced, against the direction of travel, in the lane where V1 had stopped. The operator of V2 was of the opinion that the other carriageway was closed. He'd covered some fifty metres in this manner and had not halted at any point.",
+#:   "Hold your fire on the horn, driver, he can't hear it. Big blue artic, French plates, he's come off the ferry and he's on the left, er, right, he's in your lane, whichever it is. He's doing four, five mile an hour at you. I've been flashing him from the bridge. He's waving. He's still doing four, five.",
+#:   "Two suns were coming up over the hill, said Mia, and they were on our side of the road. Daddy said it was a car which had got mixed up. They were slow suns. We stopped and I counted to forty before they were so near that I had to shut my eyes. Daddy said it hadn't stopped yet even then.",
+#:   "A slow car isn't news, and a car on the wrong side is, though not every day. What I had was both in one: a white Kia, in the lane reserved for me, facing me, being driven as though over eggs. I pulled up. The eggs came on. We'd have met quite gently, bumper to bumper, if I had not gone on to the grass.",
+#:   "To the planner a stationary obstacle looks much the same. The point of this actor is that it isn't stationary. It occupies our lane head-on and bears down at one to two metres per second, for as long as we care to watch, so that the space we need for steering out gets less with every second of indecision.",
+#:   "My clutch foot went to sleep. There's a bend, then there's three hundred metres of single lane for our direction, and at the far end of it was a bus, for the other direction, in ours. I shut off the engine. I rolled a cigarette and smoked it. By the filter I could see what he'd had for breakfast, and his wheels were still turning.",
+#:   "She held the estate car in the middle of the lane, as her late husband had taught her, and at ten miles an hour, as he had too. It wasn't her lane, that was all. It belonged to the startled people in front, who had now stopped and got out. They seemed to be growing. She wondered, mildly, rolling on, what they wanted.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "slow"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 1.5

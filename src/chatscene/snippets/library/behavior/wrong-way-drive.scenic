@@ -60,6 +60,26 @@
 #:   "The rental agreement was found open at the page about driving on the right. Its signatory had presumably not got that far, for he'd brought the people carrier along the left for four miles, which is how we came to meet it, grille to grille, in our lane, bowling along at a constant fifty.",
 #:   "Everything on the road ahead of us had the wrong colour. Where there should have been red lamps, going away, there was white, approaching: a motorbike, square in the robotaxi's lane, coming against the stream and never altering its speed.",
 #:   "On highway they don't want to go up to the U-turn, it's two kilometres extra. So tractor, auto, everybody comes on the wrong side; this one Tempo was in my lane itself, facing me, forty speed, fully cool, as if government gave him that lane.",
+#:   "My lane, my side, somebody else's headlights, steadily bigger.",
+#:   "Grille where tail lamps should be: a coach, wrong way, our lane.",
+#:   "Cyclist facing us, in our lane, pedalling on as if invited.",
+#:   "We could see the driver's tie through his windscreen, which we'd no right to see, he being in our lane and on his way to where we had come from.",
+#:   "Nothing but white lights in front, and they were in the lane that's ours, and they neither hurried nor slackened nor thought of getting out of it.",
+#:   "Give the ego somebody to meet in its own lane: a fire engine with its front to us, moving at an even forty the opposite way to everyone else.",
+#:   "All the arrows on the tarmac point away from you, and he's driving over them towards you; he's in the wrong, and he's keeping on at the same pace.",
+#:   "At first contact V2 occupied V1's lane, its direction of travel being the reverse of that assigned; both lane and velocity were unchanged ten seconds later.",
+#:   "On the Autobahn warns the radio, and on my country road comes one: nose against nose, he on my lane, me on my lane, and he drives and drives.",
+#:   "It took me far too long to see what was amiss, because each thing by itself was all right. A car, good. In a lane, good. Going at fifty, same as me. It was its having a face. There was a face on it, headlamps and all, and it was the lane I was in, and it was getting no farther away but nearer.",
+#:   "I should have thought the horn would do it. From beyond the bridge I was leaning on it, and this young fellow on a scooter came on up my half of the road, chin up, at the same steady lick, with everybody who was going my way pulling over one after another. Then there was only me left.",
+#:   "The two roads are divided by a line of white stones. On our side of them one drives north. The van was on our side, and it was driving south, and had been for a mile, by what the shepherd says; it didn't speed, it didn't stray, and it met us where the stones end.",
+#:   "It's the sign gantry that gives it away on the video. You read it forwards because it's for you. Beneath it comes an ambulance, no lamps, no siren, in the same lane that we're filming from, and its crew would have to be reading the gantry from the back. It keeps that up until we've stopped.",
+#:   "You know the moving walkway at the airport, and there's always one child that's running up the down one? That, in a Saab. It came along our lane towards us while the rest of our stream were peeling off on both sides of it. No zigzags, no pause, no burst of speed; a man on his way to work on somebody else's road.",
+#:   "Would an overtaking driver have moved back in? Of course, and the plaintiff waited for him to do so. But there was nobody for him to overtake. He was in her lane because he took it for his, he faced her because he took that for the direction, and he proceeded in this belief, evenly, till she was on the verge.",
+#:   "We have three parameters for the head-on actor. Lateral offset from the centre of the ego's lane: nil. Heading with respect to the lane: 180 degrees. Speed: twelve metres per second, constant, from spawning to the end. Please don't add any weaving or braking, since those are other entries in the catalogue.",
+#:   "From the high seat of a lorry I can see over things, so I saw it early, and for once I'd have been happier not to. Three cars up, the brake lights went outward, left, right, left, like a shoal splitting. Through the shoal swam the biker. He was in our lane, facing us, at a nice regular forty.",
+#:   "My wife says, \"He'll see us.\" I say, \"He's looking right at us.\" That's how long we had. Some tourist in a hire car had our side of the coast road, cliff and all, and was motoring to meet us along it at the pace you'd take to look at the sea. And the other side stood empty.",
+#:   "The moon was behind it, which made it worse; they saw a shape. A bicycle has no business being larger each time one blinks. Those in their own lane go away, or are caught up with, seen from the rear. This one bore down on them with its lamp and its two knees, up their lane, tranquil as a mill.",
+#:   "One-way is only for the one who believes. From my front one school bus is coming, in my lane, children are waving to me from front glass. Both sides wall. I'm showing light, he's also showing light. I show him hand, what is this; he's showing me hand, namaste. And the same speed he was keeping, coming, coming.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

@@ -60,6 +60,26 @@
 #:   "One-way street, mind you, with a sign as big as a barn door. We're trundling up it in the bin lorry. Round the bend at the top comes some kid on a superbike, so he's in our lane, there's only the one, and wrong way. He's not creeping down it looking sheepish either. He's got it howling in third and he's aimed at us.",
 #:   "Sir, the truck people at least put light when they are coming in wrong side. This Fortuner put nothing. I was in my own lane, correct direction, sixty. He was in my own lane, wrong direction, I am thinking hundred forty, and he didn't give one inch till he had gone from there. God has driven my car at that moment.",
 #:   "wrong way guy on the 405 and before you say \"probably some confused grandma\", watch the lane markers. hes eating them. in the cammers lane, coming straight at the cammer, literally faster than anything going the right way. doesnt flinch doesnt brake doesnt move over. from dot to windshield in 3 sec",
+#:   "Headlights in our lane, facing us, eating up the road.",
+#:   "Biker coming the forbidden way, our lane, throttle to the stop.",
+#:   "Opposing car owns our lane at a hundred and fifty.",
+#:   "The speck that I'd taken for a tail light in my lane was a headlight, and a speck it remained for about one second.",
+#:   "Give the sports car full power and the ego's lane, put it nose to nose with the ego, and don't let it leave.",
+#:   "i was in my lane he was in my lane i was going one way he was going the other and he had it flat to the floor",
+#:   "Radar shows a closing speed of 260 km/h in the AV's own lane, less than a third of which was contributed by the AV.",
+#:   "Did you see him lift, or drift back to his half, at any time while he came blazing down yours to meet you? Neither.",
+#:   "He was rolling à contresens, in my file, at I don't know how much, I have only had the time to throw me in the ditch.",
+#:   "What the passengers remember is a star. It stood low over the road, right in the middle of our side, and one of them remarked on how bright it was for the time of the year. In the time it takes to remark on it, the star had turned to a pair of lamps with a BMW behind them and a howl coming off it.",
+#:   "I've done the arithmetic since, to get to sleep. He'd come up my side of the dual carriageway from the far roundabout, that's 600 metres. I saw him at 400. From there till I was in the barrier I'd said \"what is that\", no more, and you don't say it slowly. It works out at something like a hundred miles an hour.",
+#:   "Three drivers ahead of me had opened up like a zip, to left and right, and I couldn't see for what. Then I'd got no one left ahead of me and I could. A motorbike, coming through where we'd all been driving, the opposite way to all of us, front wheel light, rider flat on the tank. I made the fourth.",
+#:   "Every rule says keep left, and I was; it says nothing about what to do when a hot hatch is using the same left, from the other end, with its rev counter in the red. It didn't flinch. Its flashing lights got nearer as quick as a slap. I went for the verge, Your Worship, and I'd go for it again.",
+#:   "This is the nastiest of the head-on family. A car that crawls at you in your lane can be avoided by stopping, and one that pulls out to overtake goes in again. Here the opposing vehicle accelerates with everything it has, stays in the subject's lane until the end, and leaves no more than three seconds. Stopping does not help. Going aside does.",
+#:   "Traffic news, and if you're on the bypass between Otley and the hospital, southbound, get off the thing. There's a black Audi northbound. I'll say that again, on your side, in your lane, headed at you, and a listener who's in the ditch by the golf club reckons he was doing twice the limit as he went by her.",
+#:   "The first thing to reach us was its noise, a thin scream as of a wasp in a jar. \"From behind,\" I said, and looked into the mirror, because that's where fast bikes come from. It was my pupil who looked ahead. It was there, in front, in our very own lane, on one wheel, getting huge. I've never turned a steering wheel so hard.",
+#:   "Ghost driver in Germany is normally a grandfather with fifty, he's confused. You see him far, you make place. This one wasn't confused and had not fifty. I drive 90 in my lane. On the same lane, from the opposite, light, light, LIGHT, wind, and my mirror is away. The police has measured him two kilometres later with 187.",
+#:   "Snow makes honest tracks. My van's go along the right-hand side, where they should, and then dive off it into Mr Lund's field. His are on that same right-hand side, right on top of where mine would have been, but his treads point the other way; and from the length of the spray at each bump the constable worked out ninety plus.",
+#:   "A boy racer's moped it wasn't, this was a thousand cc with somebody's grandson on it. Contraflow, up the bus lane that my bus was in, no lights, chin on the clocks. I hooted. You can't hear a hoot at that speed. Everything I've got I gave to the kerb side, and he came through what was left like a bullet.",
+#:   "The oncoming track was initialised at a range of 210 m with the lateral position of our lane centre, and we discarded it as a reflection, since in our lane and at minus 48 m/s nothing legal could exist. The reflection was a Porsche. It never deviated, nor did it decelerate. We now keep such tracks, and this is the regression case.",
 #: ]
 #: adversaries = ["car", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "fast"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 12.5

@@ -60,6 +60,26 @@
 #:   "I was cycling behind the robotaxi, in the lane it's supposed to be in, so I was behind a good solid piece of metal, thanks be. In the same lane, from the other direction, there was a hatchback on its way to us. I heard it before I saw it, all four tyres. It ended up at a standstill, and so did my pulse, nearly.",
 #:   "There is an instant, said the captain, in which one knows that the other fellow is in one's water. His lights were not to the left of us, where lights ought to be; they were dead ahead in our own lane and growing. Then they plunged, as a ship's do in a head sea, there was a long scream of rubber, and they hung motionless before us.",
 #:   "Is not normal here, no, I want to explain. In the island they drive on the other hand. So the tourist on the big motorbike, for him it was correct, he comes to my truck in my lane with good conscience. When he understood, he has pulled everything that one can pull, and stood, white of fear but standing, at two metres from my number.",
+#:   "Headlights in OUR lane, wheels locked, halted nose to nose.",
+#:   "wrong way dude in my lane, slams anchors, full stop, staring at me",
+#:   "HGV against traffic, your lane; smoking tyres; at rest facing you. Over.",
+#:   "Between our front number plate and its front number plate, in our own lane, there was by the end a bicycle's length, thanks to forty metres of the coach's rubber.",
+#:   "It came up our lane as if the arrows on the road had been painted for it, and when it saw who they'd been painted for it locked everything and was still.",
+#:   "What we met in our lane was a pickup's radiator, coming; what we were looking at, after one long howl of its tyres, was the same radiator, steaming, and not coming.",
+#:   "The target shall travel in the subject vehicle's lane contrary to the direction of traffic, decelerate at its maximum upon reaching the trigger distance, and remain stationary thereafter.",
+#:   "Hard left's no use, he's in our lane and so are we, so brake; thank God he's braking as well, like a madman, look at him shudder, and now he's stopped dead.",
+#:   "Put a motorbike into our lane that's going the way nobody's meant to go, let it all but stand on its nose when it spots us, and leave it stopped there.",
+#:   "I know which marks are mine, they point north, as the lane does. The other pair points south. They're in the same lane, and they get blacker and blacker towards me, and they finish in two little crescents, where a minibus full of Belgians had come to the end of what its brakes could do. We got out. There was room between the bumpers for the driver and me to shake hands.",
+#:   "On the bridge you can't go anywhere, it's got a railing. I said to my wife, that one's on our side. Then his front went down so far that I saw his roof. I saw it for a long time, with smoke behind it, getting bigger; and then it wasn't getting bigger. The springs let it up again, and there were two people in there with their hands over their eyes.",
+#:   "The lead distance shrinks at 140, then at 90, then at none, and the lead vehicle shows no rear lights. Naturally: we've got its front. It's in our lane and it faces us. The 140 is ours plus its; the 90's what was left when it had been on its brakes for a second; the none is the two of us at rest, looking at one another's wipers.",
+#:   "The lady had come down the exit instead of the entrance, sergeant, so she'd the whole dual carriageway to herself, my half of it. I flashed. She flashed me back! Then she read the back of a sign, I suppose, and did the right thing, the only one left, she pressed that pedal as if to push it through the floor. That's her. She's not moved since.",
+#:   "You'll meet it once in thirty years, my instructor said, and it was that afternoon. Over the brow, in our lane and none of theirs, there's a furniture van showing us its face. Off the gas, he says, wait. It sits down on its front wheels with a noise like a slaughterhouse and slides up our lane until it has stopped, and we've stopped, and he says: once.",
+#:   "A little applause, please, for ABS. We're doing the test loop clockwise, all of us, lane one. Somebody from catering does it the other way about in the sandwich van. So in lane one there's our prototype, and nose-on to it, doing fifty, there's egg and cress. You hear the thing's brakes going grrrrrr from first to last. Nobody's touched. It's standing at six metres from us with its flap open.",
+#:   "In our traffic wrong side is normal, sir, but they come slowly, slowly, on the edge. This bus came in the centre of my lane, from the front, at his full speed, as if I'm the one not existing. At fifty feet he believed in me. All four tyres were crying. When it had become quiet, his bumper was there, my bumper was here, one goat could pass.",
+#:   "They ask a lot of a haulier's nerves. You hold your lane because it's yours, and there's a set of headlamps holding it as well, the other way. The gap's going like water down a sink. And the gap stopped. I swear, it had just stopped, ten feet short, with a whiff of burnt linings, since he'd found his pedal: a taxi, planted, in my lane, lights up my nose.",
+#:   "Members of the jury, you may think that he who stops does no harm. Consider what he stopped from. He'd driven half a mile of Mrs Lamb's lane, towards Mrs Lamb. It was the sight of her that caused those thirty-one metres of skid, at the end of which his car stood, as it was to stand for an hour, headlong before hers.",
+#:   "It was like in the mirror at the fair, when you walk to it and somebody walks to you. In our bit of the road was a motorbike, and it was driving to us. Mum screamed. His back wheel went up in the air like a donkey and there was a stink. Then it came down, boing, and he stood there with his legs out.",
+#:   "The fog gave us ten lengths' warning. Two yellow eyes opened in it, not to the side of our path, where eyes belonged, but upon it; and they were travelling. They plunged, as a ship's lamps do. There was a scream of tyres, more theirs than ours; and when it ended the eyes hung a yard off, quite steady, in our lane, and blinked.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "brake", "stop"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 7.0

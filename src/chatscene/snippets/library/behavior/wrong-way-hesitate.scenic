@@ -60,6 +60,26 @@
 #:   "The fog was thick enough to lean on, and she was glad of the light in front until she understood that it was in her own lane and approaching. It halted. For some moments nothing in that grey world stirred. Then, with a crunch of gears, the truck behind the light resumed its way, and its way was hers.",
 #:   "My worst day on the bus was the Marathon diversion. They'd sent me up the lane the wrong way, or I'd read it wrong. There was a robotaxi coming down it. I stopped for a moment to look at my sheet, and the sheet said straight on, so straight on I came, in its lane, nose to nose with it.",
 #:   "Il roule à l'envers, in my way, this cyclist with the cap. At twenty metres he stops himself and we look one at the other. I make with the hand \"go away, go to your side.\" He has a short think. Then he mounts again on the pedals and he continues to come, in my way always, toward my bonnet.",
+#:   "Nose to nose in our lane, he halts, ponders, comes on.",
+#:   "The wrong-way bus stood a moment, then kept on at us.",
+#:   "Let a cyclist meet us in our lane, pause, resume.",
+#:   "Two lamps in my lane grew, stayed the same for as long as it takes to swear, and then went on growing.",
+#:   "He must have read the no-entry sign at last, since he stopped in our lane with his grille to us, but he can't have believed it, because on he came.",
+#:   "With its front to the robotaxi's front, on the robotaxi's side, the lorry made a halt as if to apologise, and took up its advance.",
+#:   "The opposing target occupies the VUT's lane against the permitted direction, is brought to rest, and after the dwell time proceeds on its old heading.",
+#:   "Whatever made him put a boot down, there in the middle of our lane and pointing at us, it wasn't remorse, for the boot was soon up again and he with it.",
+#:   "Stay where you are, he's facing us in our own lane and he's only catching his breath, see, that's his wheels going round again, this way.",
+#:   "I'd got as far as reverse. That's what I would like to be recorded, that I had taken it as settled. He had come at me on my half of the road, he'd pulled up with his bull bar looking at me, and I said to Jean, good, I'll back off and he can turn. Then the bull bar was nearer, and I hadn't moved.",
+#:   "Range in metres, same lane, opposite heading, own vehicle at rest: 60, 50, 40, 30, 30, 30, 30, 24, 18, 12. The four equal ones fooled us. They were taken to be the end of the wrong-way drive, so the alarm was cleared at the third. It was raised again, in some haste, at the first of those that follow.",
+#:   "The arrow on the road pointed the way we were going. We had it under our bumper. The tourist's bus had the same arrow under its own bumper, and it's fair to say they'd noticed, for they stopped on it and somebody stood up to look. After a discussion the bus began to move; and what it moved over was the arrow's tail, then the gap, towards us.",
+#:   "I thought it was a mirror at first, one of those big ones at bends. A car that looked like ours was in our lane, coming. We stopped, it stopped. So it is a mirror, said my sister. We waited, it waited. And then it came on and we did not, and so it wasn't a mirror, and she screamed.",
+#:   "Silver moped, inside lane, against the flow, I've eyes on. He's stopped. Repeat, he's stopped, there's a white taxi in that lane facing him, about five lengths. I think he's twigged. Wait one. No. No, he's paddling it along again, he's got his feet up, same lane, same way, straight for the white taxi. He hasn't twigged.",
+#:   "It'd be a comfort if wrong-way drivers were either mad or sorry. The mad ones don't stop, the sorry ones don't start again. What I had in front of my fire engine, in my own lane, nose on, was a Nissan that seemed sorry for about three seconds. It even dipped its lights. And having dipped them it drove on at me.",
+#:   "V2 was observed traveling south in the northbound lane, toward V1. Tire scuffs indicate that V2 stopped there at a distance of some seventy feet. A puddle of coolant sixteen inches wide was left under it, consistent with several seconds at rest. A trail of drops leads from the puddle farther south, in the same lane, to the point of impact.",
+#:   "Let's have hope and then take it away. In the ego's lane, against the arrows, there is a lorry on its way to us. At thirty-odd metres it brakes until nothing moves. Any sensible observer would now expect it to back out, or turn. It does after a while stir; but what it does is to go on as before, at us, in that lane.",
+#:   "The old general was nothing if not resolute. That the avenue had been made one-way he had been told, by his daughter among others. He met the first car of the opposing army in its own lane, and grounded his stick, so to speak, and the two surveyed each other through the glass. Then he gave himself the order, and the Daimler advanced.",
+#:   "A horse knows when it's on the wrong side, a cyclist doesn't. I've the camera footage, he comes up my lane, towards me, no hands. He sees me, hands. He stops and he stands over the crossbar, and I do the polite thing, I point at his side, over there. He looks at it. He looks at me. And the pedals go round, and it's still my side that he's on.",
+#:   "Arre, this is one-way, I am showing with hand, one-way! He is in my lane with his face to my face, one full mini-truck. He put brake, he is standing. Okay, brain has come. He's standing till I have finished my sentence. Then brain has gone, gear has come, and he's again rolling towards my headlight in the lane which is mine.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "hesitate"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

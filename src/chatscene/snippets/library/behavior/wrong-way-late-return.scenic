@@ -60,6 +60,26 @@
 #:   "A late swerve is the last argument of an overtaker. This one had run out of the others: there was no more room to gain on the milk lorry, none to fall back behind it, and in the lane that he'd borrowed from me there was me. He jerked the pickup to his own half, and the wind of it shut my mirror.",
 #:   "Robotaxi incident review, frontal near miss. The other party's motorbike was facing us within our lane for the duration of its overtaking of a cyclist group. Our vehicle had stopped altogether, hazards on, and had counted down to one second to impact when the motorbike flicked over to the side of the road on which it should have been all along.",
 #:   "For some moments there were two sets of headlamps abreast, and one pair was in our lane. Anybody would have said they couldn't all get by. The wrong pair kept swelling, and I'd my arm across my wife; and then, so near that we heard his tyres, it leapt sideways in front of the other pair, and what went past us was only a shriek.",
+#:   "Meeting us mid-overtake on our side, it leaves it, leaves it, darts in.",
+#:   "Facing coach, past a tractor, ours till inches, then flung home.",
+#:   "Our lane, his overtake, our doom, his last-gasp swerve.",
+#:   "All I saw was radiator, in my lane and getting taller, next to the milk tanker it was drawing past; and then, at the very end, a yank and tarmac.",
+#:   "Opposing actor overtakes in the ego's lane, facing it; hold there until the gap has fallen to a minimal value, then steer sharply to its own lane.",
+#:   "mans overtaking a bus straight at me, i'm flashing, he's not going in, im braking, hes NOT GOING IN, and he whips in so late my mirror's gone",
+#:   "On my side only he was overtaking the bullock cart, face to face with me, and when between us nothing was left, one jerk he gave to his own side.",
+#:   "My brakes got me stopped for that oncoming motorbike in my lane; what got me home was his twitch in past the van he was overtaking, absurdly late.",
+#:   "Had he thrown the pickup back in front of the caravan he was passing one blink later than he did, the two of us would've shared my lane for good.",
+#:   "There were two number plates facing us, one above the other, and only the lower belonged where it was. The upper was on a bus; it had come out to get by a dumper truck and it was in our lane. I'd read the letters, I'd read the figures, I'd read the name of the dealer, before bus and plate were hauled over in front of the dumper.",
+#:   "I sang. We were going down the one side of the valley and a white van was coming up the same side, ours, because there was a timber lorry on the other that he'd had enough of. I sang for about two hundred yards. I stopped singing when he shot across in front of the timber, and he'd taken my door handle with him.",
+#:   "In the time-to-collision plot there are seven seconds of straight descent. It's the opposing saloon, head on, in our lane, alongside a column which it's passing. Five, four, three, no change in its heading. The line ends at 0.8 in a spike, as the saloon's yaw rate goes through the roof and it lands in its own lane before the first of the column; and we'd been braking since five.",
+#:   "The bench will have noticed that there isn't a scratch on either vehicle. My client asks for her nerves. The motorcyclist was abreast of the hay cart, which is to say in my client's lane, he was coming towards her, and he had three separate occasions for going back. He availed himself of none. She could see his teeth when he ducked in before the horse.",
+#:   "It was an artic, it was on my half, overhauling something with a flashing lamp, and I was in a Fiat. I'd stopped, there was a ditch, I'd the door open. It went over at that, cab first, with a shriek, into its own half ahead of the flashing lamp; and its trailer, following, closed my door for me.",
+#:   "Listeners, if it's in your lane, and facing you, and there's a queue of caravans beside it, don't imagine that it'll tuck in when it sees you. Mine had seen me, he was waving. He went on coming till I'd my seat belt off, I don't know why, and then he chucked that cab sideways in between two caravans as if it were nothing.",
+#:   "From the top of the coach it was like a board game. There was a slow blue lorry on the far lane and a red car that wanted to be past it, in ours. It was coming at us, square by square. Everyone thought it must go in now, or now. On the last square but one somebody snatched it over in front of the blue.",
+#:   "Vehicle 1's black box stored five seconds. In all of these Vehicle 1 is braking, and the driver's explanation is that Vehicle 2, northbound, was using the southbound lane to pass a farm tractor. Vehicle 2's steering trace shows no correction until 0.9 seconds before the closest approach. It then shows ninety degrees to the right, which took it into the northbound lane ahead of the tractor.",
+#:   "My godmother has one word for it. A minibus was bearing down on her, in her own lane, side by side with a combine that it had set its heart on passing. She kept straight and slowed and kept straight and stopped. When he'd swerved in ahead of the combine, and he did it under her very chin, she said the word.",
+#:   "The radio plays, the road is empty on my side, this is Andalucía. Then on my side there's a truck. He's coming to pass another truck, the two together like a wall. I brake, I go to the stones; the wall comes. When I could already touch it, the half of it which was mine jumped to the other side before its brother, and the radio was still playing.",
+#:   "Between the poplars two pairs of lights had been climbing towards her, one pair behind the other. Now they were abreast, and the near pair stood in her own lane. It would fall back; it didn't. It drew ahead, and did not go in. Her wheels had locked, the lights were as broad as a house, and only then did they tear themselves away into the lane that was theirs.",
 #: ]
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "swerve"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 6.0

@@ -60,6 +60,26 @@
 #:   "The roadworks signs had blown over, so I don't blame the poor soul. She was coming at my lorry in my lane in her little Yaris. We were both stationary with ten metres in it. I couldn't back up, not with a drawbar. She could, and did; her headlamps withdrew down the road until there was space for the whole circus.",
 #:   "Caller on Mill Hill reports that the vehicle facing her in her own lane has gone. It's a red pickup. It'd been coming at her contraflow, it pulled up short of her, and she was about to get out and give him what for. It then made off in reverse down the hill, still facing her.",
 #:   "The tape shows the gap better than I can tell it. Forty metres, thirty, twenty: that's the coach, up the wrong lane, ours, and coming. Twenty, twenty: that is the coach standing still. Twenty-five, thirty-five, fifty: that's it going backwards, with the guide waving a flag in the rear window. Throughout, you see its front.",
+#:   "Nose to nose in our lane, bus halts, then backs right off.",
+#:   "van wrong way at me in my lane, stops, slinks off backwards",
+#:   "Contraflow cab in ego's lane: halt, white lamps, gap opens up.",
+#:   "The headlights that had no right to be in our lane got larger, held their size for half a breath, and then got smaller again, never ceasing to face us.",
+#:   "It took the lorry driver, who was on our side and coming, about as long to stand on his brakes as it took him to find reverse and undo it all.",
+#:   "I'm asking for a pickup which heads for the AV in the AV's own lane, draws up short of it, and gives the ground back tail first.",
+#:   "The opposing target enters the lane of the VUT against the direction of travel, is braked to zero ahead of it, and, after a brief standstill, is driven rearward.",
+#:   "Which way did it go? The same way as it had come, up our lane, only that it came with its bonnet leading and, after it'd stood, left with its boot.",
+#:   "He's seen the arrows at last, he's stopped, you can breathe, and those white lamps at his far end mean that he's taking his minibus back out of your lane.",
+#:   "You'll find that the tachograph of the coach has a hill, a nought and a little hill. The first hill was done the wrong way up a one-way street, in the very lane which my client was coming down. The nought is where the two saw each other. The little hill was done in reverse, for which my client is obliged to him.",
+#:   "The pigeons flew up twice. Once it was from in front of a dustcart, which came up our half of the avenue, face on, as if that were the custom. It was brought to a stand with a good deal of hissing, and they settled behind it. And then they flew up from behind, since it was going away from us with its rear end first.",
+#:   "I had begun to unbuckle. You would, with a taxi in your lane whose bumper's coming at yours, and no hard shoulder. He braked, I'll give him that, and stopped with room for a cat. I'd one foot out of the door in order to say something, when his whole face, bumper, lamps and sorry little wave, began to withdraw from me up the road.",
+#:   "Range to the oncoming actor, which had occupied our lane at seventy metres: falling at 22 m/s, falling at 12, falling at 6 with the ego braking, constant for four tenths with both of us at zero. And then rising. The ego hasn't moved, so it's the actor that has, and since its heading's the same, it's in reverse. Test passed if we don't evade.",
+#:   "It's a funny thing to be beaten to an apology by a truck. I'd pulled up because it was on my side of the cones, coming my way, huge. It had pulled up too. I was hunting for reverse myself, as one of us would have to, when I heard the beep, beep, beep. It wasn't me that was beeping, and the road between us was growing longer.",
+#:   "Miss Thwaite did not yield, on principle. The car that approached her did so in the very lane that was hers, against the arrow; it could therefore go back where it belonged. She stopped and looked at it. It stopped and was looked at. In due course its wheels began to turn, the wrong way round, and it bore its red-faced owner off up the hill.",
+#:   "Somebody on holiday, by the roof box. I'm coming out of the village with the mixer, and there's an estate car in my lane, heading into the village. Brakes from me, brakes from her. We stood grille to grille. She mouthed \"sorry\", put her arm round the headrest, and I watched her roof box go off into the distance, still facing me.",
+#:   "It was dark, so we've only got lamps to go by, my wife and I. Two white ones, in front, on our strip where there ought to have been two red ones. They came. They dipped and came no farther. For a bit there was a glow beyond them, on the hedge behind that car, that'd be its reversing light, and the two white ones drew back from us.",
+#:   "V2, a van, was in the westbound lane facing east after passing a closed road. V1, westbound, braked. V2 came to rest 31 feet from V1, by measurement of its oil drip. A second drip, the product of a longer wait, lies 160 feet farther west, to the rear of the first. V2's operator confirms that he had backed to there, away from V1.",
+#:   "The bus did like the tide does, Grandpa. It was all coming in, on our side, right up to where we were sitting, and Mummy said \"no no no no no.\" Then it didn't come in any more. And then it went out, and you could see its face the whole time it was going out, and it got little, and there was road again.",
+#:   "If you're met head on in your own lane, my learners are told, you brake and don't steer, as you can't know where he will go. Yesterday's proof was a hire van. He came, he stood, and the one place nobody would've had on the list is where he went, which is backwards. Had we dodged to the other side we'd have met a tram for nothing.",
 #: ]
 #: adversaries = ["car", "truck", "bus"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "stop", "reverse"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 5.0

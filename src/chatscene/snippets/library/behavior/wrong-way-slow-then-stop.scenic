@@ -60,6 +60,26 @@
 #:   "There's videos of people going the wrong way at a hundred, with music. This isn't one of those. In this one a delivery truck's in my lane, yeah, coming at me, yeah, at the speed of a supermarket trolley. It takes for ever. It stops. He waves. He stays there. I wave. That's it, that's the video.",
 #:   "Somewhere before the bend he must've got round the wrong side of an island, the gentleman in the vintage tourer. He was aware of it. He approached us in our lane as one approaches a headmaster, by inches, cap in hand; and before he'd quite got to us his courage went, and his motor, and he stayed where he was.",
 #:   "mum there's a car and it's on our side!! but it's really slow, it's slower than my scooter. it's coming and coming... now it isn't coming. it's just looking at us with its lights. can robots say excuse me",
+#:   "Faced us in our lane, ambled nearer, gently expired.",
+#:   "Creeping contraflow, then at rest, headlamps to headlamps.",
+#:   "Against us at a dawdle, then standing there for good.",
+#:   "She might have been docking a ferry, so softly did the old lady bring her saloon up our lane, wrong way, and lay it to rest before our bumper.",
+#:   "An oncoming bicycle ought to transfer itself to the ego's lane, dribble along it against the flow, and run down to nothing within sight of us.",
+#:   "He was on my half, his face to my face, coming with the speed of a pushed pram, and after some metres even this was finished and he stood.",
+#:   "Of its three lamps, the moped-car had one burning, and this came at us up our own side so gradually that we'd all stopped talking by the time it no longer came.",
+#:   "Nobody need brake hard for a coach that approaches in the wrong lane at a trot, as the trot becomes a walk and the walk becomes a parked coach.",
+#:   "Caller's in the tunnel mouth, says there's a hatchback facing her in her lane, it was coming up ever so slow and now it's just sat there.",
+#:   "I had time to put my lipstick on, if I'd been so minded. There was a van on my side of the road which was looking at me, and it was on its way to me, but on its way as the tide is. I'd come to a stop long before. It had forty yards to go, then thirty. At six or so the tide was in, and there it lay, ticking.",
+#:   "No harm was done, and I only report it because of the way it went on. The driver had, I'd say, got round a bollard by the wrong side. He was thus in our lane with his nose toward us. At a pace at which you could've changed his wheel he advanced. It became a pace at which you couldn't have told; and then he took out a map.",
+#:   "The number of the bus was 14. I'd time to learn that, since from the first moment it was getting bigger in the middle of our lane, where you should only ever see the backs of buses, and yet one could have sworn that somebody was blowing it up rather than driving it. When it was as big as a bus it left off. The wipers went once.",
+#:   "An AV that is good with fast threats can be helpless before slow ones. Here it's got an actor head-on in its lane, at two metres per second, for what feels like all afternoon. It stops, properly. The actor still comes. Only with some seven metres left does it go from two to one to nought, at a deceleration you'd not spill your tea by.",
+#:   "My husband made an apology with the hands, he is so polite; I wouldn't have. The taxi was on the false side, not we. It was coming contrary to all the arrows, with its nose to our nose, like a person who goes in a dark room with the hands before him. And when he had touched nothing for long enough, he let it roll out and put the hand brake.",
+#:   "If you get one in your lane, facing you, look for two things: how fast, and who's behind the glass. This one? Hardly moving, and she's in tears. She's gone up the slip road the wrong way and she knows. So you stop. She'll go on rolling at us a bit, I dare say, while her courage runs out. There. Neither of us is moving now.",
+#:   "It was the horse that told me. I had the window down, the pony was on the verge, and its ears were following something behind my sun visor. I lifted the visor. A dustcart was in my lane, pointing the wrong way, mine, and padding up it, all quiet, like a man in socks. It padded to within a few yards and sat down.",
+#:   "V1 was at rest. V2 continued toward V1, in V1's lane and contrary to the one-way designation, at a speed estimated from the video as 3 to 5 mph. The speed diminished without visible brake application, and V2 halted 14 feet short of V1. V2's driver, who spoke no English, indicated the screen of her navigation device. Neither vehicle was damaged.",
+#:   "They observed each other's approach with the courtesy of two elderly bishops in a passage; only that one of the bishops, the one upon the tricycle, was on the wrong side of it. He came up their lane at a pace between prayer and sleep. It inclined to sleep. A little way before them he was quite motionless, his hand lifted, as though to bless.",
+#:   "What gets me, members of the council, is that it wasn't reckless. The delivery truck came through the no-entry and up towards my shop, into the face of the school bus, slower than I sweep. It sort of wilted. By the bus stop it had wilted right down to a stand, nose to nose. That's your signage for you, when careful people do that.",
+#:   "street view car but going the WRONG WAY up our lane lol. coming at us like 4mph with the camera ball on top. everyone in the shuttle waving. it just gets slower n slower n then its stopped, front to front, like two dogs. somewhere theres a photo of me eating a crisp",
 #: ]
 #: adversaries = ["car", "truck", "bus", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -69,7 +89,6 @@
 #: actions = ["oncoming", "wrong-way", "slow", "stop"]
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 2.0

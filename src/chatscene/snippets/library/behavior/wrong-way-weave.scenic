@@ -60,6 +60,26 @@
 #:   "It's the lamp I would paint, if I painted. It was in our lane, where there should have been only darkness, and it was coming; and it swayed, now to the wall, now to the crown of the road, now to the wall, as though carried by a drunken watchman. It belonged to a small car.",
 #:   "In the holidays I have met a Dutch lady on her Hollandrad. She was on my side of the street, against me, because in her country it would be, I don't know, romantic. With one hand she held an ice, so she made big bows, to the grass, to the line, to the grass, and always nearer.",
 #:   "My evidence is that I couldn't have avoided him, sir. He was on my half, not on his, and heading for me. If he had kept to one side of that half I'd have taken the other; but he was rolling across it and rolling back without cease, that car of his, until we met.",
+#:   "Wrong lane, wrong direction, and can't hold a line either",
+#:   "Drunk cyclist, our lane, facing us, kerb-paint-kerb-paint, closing",
+#:   "Head-on moped serpentining up our half. Which way out?",
+#:   "The saloon that faced us on our side slopped from the kerb to the line and from the line to the kerb as the distance melted.",
+#:   "Coming at us in our lane was a single headlamp, and a restless one, for it swung edge to edge like a bell without once leaving that lane.",
+#:   "Go left, he's left; go right, he's right; and the whole time the Yamaha, contrary to all traffic, is nearer in the lane I am driving.",
+#:   "He is ghost driver and he is sailor too, this taxi, in my lane against me and rolling from one board to the other board.",
+#:   "Opposing bicycle within ego lane, heading reversed, lateral path sinusoidal about the lane centre, amplitude one metre, closing throughout.",
+#:   "I counted five swings to the hedge and five to the white line before the hatchback, which had no right to our lane, was on top of us.",
+#:   "The student had his gown on, and it was the gown that showed you how he was steering. It streamed to the right, it streamed to the left. He was on a bicycle, he was in the lane we were in, and it was us he was pedalling at. We'd stopped. He needed the whole of our lane, both edges of it, to arrive.",
+#:   "Don't look for a way past him, since he hasn't got one himself. That car's on our side, it's pointing at us and it's coming. So far so bad. Now watch its front wheels, they're going over to the kerb, and they're coming away from the kerb to the paint, and back over to the kerb. Brake, stop, lights on, horn.",
+#:   "If I were asked to act it out I'd take a watering can. You start at the far end of our lane, facing our car. You walk towards our car, you water the left border, you water the right border, left, right, all the way. You're never on the other half of the road. That's what the Mazda was like.",
+#:   "One witness had V2 on the kerb side of V1's lane, a second had it on the centre-line side, and a third one changed his mind. They're all correct. V2 was proceeding against the direction of that lane and was oscillating across its width, so its position depended on when each looked. All agree that it was getting nearer.",
+#:   "It's half past two, we're coming home from the gig in the van, and there are these two headlights doing the hula. On our side! Over to the ditch, over to the paint, over to the ditch. Nobody said anything, we just watched it come. Davey stopped in the end and we all leaned left, then right, then left.",
+#:   "The trouble with the bandsman wasn't that he was cycling home with a tuba. The trouble was that he'd chosen the lane of the oncoming mail coach to do it in, and that the tuba wanted to go to one side of this and the band's beer to the other. He veered as the one or the other prevailed, and came ever on.",
+#:   "Our evasive routine picks the side with the larger opening. Against this opponent it picked left, right, left, right, eight times, then gave up. The opponent is a motorbike that runs head-on in the ego lane; its rider leans to one boundary and then to the other every two seconds. The larger opening never lasts for longer than one.",
+#:   "Report of an intoxicated male on a mobility, sorry, on a moped. He's northbound in the southbound lane of Quay Street. A southbound bus has stopped for him. Bus driver says he can't see which side to let him by on, the guy's touching the gutter, then he's touching the yellow line, then the gutter. Fifty feet off and approaching.",
+#:   "I have never been so glad of good brakes, as there was no telling where to dodge. You'd see him come up our lane, the wrong way, a little red hatchback, with its nose going like a dog's on a scent. Nose to the edge line, nose to the divider, edge, divider, and always nearer. I stopped dead and hooted.",
+#:   "In the beam the road was all their own, a narrow bright alley between the edge and the line. Something was in the alley with them. It had a lamp and a white face; it blundered against the edge and was thrown to the line, it blundered against the line and was thrown to the edge; and it was coming up the alley.",
+#:   "The tide of cars on her own side parted for nobody, so she came up ours. A courier, cargo bike, great box of parcels in front. With that weight you can't ride straight when you're slow, and you can't see round it. Tack to the kerb, tack to the middle line, tack to the kerb, face to face with a whole lane of us.",
 #: ]
 #: adversaries = ["car", "motorcycle", "bicycle"]
 #: requires = ["advTrajectory", "egoRoute"]
@@ -70,7 +90,6 @@
 #: place = "road"
 #: position = "oncoming"
 #: maneuver = "straight"
-#: leader = false
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 4.0

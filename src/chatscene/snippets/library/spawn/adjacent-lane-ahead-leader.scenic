@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it beside, and a slow car leads the ego.",
 #:   "we're stuck behind a slow one, and somebody is a bit further on in the adjacent lane",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "adjacentLane", "egoRoute"]
 #: provides = ["AdvAgent", "LeadingAgent", "advLane", "advTrajectory", "leaderWay"]
 #: origin = "base scenario lane-changing; own code"

@@ -7,7 +7,7 @@
 #:   "In the blind spot beside, a few car lengths back.",
 #:   "Vehicle 2 was to the rear of Vehicle 1, traveling in the adjacent lane.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "adjacentLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "base scenario lane-changing; own code"

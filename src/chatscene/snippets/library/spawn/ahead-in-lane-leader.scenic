@@ -7,7 +7,7 @@
 #:   "The target follows a slow leading vehicle and precedes the VUT.",
 #:   "Before the ego goes the adversary, and before that again a slow auto.",
 #: ]
-#: adversaries = ["car", "truck", "motorcycle", "bicycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "LeadingAgent", "advTrajectory", "leaderWay"]
 #: origin = "own code"

@@ -7,7 +7,7 @@
 #:   "Right before the junction it hugs the right-hand kerb, ahead of the ego.",
 #:   "The target is ahead of the VUT between its lane and the nearside kerb.",
 #: ]
-#: adversaries = ["car", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"

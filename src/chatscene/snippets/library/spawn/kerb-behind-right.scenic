@@ -7,7 +7,7 @@
 #:   "In the right-hand blind spot, about to undertake the ego.",
 #:   "somebody's sneaking up on the inside, between us and the kerb",
 #: ]
-#: adversaries = ["car", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
 #: requires = ["AdvBehavior", "egoRoute"]
 #: provides = ["AdvAgent", "advTrajectory"]
 #: origin = "base scenario right-turn; own code"

@@ -7,7 +7,7 @@
 #:   "The target is at rest on the nearside beyond the obstacle which the VUT avoids.",
 #:   "After the blocking auto stays one more on right side.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "blockedLane", "egoRoute"]
 #: provides = ["AdvAgent", "advKerb", "advRoom"]
 #: origin = "own code"

@@ -7,7 +7,7 @@
 #:   "The target is at rest on the nearside, obstructed by a further stationary car.",
 #:   "It stays in the line of standing autos on right hand, after the first one.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute", "kerbLane"]
 #: provides = ["AdvAgent", "advKerb"]
 #: origin = "own code"

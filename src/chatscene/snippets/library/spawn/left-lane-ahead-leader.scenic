@@ -7,7 +7,7 @@
 #:   "A few car lengths on, in the lane next to it on the left, and a slow car leads the ego.",
 #:   "we're stuck behind a slow one, and somebody is a bit further on in the lane on the left",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "egoRoute", "leftLane"]
 #: provides = ["AdvAgent", "LeadingAgent", "advLane", "advTrajectory", "leaderWay"]
 #: origin = "base scenario lane-changing; own code"

@@ -7,7 +7,7 @@
 #:   "The target is located in the offside blind spot of the VUT.",
 #:   "In the dead angle of the mirror, left lane.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "leftLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "own code"

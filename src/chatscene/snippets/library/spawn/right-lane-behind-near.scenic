@@ -7,7 +7,7 @@
 #:   "The target is located in the nearside blind spot of the VUT.",
 #:   "In the dead angle of the mirror, right lane.",
 #: ]
-#: adversaries = ["car", "motorcycle", "emergency-vehicle"]
+#: adversaries = ["car", "truck", "motorcycle", "emergency-vehicle"]
 #: requires = ["AdvBehavior", "rightLane"]
 #: provides = ["AdvAgent", "advLane", "advTrajectory"]
 #: origin = "own code"
