@@ -190,7 +190,9 @@ def evaluate(
 @click.option("--epochs", default=4, show_default=True, help="How often each sentence is seen.")
 @click.option("--seed", default=0, show_default=True)
 def fit(own: str, count: int, epochs: int, seed: int) -> None:
-    """Train the classifier that reads sentences on the library as it is now; takes some two hours of one core, and the extra train.
+    """Train the classifier that reads sentences on the library as it is now.
+
+    Takes some two hours of one core, and the extra train.
 
     \b
     chatscene library fit

@@ -41,29 +41,34 @@ class WordingIndex:
     """Wordings, each owned by a snippet; searched by the words they share with a text."""
 
     def __init__(self, wordings: tuple[str, ...], owners: tuple[int, ...]) -> None:
-        counted = [_terms(text) for text in wordings]
-        seen = Counter(term for terms in counted for term in terms)
-        self._rarity = {term: float(np.log((1 + len(wordings)) / (1 + times)) + 1) for term, times in seen.items()}
         self._wordings = wordings
         self._owners = np.array(owners)
-        postings: dict[str, tuple[list[int], list[float]]] = {}
-        for row, terms in enumerate(counted):
-            weights = {term: times * self._rarity[term] for term, times in terms.items()}
-            length = float(np.sqrt(sum(w * w for w in weights.values()))) or 1.0
-            for term, weight in weights.items():
-                rows, shares = postings.setdefault(term, ([], []))
-                rows.append(row)
-                shares.append(weight / length)
-        self._postings = {term: (np.array(rows), np.array(shares)) for term, (rows, shares) in postings.items()}
+        self._numbers: dict[str, int] = {}  # of the terms
+        each, times, sizes = list[int](), list[int](), list[int]()
+        for text in wordings:
+            terms = _terms(text)
+            each.extend(self._numbers.setdefault(term, len(self._numbers)) for term in terms)
+            times.extend(terms.values())
+            sizes.append(len(terms))
+        term, row = np.array(each, np.intp), np.repeat(np.arange(len(wordings)), sizes)
+        seen = np.bincount(term, minlength=len(self._numbers))
+        self._rarity = np.log((1 + len(wordings)) / (1 + seen)) + 1
+        weight = np.array(times, float) * self._rarity[term]
+        length = np.sqrt(np.bincount(row, weight**2, minlength=len(wordings)))
+        by_term = np.argsort(term, kind="stable")
+        # Of each term, one after another: the rows that have it, and its share of them.
+        self._rows, self._shares = row[by_term], (weight / length[row])[by_term]
+        self._ends = np.cumsum(seen)
 
     def search(self, text: str) -> tuple[NDArray[np.float64], list[str]]:
         """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
-        terms = {term: times * self._rarity[term] for term, times in _terms(text).items() if term in self._rarity}
-        length = float(np.sqrt(sum(w * w for w in terms.values()))) or 1.0
+        terms = {self._numbers[term]: times for term, times in _terms(text).items() if term in self._numbers}
+        weights = {number: times * float(self._rarity[number]) for number, times in terms.items()}
+        length = float(np.sqrt(sum(w * w for w in weights.values()))) or 1.0
         scores = np.zeros(len(self._wordings))
-        for term, weight in terms.items():
-            rows, shares = self._postings[term]
-            scores[rows] += shares * (weight / length)
+        for number, weight in weights.items():
+            own = slice(self._ends[number - 1] if number else 0, self._ends[number])
+            scores[self._rows[own]] += self._shares[own] * (weight / length)
         best, rows = best_of_each(scores, self._owners)
         return best, [self._wordings[row] for row in rows]
 
