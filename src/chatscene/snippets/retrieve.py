@@ -55,7 +55,7 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
 # classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": -5.70, "scope": 0.50, "beyond": -1.29, "outright": 0.71, "wording": 3.36, "meant": 0.66,
+    "base": -5.86, "scope": 0.50, "beyond": -1.29, "outright": 0.70, "wording": 3.63, "meant": 0.61,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a behavior's wording below and above which it says nothing more
@@ -238,7 +238,7 @@ def _highest(
             at = int(np.argmax(joined))
             if scores[0][b] + joined.flat[at] > best:
                 best = float(scores[0][b] + joined.flat[at])
-                found = (b, *(int(i) for i in np.unravel_index(at, joined.shape)))
+                found = b, *divmod(at, joined.shape[1])
     return found
 
 

@@ -73,7 +73,7 @@ class WordingIndex:
         return best, [self._wordings[row] for row in rows]
 
 
-def best_of_each(scores: NDArray[np.floating], owners: NDArray[np.intp]) -> tuple[NDArray[Any], NDArray[np.intp]]:
+def best_of_each(scores: NDArray[Any], owners: NDArray[np.intp]) -> tuple[NDArray[Any], NDArray[np.intp]]:
     """(N,) the best score among the rows of each owner, and the first row that has it.
 
     Args:
