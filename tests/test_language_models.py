@@ -215,6 +215,17 @@ def test_limits_out_of_range_are_refused(wrong: dict[str, Any]) -> None:
         Limits(**wrong)
 
 
+def test_the_longest_wait_for_a_reply_is_what_the_environment_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CHATSCENE_LLM_SECONDS", raising=False)
+    assert Limits().seconds == 120
+    monkeypatch.setenv("CHATSCENE_LLM_SECONDS", "600")
+    assert Limits().seconds == 600
+    for wrong in ("soon", "-1", "inf"):
+        monkeypatch.setenv("CHATSCENE_LLM_SECONDS", wrong)
+        with pytest.raises(SettingsError):
+            Limits()
+
+
 class Priced(Scripted):
     price = Price(1e6, 2e6)  # a dollar a word in, two a word out
 

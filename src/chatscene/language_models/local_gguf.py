@@ -83,7 +83,8 @@ class LocalGguf:
             raise self._failure(str(last["error"].get("message")))
         if "ending" not in last:
             raise LanguageModelError(
-                f"{self.name} did not finish within {self._limits.seconds:g} s; allow more, or use a smaller model"
+                f"{self.name} did not finish within {self._limits.seconds:g} s; allow more (CHATSCENE_LLM_SECONDS), "
+                "or use a smaller model"
             )
         usage = last.get("usage", {})
         return Completion(

@@ -127,7 +127,8 @@ class OpenAICompatible:
         """The body of the reply. One clock stops everything: connecting, slow bytes, retries and their pauses."""
         import openai
 
-        failure, advice = f"gave no reply within {self._limits.seconds:g} s", "allow more, or use a faster model"
+        failure = f"gave no reply within {self._limits.seconds:g} s"
+        advice = "allow more (CHATSCENE_LLM_SECONDS), or use a faster model"
         try:
             async with (
                 asyncio.timeout(self._limits.seconds),

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import importlib
 import math
+import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -114,18 +115,27 @@ class Budget:
                 raise SettingsError(f"a budget of {name} must not be negative or endless, but is {limit}")
 
 
+def _patience() -> float:
+    text = os.environ.get("CHATSCENE_LLM_SECONDS", "120")
+    try:
+        return float(text)
+    except ValueError:
+        raise SettingsError(f"CHATSCENE_LLM_SECONDS must be a number of seconds, not {text!r}") from None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
     """How far one question may go.
 
     Attributes:
         reply_tokens: Longest reply.
-        seconds: Longest wait for one reply [s], connecting, retries and pauses included.
+        seconds: Longest wait for one reply [s], connecting, retries and pauses included; 120, or what
+            ``CHATSCENE_LLM_SECONDS`` says.
         reasks: How often a question is asked again, with the reason, when the reply cannot be used.
     """
 
     reply_tokens: int = 1024
-    seconds: float = 120.0
+    seconds: float = field(default_factory=_patience)
     reasks: int = 2
 
     def __post_init__(self) -> None:
