@@ -140,7 +140,7 @@ def test_boxes_touch_when_they_overlap_and_not_when_they_miss() -> None:
 @settings(max_examples=200)
 @given(*[st.floats(-5, 5)] * 2, *[st.floats(-math.pi, math.pi)] * 2)
 def test_touching_agrees_with_polygon_intersection(x: float, y: float, a: float, b: float) -> None:
-    shapely = pytest.importorskip("shapely")
+    shapely = pytest.importorskip("shapely", reason="shapely, which Scenic brings, is not installed")
 
     def polygon(body: Body):
         corners = [

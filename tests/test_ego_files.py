@@ -36,7 +36,7 @@ def observations(count: int = 20) -> np.ndarray[Any, np.dtype[np.float64]]:
 @pytest.mark.parametrize("hidden", ["relu", "tanh"])
 @pytest.mark.parametrize("output", ["tanh", "clip", "sigmoid"])
 def test_a_network_computes_what_torch_computes(hidden: str, output: str) -> None:
-    torch = pytest.importorskip("torch")
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
     ours = network(hidden=hidden, output=output)
     activation = {"relu": torch.relu, "tanh": torch.tanh}[hidden]
 
@@ -91,7 +91,7 @@ def test_a_missing_file_is_said_to_be_missing(name: str, tmp_path: Path) -> None
 
 @pytest.mark.parametrize("suffix", [".npz", ".zip", ".pt", ".onnx"])
 def test_a_damaged_file_is_an_error_of_ours(suffix: str, tmp_path: Path) -> None:
-    pytest.importorskip("torch")
+    pytest.importorskip("torch", reason="the extra 'train' is not installed")
     path = tmp_path / f"damaged{suffix}"
     path.write_bytes(b"PK\x03\x04 this is not what it seems" * 10)
     with pytest.raises(EgoError, match="damaged"):
@@ -130,7 +130,7 @@ def test_an_archive_that_holds_something_else_is_refused_by_name(
 
 @pytest.mark.parametrize("change", ["no bias", "not finite", "not named", "alone"])
 def test_a_checkpoint_without_a_sound_actor_is_refused_by_name(change: str, tmp_path: Path) -> None:
-    torch = pytest.importorskip("torch")
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
     state: dict[Any, Any] = {f"pi.{i}.weight": torch.ones(2, 4 if i == 0 else 2) for i in (0, 2, 4)}
     if change != "no bias":
         state |= {f"pi.{i}.bias": torch.full((2,), torch.nan) for i in (0, 2, 4)}
@@ -159,7 +159,7 @@ class _Exploit:
 
 
 def test_code_in_a_checkpoint_is_refused_and_not_run(tmp_path: Path) -> None:
-    torch = pytest.importorskip("torch")
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
     trace = tmp_path / "trace.txt"
     torch.save((_Exploit(trace), {}), tmp_path / "bad.pt")
     with pytest.raises(EgoError, match="only tensors are read"):
@@ -173,7 +173,7 @@ def test_code_in_a_checkpoint_is_refused_and_not_run(tmp_path: Path) -> None:
 
 
 def stable_baselines_model(algorithm: str, *, actions: Any = None, sees: Any = None, **options: Any) -> Any:
-    sb3 = pytest.importorskip("stable_baselines3")
+    sb3 = pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
     import gymnasium
 
     class Still(gymnasium.Env[Any, Any]):
@@ -190,7 +190,7 @@ def stable_baselines_model(algorithm: str, *, actions: Any = None, sees: Any = N
 def test_a_model_of_stable_baselines_acts_as_it_does_there(
     algorithm: str, choice: dict[str, Any], tmp_path: Path
 ) -> None:
-    torch = pytest.importorskip("torch")
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
     kwargs = {"net_arch": [8, 8], **choice}
     if "activation_fn" in choice:
         kwargs["activation_fn"] = getattr(torch.nn, choice["activation_fn"])
@@ -216,8 +216,8 @@ def test_a_model_of_stable_baselines_acts_as_it_does_there(
     ],
 )
 def test_a_model_that_only_looks_like_an_ego_is_refused(algorithm: str, change: str, says: str, tmp_path: Path) -> None:
-    torch = pytest.importorskip("torch")
-    spaces = pytest.importorskip("gymnasium").spaces
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    spaces = pytest.importorskip("gymnasium", reason="the extra 'train' is not installed").spaces
     pair = spaces.Box(-1.0, 1.0, (2,), np.float32)
     options: dict[str, dict[str, Any]] = {
         "discrete": {"actions": spaces.Discrete(2)},
@@ -241,8 +241,8 @@ def test_a_policy_that_sees_something_else_is_refused_with_the_sizes(tmp_path: P
 
 @quiet
 def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: Path) -> None:
-    torch = pytest.importorskip("torch")
-    onnx = pytest.importorskip("onnx")
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    onnx = pytest.importorskip("onnx", reason="the extra 'onnx' is not installed")
     ours = network((4, 8, 2))
     (w0, b0), (w1, b1) = ours.layers
     module = torch.nn.Sequential(torch.nn.Linear(4, 8), torch.nn.ReLU(), torch.nn.Linear(8, 2), torch.nn.Tanh())
@@ -276,7 +276,7 @@ def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: P
 @pytest.mark.parametrize("name", ["sac", "sac_0", "ppo_0", "td3_0"])
 class TestSafeBenchCheckpoints:
     def ego(self, name: str) -> EgoPolicy:
-        pytest.importorskip("torch")
+        pytest.importorskip("torch", reason="the extra 'train' is not installed")
         return load_file(SHARED / f"{name}.pt")
 
     def test_it_steers_back_to_its_route_from_both_sides(self, name: str) -> None:

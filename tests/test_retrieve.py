@@ -16,7 +16,7 @@ from chatscene.snippets.compatibility import compatibility, incompatibility
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import Library, load_library
 from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import nearest, retrieve, settled
+from chatscene.snippets.retrieve import NO_SIDE, nearest, retrieve, settled
 from chatscene.snippets.slot_classifier import NOT_SAID, VALUES, Probabilities
 from chatscene.terms.scenario import (
     Action,
@@ -273,9 +273,7 @@ def test_what_is_done_is_what_the_behavior_does(small: Library) -> None:
     assert together(read, Slots(), small).actions == small.get("behavior/cross").slots.actions
 
 
-def test_an_action_that_was_hardly_heard_is_dropped_where_what_was_chosen_is_not_known_to_be_meant(
-    small: Library,
-) -> None:
+def test_an_action_that_was_hardly_heard_is_dropped_where_the_choice_is_doubtful(small: Library) -> None:
     read = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.CROSS, Action.HESITATE))
     assert together(read, Slots(), small).actions == small.get("behavior/cross").slots.actions
     doubtful = replace(unsure(), behaviors={"behavior/cross": 0.01, "behavior/brake": 0.9})
@@ -288,4 +286,9 @@ def test_an_action_that_was_hardly_heard_is_dropped_where_what_was_chosen_is_not
 def test_who_starts_in_the_lane_of_the_ego_is_on_neither_side_of_it(small: Library) -> None:
     only = Library(tuple(s for s in small if s.component is not Component.SPAWN or s.id == "spawn/ahead"))
     triple = found(Slots(adversary=AdversaryKind.CAR, side=Side.RIGHT), only)
-    assert triple.spawn.conflicts == ("side: said right, does none",)
+    assert triple.spawn.conflicts == ("side: said right, does neither",)
+
+
+def test_no_fact_that_a_snippet_can_have_is_taken_for_being_on_neither_side() -> None:
+    values = [getattr(s.slots, name) for s in load_library() for name in (*VALUES, "control")]
+    assert NO_SIDE not in {value for value in values if isinstance(value, str)}

@@ -96,7 +96,7 @@ def test_the_runtime_reads_what_was_trained_but_for_rounding(trained: SlotClassi
 
 
 def test_untrained_layers_are_written_as_they_were_read() -> None:
-    pytest.importorskip("torch")
+    pytest.importorskip("torch", reason="the extra 'train' is not installed")
     from chatscene.snippets.tuned_encoder import Tuned
 
     same = MiniLM(Tuned(frozen=3, columns=[2], dropout=0.0).changes())

@@ -218,9 +218,9 @@ def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Ju
         return Judged(sentence=sentence, refusal=str(refusal), slots=scenario.slots, first=nothing, among_three=nothing)
     retrieval = written.retrieval
     assert retrieval is not None  # whoever retrieves says so
-    matches = dict(zip(Component, (retrieval.behavior, retrieval.geometry, retrieval.spawn), strict=True))
-    found = {c: [beside(m.snippet, retrieval.geometry.snippet) for m in (matches[c], *retrieval.candidates[c][:2])]
-             for c in Component}  # fmt: skip
+    chosen = dict(zip(Component, retrieval.snippets, strict=True))
+    found = {c: [chosen[c], *(match.snippet for match in retrieval.candidates[c][:2])] for c in Component}
+    found[Component.SPAWN] = [beside(spawn, chosen[Component.GEOMETRY]) for spawn in found[Component.SPAWN]]
     return Judged(
         sentence=sentence,
         slots=scenario.slots,

@@ -101,12 +101,15 @@ class Compatibility:
     spawns: tuple[Snippet, ...]
     mask: Mask
 
+    def able(self, kind: AdversaryKind | None) -> tuple[Mask, Mask, Mask]:
+        """(B,), (G,) and (S,): the parts whose adversary can be of a kind; all of them for None."""
+        acts = np.array([kind is None or kind in s.adversaries for s in self.behaviors], bool)
+        fits = np.array([kind is None or kind in s.adversaries for s in self.spawns], bool)
+        return acts, np.ones(len(self.geometries), bool), fits
+
     def of_kind(self, kind: AdversaryKind | None) -> Mask:
         """(B, G, S): triples whose adversary can be of a kind; all of them for None."""
-        if kind is None:
-            return self.mask
-        acts = np.array([kind in s.adversaries for s in self.behaviors])
-        fits = np.array([kind in s.adversaries for s in self.spawns])
+        acts, _, fits = self.able(kind)
         return self.mask & acts[:, None, None] & fits[None, None, :]
 
     def with_all(self, ids: Sequence[str]) -> Mask:

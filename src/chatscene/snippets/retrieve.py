@@ -78,7 +78,7 @@ UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
 TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
 IN_LANE = (Position.AHEAD, Position.BEHIND)
-NO_SIDE = "none"  # of a spawn in the ego's own lane, which contradicts a side: one that leaves it open may have either
+NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
 
 Scores = NDArray[np.float64]
 
@@ -203,10 +203,7 @@ def _best(
     joint = compatibility(library)
     ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
     kind = scenario.slots.adversary
-    allowed = tuple(
-        np.array([kind is None or not x.adversaries or kind in x.adversaries for x in parts])
-        for parts in (joint.behaviors, joint.geometries, joint.spawns)
-    )
+    allowed = joint.able(kind)
     mask = joint.mask
     for one in tried:
         mask = mask & ~joint.with_all(one.snippet_ids)
