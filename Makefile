@@ -1,4 +1,4 @@
-# Two commands do everything on a bare Python 3.11 with pip:
+# Two commands do everything on a bare Python 3.11, 3.12 or 3.13 with pip:
 #   make demo   set up, turn one sentence into crash scenes, leave demo/report.html
 #   make test   set up what tests need, check style, types and architecture, run the tests
 PYTHON ?= python3
@@ -22,7 +22,7 @@ check: .venv/test
 	$(PY) -c "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports())"
 
 .venv/bin/python:
-	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 13) else f'chatscene needs Python 3.11 or 3.12, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
+	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 14) else f'chatscene needs Python 3.11, 3.12 or 3.13, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
 	$(PYTHON) -m venv .venv
 
 .venv/core: .venv/bin/python pyproject.toml constraints.txt

@@ -52,8 +52,8 @@ def _try(what: str, part: Callable[[], str]) -> Check:
 
 
 def _python() -> str:
-    if not (3, 11) <= sys.version_info[:2] < (3, 13):
-        raise ChatSceneError(f"Python {platform.python_version()} is not supported; use 3.11 or 3.12")
+    if not (3, 11) <= sys.version_info[:2] < (3, 14):
+        raise ChatSceneError(f"Python {platform.python_version()} is not supported; use 3.11, 3.12 or 3.13")
     return f"{platform.python_version()} on {platform.system()} {platform.machine()}"
 
 
