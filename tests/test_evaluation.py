@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 import time
 import types
@@ -26,7 +27,6 @@ from chatscene.program.ordinary import Course, ordinary_program, ordinary_querie
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import GENERATORS, Generator, load_generator
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.simulate.embedded import backend as embedded
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario
 
@@ -119,7 +119,8 @@ class _Bad:
         return np.zeros(3)
 
     def block(self, observation: Any) -> Any:
-        time.sleep(60)
+        signal.setitimer(signal.ITIMER_REAL, 0.01)  # the minutes that it may take have passed
+        time.sleep(600)
 
 
 @pytest.mark.parametrize(
@@ -128,14 +129,12 @@ class _Bad:
         ("crash", "fails at step 0: ZeroDivisionError: no gradient"),
         ("nan", "must be finite"),
         ("shape", "must return acceleration and steering"),
-        ("block", "gave no action within 4 s, at step 0"),
+        ("block", "gave no action at step 0: its drive was stopped after 300 s"),
     ],
 )
 def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     kind: str, message: str, searched: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if kind == "block":
-        monkeypatch.setattr(embedded, "PATIENCE", 4.0)  # not less: a busy machine needs some of it to compile
     module = types.ModuleType("bad_stack")
 
     def make() -> Any:
@@ -145,9 +144,7 @@ def test_an_ego_that_fails_is_given_up_and_the_others_results_stand(
     module.make = make  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "bad_stack", module)
     alone = evaluate([searched], tmp_path / "alone", egos=["idm"], progress=silent)
-    began = time.monotonic()
     both = evaluate([searched], tmp_path / "both", egos=["bad_stack:make", "idm"], progress=silent)
-    assert time.monotonic() - began < 50
     assert list(both.failures) == ["bad_stack:make"]
     assert message in both.failures["bad_stack:make"]
     assert both.tables["collision-rate-by-ego"].rows == alone.tables["collision-rate-by-ego"].rows

@@ -1,8 +1,8 @@
 """An enemy's programs: none gets anything, and none keeps anybody waiting."""
 
 import subprocess
-import time
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -16,13 +16,15 @@ from chatscene.sandbox.allow_list import check_foreign
 from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.sandbox.nursery import Nursery
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.watchdog import BACKSTOP, PATIENCE
 from chatscene.terms.scene import ScenicProgram
 from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt
 from red_team.corpus import ATTACKS, SENTENCES, Attack
 from red_team.table import BEGIN, END, PAGE, recorded, table
 
-PATIENCE = 20.0  # [s] for what does not hang, on a busy machine
 OUTCOMES = recorded()
+PATIENT = replace(LIMITS, answer=PATIENCE, wall=BACKSTOP)  # what comes to an end does so on a busy machine, too
+IMPATIENT = replace(LIMITS, answer=0.5, wall=2.0)
 
 NAMES = [attack.name for attack in ATTACKS]
 REFUSED = [attack for attack in ATTACKS if not attack.listed]
@@ -56,10 +58,8 @@ def test_the_corpus_has_enough_programs_each_with_a_name() -> None:
 
 @pytest.mark.parametrize("attack", REFUSED, ids=name)
 def test_the_allow_list_refuses(attack: Attack) -> None:
-    began = time.monotonic()
     with pytest.raises(ForeignCodeRefused, match=r"^program 'x' uses what a stranger's program may not: .+: .+") as why:
         foreign_program("x", attack.source)
-    assert time.monotonic() - began < 15.0
     assert str(why.value).isprintable()
 
 
@@ -71,13 +71,11 @@ def test_a_list_of_words_cannot_tell_how_long_a_program_takes(attack: Attack) ->
 @pytest.mark.parametrize("attack", RUN, ids=name)
 def test_the_second_wall_holds_by_itself(attack: Attack, nursery: Nursery, canaries: Canaries) -> None:
     expected = OUTCOMES[attack.name]
-    patience = 0.5 if expected == "limits" else PATIENCE
-    outcome = attempt(nursery, canaries.fill(attack.source), patience=patience)
+    outcome = attempt(nursery, canaries.fill(attack.source), IMPATIENT if expected == "limits" else PATIENT)
     assert canaries.untouched()
     assert SECRET not in outcome.said
     assert outcome.stopped_by == expected
     assert outcome.stopped_by != "nobody" or attack.harmless
-    assert outcome.seconds < 2 * PATIENCE
 
 
 def test_no_process_is_started_for_what_the_allow_list_refuses(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,10 +1,14 @@
 """Both walls, part by part: what passes, what is in force, and that what comes back is checked."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+import threading
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -34,7 +38,7 @@ from chatscene.sandbox.allow_list import check_foreign
 from chatscene.sandbox.backend import SandboxedBackend, SandboxedDrive
 from chatscene.sandbox.confinement import AUDIT, LIMITS, SECCOMP, Limits
 from chatscene.sandbox.landlock import landlock_version
-from chatscene.sandbox.nursery import Nursery
+from chatscene.sandbox.nursery import Confined, Nursery
 from chatscene.sandbox.plain_text import check_text
 from chatscene.sandbox.wire import (
     decode,
@@ -78,7 +82,7 @@ def scene(route: int = 0, **values: float) -> Scene:
 
 @pytest.fixture(scope="module")
 def backend() -> Iterator[SandboxedBackend]:
-    with SandboxedBackend(TOWN, SimulationSettings(), Limits(answer=6.0, memory=256)) as backend:
+    with SandboxedBackend(TOWN, SimulationSettings(), Limits(answer=3.0, memory=256)) as backend:
         yield backend
 
 
@@ -252,11 +256,38 @@ STUCK = program("while True:\n    if 1 > 2:\n        wait")
 
 
 def test_a_behavior_that_never_yields_is_stopped_and_the_next_scene_runs(backend: SandboxedBackend) -> None:
-    with pytest.raises(StuckBehavior, match="did not come back within 6 s"):
+    with pytest.raises(StuckBehavior, match="did not come back within 3 s of processor time"):
         backend.run(STUCK, scene(), RuleBased())
     assert STUCK.digest != CROSSES.digest
     assert backend.routes(STUCK) == 10
     assert isinstance(backend.run(CROSSES, scene(), RuleBased()), Episode)
+
+
+@contextmanager
+def stopped(limits: Limits) -> Generator[tuple[Confined, int]]:
+    """A confined process that does not get its turn, and its number."""
+    with Nursery(TOWN, SimulationSettings(), limits) as nursery:
+        confined = nursery.confine(CROSSES)
+        pid = confined._pid  # pyright: ignore[reportPrivateUsage]
+        os.kill(pid, signal.SIGSTOP)
+        yield confined, pid
+        confined.close()
+
+
+def test_a_process_that_does_not_get_its_turn_is_waited_for() -> None:
+    with stopped(Limits(answer=2.0)) as (confined, pid):
+        turn = threading.Timer(2.2, os.kill, (pid, signal.SIGCONT))
+        turn.start()
+        assert confined.ask("routes") == {"routes": 10}
+        turn.join()
+
+
+def test_a_process_that_never_answers_is_stopped_without_blaming_a_loop() -> None:
+    with (
+        stopped(Limits(wall=0.5)) as (confined, _),
+        pytest.raises(StuckBehavior, match=r"\(routes\).* within 0\.5 s, in which it computed for 0\.0 s: it waits"),
+    ):
+        confined.ask("routes")
 
 
 def test_processor_time_is_limited_over_the_life_of_a_process() -> None:

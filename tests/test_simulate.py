@@ -1,8 +1,11 @@
 """The embedded backend on small programs whose outcome is known."""
 
 import math
+import signal
+import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,10 +16,12 @@ from chatscene.ego.rule_based import TARGET_SPEED, RuleBased
 from chatscene.errors import DoesNotCompile, EgoError, MapError, ProgramError, SettingsError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
+from chatscene.simulate import watchdog
 from chatscene.simulate.backend import BACKENDS, Backend, load_backend
-from chatscene.simulate.embedded import backend as embedded
+from chatscene.simulate.embedded import staging
 from chatscene.terms.episode import Ending, Episode, EventKind, Role
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.world.compilation import compile_program
 
 HEAD = """
 model chatscene.world.model
@@ -194,9 +199,85 @@ def test_values_must_be_those_the_program_tunes(backend: Backend) -> None:
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # where the first alarm was lost
 def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(embedded, "PATIENCE", 0.5)
-    with pytest.raises(StuckBehavior, match="loops without"):
-        backend.run(moving("while True:\n        x = 1\n    take SetThrottleAction(0)"), scene(), RuleBased())
+    stuck = moving("while True:\n        x = 1\n    take SetThrottleAction(0)")
+    backend.routes(stuck)  # compiled in its own time
+    monkeypatch.setattr(watchdog, "PATIENCE", 0.5)
+    with pytest.raises(StuckBehavior, match=r"0\.5 s of processor time.*loops without"):
+        backend.run(stuck, scene(), RuleBased())
+    monkeypatch.undo()
+    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # where the first alarm was lost
+def test_a_program_that_never_compiles_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watchdog, "PATIENCE", 0.5)
+    with pytest.raises(StuckBehavior, match=r"'toy', being compiled, did not come back within 0\.5 s of processor"):
+        backend.routes(program(HEAD + "while True:\n    pass\n"))
+    monkeypatch.undo()
+    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
+class _Does:
+    """An ego that drives straight on, and does something else first."""
+
+    def __init__(self, first: Callable[[], object]) -> None:
+        self._first = first
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        self._first()
+        return 0.0, 0.0
+
+
+def test_time_in_which_a_drive_has_not_the_processor_is_not_counted(
+    backend: Backend, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    backend.routes(program(WALL))
+    monkeypatch.setattr(watchdog, "PATIENCE", 1.0)
+    breaks = iter([1.2])  # as for a process that does not get its turn
+    outcome = backend.run(program(WALL), scene(), _Does(lambda: time.sleep(next(breaks, 0.0))))
+    assert isinstance(outcome, Episode)
+
+
+def test_what_a_program_takes_to_compile_is_not_counted_as_driving(
+    backend: Backend, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    backend.run(program(WALL), scene(), RuleBased())
+    another = program(WALL + "# another program\n")
+    left: list[float] = []
+
+    def slowly(*arguments: Any, **named: Any) -> Any:
+        _compute(0.5)
+        return compile_program(*arguments, **named)
+
+    monkeypatch.setattr(staging, "compile_program", slowly)
+    backend.run(another, scene(), _Does(lambda: left.append(signal.getitimer(signal.ITIMER_PROF)[0])))
+    assert watchdog.PATIENCE - left[0] < 0.4
+
+
+def _compute(seconds: float) -> None:
+    until = time.process_time() + seconds
+    while time.process_time() < until:
+        pass
+
+
+def test_the_clocks_of_a_time_limit_stand_while_another_runs_within_it() -> None:
+    with watchdog.time_limit("outer"):
+        before = signal.getitimer(signal.ITIMER_PROF)[0]
+        with watchdog.time_limit("inner"):
+            _compute(0.3)
+        assert before - signal.getitimer(signal.ITIMER_PROF)[0] < 0.2
+        with pytest.raises(StuckBehavior, match="outer"):
+            signal.raise_signal(signal.SIGPROF)
+    assert signal.getitimer(signal.ITIMER_PROF) == signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
+def test_an_ego_that_waits_for_ever_is_stopped_by_the_clock_on_the_wall(backend: Backend) -> None:
+    def block() -> None:
+        signal.setitimer(signal.ITIMER_REAL, 0.01)  # the minutes have passed
+        time.sleep(600)
+
+    with pytest.raises(EgoError, match=r"_Does.*step 0.*after 300 s, in which it computed for .*waits.*too much else"):
+        backend.run(program(WALL), scene(), _Does(block))
     assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
 
 

@@ -15,7 +15,7 @@
     │  ├ Unsatisfiable         no scene could be sampled
     │  └ MeansSomethingElse    it runs, but the tracks do not show what was said
     ├ SimulationError
-    │  ├ StuckBehavior         a behavior never yields control
+    │  ├ StuckBehavior         code does not come back in its time
     │  ├ Diverged              a replay differs from what was stored
     │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
@@ -95,7 +95,15 @@ class SimulationError(ChatSceneError):
 
 
 class StuckBehavior(SimulationError):  # noqa: N818
-    """A behavior computed for too long without yielding control to the simulator."""
+    """Code did not come back in its time, such as a behavior that never yields control to the simulator.
+
+    Attributes:
+        within: The time it had, in words.
+    """
+
+    def __init__(self, message: str, *, within: str = "") -> None:
+        super().__init__(message)
+        self.within = within
 
 
 class Diverged(SimulationError):  # noqa: N818

@@ -6,9 +6,8 @@ import json
 import os
 import socket
 import threading
-import time
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from chatscene.errors import ChatSceneError, SandboxError, StuckBehavior
@@ -17,7 +16,7 @@ from chatscene.sandbox.nursery import Confined, Nursery
 from chatscene.sandbox.wire import scene_to_json
 from chatscene.terms.scene import Scene, ScenicProgram
 
-LIMITS = Limits(answer=1.0, processor=3, memory=256, message=200_000)
+LIMITS = Limits(answer=1.0, wall=10.0, processor=3, memory=256, message=200_000)
 STEPS = 5
 SECRET = "the-secret-9a1c"
 
@@ -90,24 +89,21 @@ class Outcome:
         stopped_by: ``watchman``, ``kernel``, ``limits``, ``checked answers``, ``an error of its own``, ``its own end``
             or ``nobody``.
         said: Everything that came out of the confined process.
-        seconds: How long it took.
     """
 
     stopped_by: str
     said: str
-    seconds: float
 
 
-def attempt(nursery: Nursery, source: str, *, patience: float = LIMITS.answer) -> Outcome:
+def attempt(nursery: Nursery, source: str, limits: Limits = LIMITS) -> Outcome:
     """Do with a program everything that is ever done with one; the allow-list is not asked.
 
     Args:
         nursery: Where to run it.
         source: The program.
-        patience: How long to wait for each answer [s].
+        limits: What it may use up.
     """
-    began = time.monotonic()
-    nursery.limits = replace(LIMITS, answer=patience)
+    nursery.limits = limits
     program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=(), digest="x")
     said: list[str] = []
     confined = nursery.confine(program)
@@ -122,7 +118,7 @@ def attempt(nursery: Nursery, source: str, *, patience: float = LIMITS.answer) -
         stopped_by = _layer(error)
     finally:
         confined.close()
-    return Outcome(stopped_by=stopped_by, said="\n".join(said), seconds=time.monotonic() - began)
+    return Outcome(stopped_by=stopped_by, said="\n".join(said))
 
 
 def _everything(confined: Confined, note: Callable[[object], None]) -> None:

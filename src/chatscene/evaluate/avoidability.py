@@ -21,7 +21,7 @@ from chatscene.ego.observation import Observation
 from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
 from chatscene.errors import EgoError, SimulationError
 from chatscene.simulate.backend import Backend
-from chatscene.simulate.watchdog import PATIENCE, time_limit
+from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
@@ -84,7 +84,7 @@ def avoidable(episode: Episode, program: ScenicProgram, scene: Scene, ego: EgoPo
     if risk is None:
         return False
     braking = risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / episode.dt - 1e-9)
-    with time_limit(PATIENCE, f"scene {scene.id!r}, driven again"):
+    with time_limit(f"scene {scene.id!r}, driven again"):
         return braking < crash.step and not _crashes(program, scene, ego, backend, braking, episode.dt)
 
 

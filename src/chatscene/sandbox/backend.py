@@ -27,7 +27,7 @@ from chatscene.sandbox.wire import (
     words,
 )
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.watchdog import PATIENCE, time_limit
+from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -98,7 +98,7 @@ class SandboxedBackend:
         if isinstance(drive, Rejected):
             return drive
         try:
-            with time_limit(PATIENCE, f"scene {scene.id!r}"):
+            with time_limit(f"scene {scene.id!r}"):
                 _to_the_end(drive, ego)
                 if drive.rejection:
                     return Rejected(scene=scene, reason=drive.rejection)
@@ -230,7 +230,8 @@ def _to_the_end(drive: SandboxedDrive, ego: EgoPolicy) -> None:
             action = ego.act(drive.observation)
         except StuckBehavior as error:
             raise EgoError(
-                f"the ego {name_of(ego)!r} gave no action within {PATIENCE:g} s, at step {drive.step_number}"
+                f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
+                f"{error.within}"
             ) from error
         except Exception as error:
             raise EgoError(

@@ -18,6 +18,7 @@ from typing import Any
 from chatscene.sandbox.audit import watch
 from chatscene.sandbox.landlock import landlock_version, read_only
 from chatscene.sandbox.seccomp import filter_system_calls, no_new_privileges
+from chatscene.simulate.watchdog import BACKSTOP, PATIENCE
 
 _NEW_IPC, _NEW_USER, _NEW_NET = 0x08000000, 0x10000000, 0x40000000
 _PR_SET_DUMPABLE, _PR_SET_PDEATHSIG = 4, 1
@@ -32,13 +33,15 @@ class Limits:
     """What a stranger's program may use up.
 
     Attributes:
-        answer: Wall time for one answer [s]: compiling, placing a scene, one step.
+        answer: Processor time for one answer [s]: compiling, placing a scene, one step.
+        wall: Wall time for one answer [s], for a program that waits instead of computing.
         processor: Processor time in all [s].
         memory: Address space beyond what the simulator itself takes [MB].
         message: Longest answer [bytes].
     """
 
-    answer: float = 20.0
+    answer: float = PATIENCE
+    wall: float = BACKSTOP
     processor: int = 120
     memory: int = 1024
     message: int = 4_000_000

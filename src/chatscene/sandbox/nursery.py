@@ -24,14 +24,23 @@ from chatscene.sandbox.child import CHUNK, WATCHMAN
 from chatscene.sandbox.confinement import LAYERS, SECCOMP, Limits
 from chatscene.sandbox.wire import Message, decode, encode, nonsense, program_to_json, words
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
 from chatscene.terms.scene import ScenicProgram
 
-START = 120.0  # [s] for a process to import Scenic and parse a map it has never seen, on a busy machine
+LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
 ENVIRONMENT = {"LC_ALL": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0"}
 
 _PASSED_ON = {
     name: kind
-    for name in ("DoesNotCompile", "EgoError", "MapError", "ProgramError", "SettingsError", "SimulationError")
+    for name in (
+        "DoesNotCompile",
+        "EgoError",
+        "MapError",
+        "ProgramError",
+        "SettingsError",
+        "SimulationError",
+        "StuckBehavior",
+    )
     if isinstance(kind := getattr(errors, name), type) and issubclass(kind, ChatSceneError)
 }
 
@@ -145,7 +154,6 @@ class _Warm:
             "cache": cache,
             "folder": str(self._folder),
         }
-        self.control.settimeout(START)
         with suppress(BrokenPipeError):  # it is no more, and has left its reason in the log
             self.control.send(json.dumps(setup).encode())
         said = json.loads(self.hear())
@@ -158,7 +166,7 @@ class _Warm:
         Raises:
             SandboxError: There is none.
         """
-        with suppress(TimeoutError, ConnectionError):
+        with suppress(ConnectionError):
             if said := self.control.recv(CHUNK):
                 return said
         log = self._folder / "errors"
@@ -173,12 +181,46 @@ class _Warm:
         shutil.rmtree(self._folder, ignore_errors=True)
 
 
+class _Patience:
+    """How much longer a process is waited for: until it has computed, or anybody has waited, for so long [s]."""
+
+    def __init__(self, pid: int, processor: float, wall: float) -> None:
+        self._pid = pid
+        self._processor = processor
+        self._wall = wall
+        self._spent = _processor_time(pid)
+        self._began = time.monotonic()
+
+    def until_readable(self, handle: int) -> bool:
+        """Whether there was something to read from a handle before patience came to its end."""
+        while not select.select([handle], [], [], max(0.0, left := self._left()))[0]:
+            if left <= 0.0:
+                return False
+        return True
+
+    def at_an_end(self, what: str) -> StuckBehavior:
+        """The error for a process that was waited for long enough."""
+        spent = _processor_time(self._pid) - self._spent
+        if spent >= self._processor:
+            return computes_for_ever(what, self._processor)
+        return waits_for_ever(what, self._wall, spent)
+
+    def _left(self) -> float:
+        """The least wall time [s] in which patience can come to its end."""
+        computing = self._processor - (_processor_time(self._pid) - self._spent)
+        return min(computing, self._began + self._wall - time.monotonic())
+
+
+def _processor_time(pid: int) -> float:
+    """What a process has computed so far [s], by the clock that Linux keeps for it."""
+    return time.clock_gettime((~pid << 3) | 2)  # the number that clock_getcpuclockid(3) gives
+
+
 class Confined:
     """One confined process, and the program in it; made by `Nursery.confine`.
 
     Attributes:
         layers: The layers of the second wall that are in force for it.
-        work: Wall time [s] spent waiting for its answers.
     """
 
     def __init__(self, nursery: Nursery, pid: int, channel: socket.socket) -> None:
@@ -190,7 +232,6 @@ class Confined:
         self._label = "the program"
         self._open = True
         self.layers: tuple[str, ...] = ()
-        self.work = 0.0
 
     def greet(self, program: ScenicProgram) -> None:
         """See which layers are in force, and hand the program over.
@@ -219,7 +260,7 @@ class Confined:
     @property
     def spent(self) -> bool:
         """Whether it has used half of the processor time that its life has."""
-        return self.work > self._limits.processor / 2
+        return self._open and _processor_time(self._pid) > self._limits.processor / 2
 
     def ask(self, do: str, **arguments: Any) -> Message:
         """Have something done.
@@ -231,14 +272,12 @@ class Confined:
         """
         if not self._open:
             raise SandboxError(f"{self._label} was stopped and cannot be asked again")
-        began = time.monotonic()
         try:
             self._say(encode({"do": do, **arguments}))
             answer = self._hear(do)
         except BaseException:  # an interrupted conversation cannot be taken up again
             self.close()
             raise
-        self.work += time.monotonic() - began
         if "error" in answer:
             raise self._error(answer)
         return answer
@@ -262,25 +301,21 @@ class Confined:
         return self._nursery.reap(self._pid)
 
     def _say(self, line: bytes) -> None:
-        self._channel.settimeout(self._limits.answer)
+        self._channel.settimeout(self._limits.wall)
         try:
             self._channel.sendall(line)
         except OSError as error:
             raise self._ended() from error
 
     def _hear(self, do: str) -> Message:
-        deadline = time.monotonic() + self._limits.answer
+        patience = _Patience(self._pid, self._limits.answer, self._limits.wall)
         scanned = 0
         while (end := self._rest.find(b"\n", scanned)) < 0:
             scanned = len(self._rest)
             if scanned > self._limits.message:
                 raise nonsense(f"more than {self._limits.message} bytes")
-            left = deadline - time.monotonic()
-            if left <= 0 or not select.select([self._channel], [], [], left)[0]:
-                raise StuckBehavior(
-                    f"{self._label} did not come back within {self._limits.answer:g} s ({do}) and was stopped; "
-                    "something in it probably loops without `take` or `wait`"
-                )
+            if not patience.until_readable(self._channel.fileno()):
+                raise patience.at_an_end(f"{self._label} ({do})")
             try:
                 more = self._channel.recv(CHUNK)
             except OSError as error:
@@ -312,7 +347,7 @@ class Confined:
         with suppress(OSError):
             handle = os.pidfd_open(self._pid)
             try:
-                select.select([handle], [], [], 1.0)
+                _Patience(self._pid, LAST_MOMENT, self._limits.wall).until_readable(handle)
             finally:
                 os.close(handle)
         return self.close()

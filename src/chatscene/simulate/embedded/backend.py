@@ -13,7 +13,7 @@ from chatscene.simulate.embedded.driving import FAULTS, EmbeddedDrive
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
 from chatscene.simulate.embedded.staging import Stage
-from chatscene.simulate.watchdog import PATIENCE, time_limit
+from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -48,7 +48,7 @@ class EmbeddedBackend:
         self, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
     ) -> Episode | Rejected:
         """Run one scene."""
-        with time_limit(PATIENCE, f"scene {scene.id!r}"):
+        with time_limit(f"scene {scene.id!r}"):
             drive = self.open(
                 program,
                 scene,
@@ -119,7 +119,8 @@ def _to_the_end(drive: EmbeddedDrive, ego: EgoPolicy) -> None:
             action = act(drive.observation)
         except StuckBehavior as error:
             raise EgoError(
-                f"the ego {name_of(ego)!r} gave no action within {PATIENCE:g} s, at step {drive.step_number}"
+                f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
+                f"{error.within}"
             ) from error
         except Exception as error:
             raise EgoError(

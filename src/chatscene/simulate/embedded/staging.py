@@ -11,6 +11,8 @@ from scenic.core.distributions import RejectionException
 from scenic.core.sample_checking import SampleChecker
 
 from chatscene.errors import ProgramError
+from chatscene.maps.network import load_network
+from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
 
@@ -51,12 +53,15 @@ class Stage:
         Raises:
             DoesNotCompile: Scenic refuses the program.
             MapError: The map has no such route.
+            StuckBehavior: It does not come to its end.
         """
         key = (program.digest, route)
         if key not in self._compiled:
-            scenario = compile_program(
-                program.source, map_path=self._map_path, route=route, filename=f"<{program.scenario_id}>"
-            )
+            load_network(self._map_path)  # a large map takes its time, which is not the program's
+            with time_limit(f"program {program.scenario_id!r}, being compiled,"):
+                scenario = compile_program(
+                    program.source, map_path=self._map_path, route=route, filename=f"<{program.scenario_id}>"
+                )
             scenario.setSampleChecker(_InOrder())
             self._compiled[key] = scenario
             while len(self._compiled) > COMPILED:
