@@ -166,7 +166,7 @@ class SandboxedDrive:
         self._confined = confined
         self._size = size
         self._settings = settings
-        self.step_number = 0
+        self.step_number = -1
         self.observation: Observation
         self.ending: Ending | None
         self.rejection: str
@@ -187,8 +187,6 @@ class SandboxedDrive:
         controls(action)  # refuses what is no action where the ego is
         acceleration, steering = action
         self._take(self._confined.ask("step", action=[float(acceleration), float(steering)]))
-        if not self.rejection:
-            self.step_number += 1
         if self.step_number >= self._settings.max_steps and self.ending is None and not self.rejection:
             raise nonsense("a drive without an end")
 
@@ -211,6 +209,11 @@ class SandboxedDrive:
         ending, rejection = state.get("ending"), words(state.get("rejection"))
         if ending is not None and ending not in Ending.__members__.values():
             raise nonsense("the ending")
+        # A step is made, unless the program gave the drive up or a behavior ended it.
+        step = number(state, "step")
+        if step != self.step_number + 1 and not (step == self.step_number and (ending or rejection)):
+            raise nonsense("the number of steps")
+        self.step_number = int(step)
         self.ending = None if ending is None else Ending(ending)
         self.rejection = rejection
         self.observation = numbers(state.get("observation"), self._size)

@@ -217,6 +217,7 @@ def _state(drive: EmbeddedDrive) -> Message:
         "observation": drive.observation.tolist(),
         "ending": drive.ending,
         "rejection": drive.rejection,
+        "step": drive.step_number,
         "along": drive.along,
         "offset": drive.offset,
         "speed": drive.speed,

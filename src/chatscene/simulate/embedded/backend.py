@@ -83,6 +83,8 @@ class EmbeddedBackend:
         label = f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}), scene {scene.id!r},"
         try:
             setup = Drive(placed, self._settings.dt).__enter__()
+        except Drive.REJECTIONS as error:
+            return Rejected(scene=scene, reason=f"the program rejects the episode before it begins: {error}")
         except FAULTS as error:
             raise ProgramError(f"{label} fails while it is set up: {type(error).__name__}: {error}") from error
         try:

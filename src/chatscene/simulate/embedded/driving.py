@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from scenic.core.errors import ScenicError
 
 from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
 from chatscene.ego.policy import controls
@@ -22,7 +24,17 @@ ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCo
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
 
 # What the code of a snippet, or of a program by a stranger, may raise while it runs.
-FAULTS = (ArithmeticError, AssertionError, AttributeError, LookupError, NameError, TypeError, ValueError)
+FAULTS = (
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    NameError,
+    RuntimeError,
+    ScenicError,
+    TypeError,
+    ValueError,
+)
 
 
 class EmbeddedDrive:
@@ -109,13 +121,11 @@ class EmbeddedDrive:
         """
         body, drive = self._ego, self._drive
         body.throttle, body.brake, body.steer = controls(action, self._pedals)
-        try:
-            drive.advance()
-        except drive.REJECTIONS as error:
-            self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
+        if not self._go_on(drive.advance):
             return
-        except FAULTS as error:
-            raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
+        if drive.done is not None:  # a behavior ended the scenario, and nothing moved
+            self._end(Ending.SCENARIO_DONE)
+            return
         self.step_number += 1
         self._look()
 
@@ -131,8 +141,28 @@ class EmbeddedDrive:
         for moving in self._moving:
             add((moving.x, moving.y, moving.heading, moving.speed))
         self._offsets.append(view.offset)
-        self.ending = self._ended()
         self.observation = self._see()  # after the last step too: a learner's value of a cut drive rests on it
+        if self._go_on(self._drive.check) and (ending := self._ended()) is not None:
+            self._end(ending)
+
+    def _go_on(self, part: Callable[[], None]) -> bool:
+        """Run a part of the program's own code; whether it leaves the drive standing.
+
+        Raises:
+            ProgramError: It fails.
+        """
+        try:
+            part()
+        except self._drive.REJECTIONS as error:
+            self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
+        except FAULTS as error:
+            raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
+        return not self.rejection
+
+    def _end(self, ending: Ending) -> None:
+        """End the drive, unless the program rejects it for how it ends."""
+        if self._go_on(self._drive.finish):
+            self.ending = ending
 
     def _ended(self) -> Ending | None:
         if self._collides() and not self._through:

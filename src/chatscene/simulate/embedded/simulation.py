@@ -161,6 +161,9 @@ class Drive(EmbeddedSimulation):
     Attributes:
         bodies: The body of each object of the scene, the ego's first.
         done: Why the program ended the scenario, or None while it goes on.
+
+    The order is Scenic's: `check` judges a state, the first included, before anybody acts on it; `advance` makes the
+    next; `finish` judges the whole, once.
     """
 
     REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation)
@@ -192,7 +195,6 @@ class Drive(EmbeddedSimulation):
         scenario = self._scenario
         self._has_conditions = bool(
             scenario._requirementMonitors
-            or scenario._compose
             or scenario._terminationConditions
             or scenario._terminateSimulationConditions
             or scenario._monitors
@@ -210,29 +212,41 @@ class Drive(EmbeddedSimulation):
             scenario._stop("drive closed", quiet=True)
         veneer.endSimulation(self)
 
+    def check(self) -> None:
+        """Hold the present state against the program's own conditions, in Scenic's order; may set `done`.
+
+        Raises:
+            RejectionException: One of `REJECTIONS`: a requirement or a monitor of the program is violated.
+        """
+        if not self._has_conditions:
+            return
+        scenario = self._scenario
+        reason = scenario._step()
+        reason = scenario._runMonitors() or reason  # also after the scenario's end: a monitor may still reject
+        if reason is None:
+            reason = scenario._checkSimulationTerminationConditions()
+        if reason is not None:
+            self.done = str(reason)
+
     def advance(self) -> None:
-        """Let every agent act, move every body, check the program's own conditions.
+        """Let every agent act, then move every body; if a behavior ends the scenario (see `done`), nothing moves.
 
         Raises:
             RejectionException: One of `REJECTIONS`: a requirement or guard of the program is violated.
         """
-        if self._has_conditions:
-            self._check_conditions()
         for agent, behavior in self._behaviors:
             veneer.currentBehavior = behavior
             try:
                 actions = behavior._runningIterator.send(None)
             except StopIteration:
                 continue
-            if not isinstance(actions, tuple):
-                actions = (actions,)
-            elif len(actions) == 1 and isinstance(actions[0], list | tuple):
+            if isinstance(actions, _ENDINGS):
+                self._end(actions)
+                return
+            if len(actions) == 1 and isinstance(actions[0], list | tuple):
                 actions = actions[0]
             for action in actions:
-                if isinstance(action, _ENDINGS):
-                    self.done = str(action)
-                else:
-                    action.applyTo(agent, self)
+                action.applyTo(agent, self)
         veneer.currentBehavior = None
         dt = self.timestep
         for body in self.bodies:
@@ -240,8 +254,18 @@ class Drive(EmbeddedSimulation):
         self.currentTime += 1
         self.updateObjects()
 
-    def _check_conditions(self) -> None:
-        scenario = self._scenario
-        reason = scenario._step() or scenario._runMonitors() or scenario._checkSimulationTerminationConditions()
-        if reason is not None:
-            self.done = str(reason)
+    def finish(self) -> None:
+        """End the program's scenario as Scenic ends a simulation, whatever ended it.
+
+        Raises:
+            RejectSimulationException: What was required over time did not come true.
+        """
+        for scenario in tuple(reversed(veneer.runningScenarios)):
+            scenario._stop("the drive is over")
+
+    def _end(self, action: Any) -> None:
+        """What `terminate` in a behavior does: the scenario stops, and its requirements are judged."""
+        veneer.currentBehavior = None
+        self.done = str(action)
+        if isinstance(action, _EndScenarioAction) and self._scenario._isRunning:
+            self._scenario._stop(action)
