@@ -10,9 +10,11 @@ from pathlib import Path
 import pytest
 
 from chatscene.agent.decompose import decompose
+from chatscene.search.generator import Written
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.library import load_library
+from chatscene.snippets.retrieve import OPPOSITES
 from chatscene.terms.scenario import BaseScenario
 
 PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
@@ -30,9 +32,13 @@ def runs_of_six(text: str) -> set[tuple[str, ...]]:
 
 
 @cache
-def triple(text: str) -> tuple[str, ...]:
+def written_for(text: str) -> Written:
     generator = Retrieved()
-    written = generator.write(generator.read(text, RetrievalSettings()), RetrievalSettings())
+    return generator.write(generator.read(text, RetrievalSettings()), RetrievalSettings())
+
+
+def triple(text: str) -> tuple[str, ...]:
+    written = written_for(text)
     assert written.retrieval is not None
     return (*written.program.snippet_ids, written.retrieval.adversary.value)
 
@@ -55,6 +61,20 @@ def test_there_are_five_for_each_base_scenario_and_no_two_are_the_same() -> None
 @pytest.mark.parametrize("text", [text for texts in OURS.values() for text in texts])
 def test_each_becomes_a_program(text: str) -> None:
     assert len(triple(text)) == 4
+
+
+def test_no_two_become_the_same_program() -> None:
+    sources = [written_for(text).program.source for texts in OURS.values() for text in texts]
+    programs = {source[source.index("model chatscene") :] for source in sources}  # the sentence stands before it
+    assert len(programs) == len(sources) == 40
+
+
+@pytest.mark.parametrize("text", [text for texts in OURS.values() for text in texts])
+def test_none_that_says_one_of_two_opposites_is_served_by_what_does_the_other(text: str) -> None:
+    said = set(decompose(text).slots.actions)
+    does = set(load_library().get(triple(text)[0]).slots.actions)
+    for one, other in (*OPPOSITES, *(pair[::-1] for pair in OPPOSITES)):
+        assert not (one in said and other not in said and other in does)
 
 
 def test_the_reader_alone_finds_the_base_scenario_of_all_but_one() -> None:

@@ -76,7 +76,7 @@ HASTE = {Action.ACCELERATE, Action.FAST}  # how a thing is done, which need not 
 HEARD = 0.25  # an action less likely than this was not heard
 UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
-TURNS = (Action.TURN_LEFT, Action.TURN_RIGHT)
+OPPOSITES = ((Action.TURN_LEFT, Action.TURN_RIGHT), (Action.ACCELERATE, Action.BRAKE))
 IN_LANE = (Position.AHEAD, Position.BEHIND)
 NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
 
@@ -287,7 +287,7 @@ def _rank(
     if not places:
         similarity, texts = shelf.dense(_query(text, embedder))
         score = WORDING @ np.array([similarity, lexical, shelf.meant(likely, similarity)])
-    agreement, conflicts = shelf.facts(scenario.slots, component)
+    agreement, conflicts = shelf.facts(scenario.slots, likely, component)
     if places:
         score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
     else:
@@ -355,16 +355,18 @@ class _Shelf:
             total += np.log(np.array(table) + UNLIKELY)[self.codes[name]]
         return total
 
-    def facts(self, said: Slots, component: Component) -> tuple[Scores, Scores]:
-        """(N,) mean agreement with what was said, and facts contradicted."""
+    def facts(self, said: Slots, likely: Probabilities, component: Component) -> tuple[Scores, Scores]:
+        """(N,) mean agreement with what was said, and facts contradicted by what was said or heard."""
         parts: list[Scores] = []
         conflicts = np.zeros(len(self.snippets))
         for name in OF_COMPONENT[component]:
             if name == "actions":
+                against = self._opposes(said.actions, likely)
                 if said.actions:
                     share = self._acted(said.actions)
                     parts.append(share)
-                    conflicts += ((share == 0.0) & self.actions.any(axis=1)) | self._turns_against(said.actions)
+                    against |= (share == 0.0) & self.actions.any(axis=1)
+                conflicts += against
                 continue
             wanted, codes = getattr(said, name), self.codes[name]
             if wanted is None:
@@ -376,12 +378,15 @@ class _Shelf:
         agreement = np.mean(parts, axis=0) if parts else np.ones(len(self.snippets))
         return agreement, conflicts
 
-    def _turns_against(self, said: tuple[Action, ...]) -> NDArray[np.bool_]:
-        """(N,) whether a behavior turns right where only left was said, or the other way round."""
-        left, right = (self.actions[:, list(Action).index(turn)] > 0 for turn in TURNS)
-        if (TURNS[0] in said) == (TURNS[1] in said):
-            return np.zeros(len(self.snippets), bool)
-        return right & ~left if TURNS[0] in said else left & ~right
+    def _opposes(self, said: tuple[Action, ...], likely: Probabilities) -> NDArray[np.bool_]:
+        """(N,) whether a behavior does an action that was not heard, and whose opposite was.
+
+        The likeliest was heard as a whole: who "brakes, then moves off" need not name the throttle.
+        """
+        heard = said or tuple(action for action in Action if likely.actions[action] >= HEARD)
+        unheard = [action not in heard and _opposite(action) in heard for action in Action]
+        p = np.array([likely.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])
+        return (self.actions @ np.array(unheard, float) > 0) & (p < p.max())
 
     def _acted(self, said: tuple[Action, ...]) -> Scores:
         wanted = np.array([action in said for action in Action], float)
@@ -431,9 +436,8 @@ def _conflicts(said: Slots, snippet: Snippet, component: Component) -> list[str]
     for slot in OF_COMPONENT[component]:
         wanted, does = getattr(said, slot), _does(snippet, slot)
         if slot == "actions":
-            turned = [turn for turn in TURNS if turn in wanted]
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
-            against |= len(turned) == 1 and bool(set(TURNS) & set(does)) and turned[0] not in does
+            against |= any(action not in wanted and _opposite(action) in wanted for action in does)
         else:
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
@@ -456,6 +460,10 @@ def _agreement(said: object, does: object) -> float:
             return CROSSROADS if does is Place.FOUR_WAY else NARROWER
         return UNSAID if includes(does, said) else 0.0
     return 0.0
+
+
+def _opposite(action: Action) -> Action | None:
+    return next((b for pair in OPPOSITES for a, b in (pair, pair[::-1]) if a is action), None)
 
 
 def _words(value: object) -> str:
