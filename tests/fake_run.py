@@ -363,6 +363,7 @@ def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
         Candidate(
             scene_id=ran.scene.id,
             collided=ran.episode.collision is not None,
+            shown=not ran.meaning,
             avoidable=ran.avoidable,
             overall_score=ran.metrics["overall_score"],
         )

@@ -8,10 +8,32 @@ from chatscene.search.select import Candidate, Selected, select
 few = settings(max_examples=60)
 
 
-def candidate(scene_id: str, collided: bool, score: float, avoidable: bool = True) -> Candidate:
+def candidate(scene_id: str, collided: bool, score: float, avoidable: bool = True, *, shown: bool = True) -> Candidate:
     return Candidate(
-        scene_id=scene_id, collided=collided, avoidable=avoidable if collided else None, overall_score=score
+        scene_id=scene_id,
+        collided=collided,
+        shown=shown,
+        avoidable=avoidable if collided else None,
+        overall_score=score,
     )
+
+
+def test_a_collision_that_shows_what_was_said_is_kept_before_one_that_does_not() -> None:
+    unlike, like, calm = candidate("a", True, 0.1, shown=False), candidate("b", True, 0.3), candidate("c", False, 0.05)
+    assert [s.scene_id for s in select([unlike, like, calm], count=1)] == ["b"]
+    assert [s.scene_id for s in select([unlike, like, calm], count=2)] == ["a", "b"]
+    assert [s.scene_id for s in select([unlike, like, calm], count=1, selection="worst")] == ["a"]
+
+
+def test_a_collision_is_kept_before_a_scene_that_only_shows_what_was_said() -> None:
+    unlike, calm = candidate("a", True, 0.9, shown=False), candidate("b", False, 0.1)
+    assert [s.scene_id for s in select([unlike, calm], count=1)] == ["a"]
+
+
+def test_the_papers_rule_does_not_look_at_what_was_shown() -> None:
+    crowd = [candidate(name, True, score, shown=name in "ac") for name, score in zip("abcd", (4, 3, 2, 1), strict=True)]
+    assert [s.scene_id for s in select(crowd, count=2, selection="worst")] == ["c", "d"]
+    assert [s.scene_id for s in select(crowd, count=2)] == ["a", "c"]
 
 
 def test_a_crash_nobody_could_have_avoided_is_left_out_where_avoidable_ones_are_asked_for() -> None:
@@ -28,6 +50,7 @@ crowds = st.lists(
         st.integers(0, 99).map(lambda n: f"scene-{n:03d}"),
         st.booleans(),
         st.sampled_from([0.2, 0.4, 0.4, 0.6, 0.8]),
+        shown=st.booleans(),
     ),
     max_size=12,
     unique_by=lambda c: c.scene_id,
@@ -84,8 +107,9 @@ def test_as_many_are_kept_as_asked_for_or_as_there_are(crowd: list[Candidate], c
 @given(crowds, st.integers(1, 5))
 def test_nothing_left_out_is_worth_more_than_anything_kept(crowd: list[Candidate], count: int) -> None:
     kept = {each.scene_id for each in select(crowd, count=count)}
-    inside = [(not c.collided, c.overall_score) for c in crowd if c.scene_id in kept]
-    outside = [(not c.collided, c.overall_score) for c in crowd if c.scene_id not in kept]
+    worth = {c.scene_id: (not c.collided, not c.shown, c.overall_score) for c in crowd}
+    inside = [worth[name] for name in worth if name in kept]
+    outside = [worth[name] for name in worth if name not in kept]
     assert not outside or max(inside) <= min(outside)
 
 

@@ -43,8 +43,8 @@ class Budget:
 
 REFERENCE = "reference"  # the budget that is each generator's own
 BUDGETS: dict[str, Budget] = {
-    "paper": Budget(scenarios=5, search=SearchSettings(scenes=50, block=10, keep=2, routes=10)),
-    "small": Budget(scenarios=2, search=SearchSettings(scenes=20, block=10, keep=2, routes=2)),
+    "paper": Budget(scenarios=5, search=SearchSettings(scenes=50, block=10, keep=2, routes=10, selection="worst")),
+    "small": Budget(scenarios=2, search=SearchSettings(scenes=20, block=10, keep=2, routes=2, selection="worst")),
 }
 
 

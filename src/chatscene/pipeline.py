@@ -66,11 +66,14 @@ class Summary:
         ran, collided = self.counts["ran"], self.counts["collided"]
         low, high = wilson(collided, ran)
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
-        fill_in = f" ({self.counts['fill_in']} without a collision)" if self.counts["fill_in"] else ""
+        kept, fill_in = self.counts["selected"], self.counts["fill_in"]
+        unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
+        but = [f"{fill_in} without a collision"] * bool(fill_in)
+        but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was said"] * bool(unlike)
         return (
             f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
             f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
-            f"{self.counts['selected']} kept{fill_in}"
+            f"{kept} kept" + (f" ({', '.join(but)})" if but else "")
         )
 
 
@@ -213,6 +216,7 @@ def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
             candidate = Candidate(
                 scene_id=row["scene_id"],
                 collided=row["collision"],
+                shown=row["meaning_ok"],
                 avoidable=row["avoidable"],
                 overall_score=row["overall_score"],
             )

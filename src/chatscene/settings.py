@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from chatscene.errors import SettingsError, no_such
 
-SELECTIONS = ("worst", "last")
+SELECTIONS = ("shown", "worst", "last")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -21,8 +21,9 @@ class SearchSettings:
         avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
-        selection: ``worst``: scenes that collided first, of these the lowest scores (paper); ``last``: where the search
-            ended, whatever came of it (how the reference ships its baselines).
+        selection: ``shown``: scenes that collided first, of these those that show what was said, of these the lowest
+            scores; ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended,
+            whatever came of it (how the reference ships its baselines).
         sampler: Who says where to look next, one of `chatscene.search.sampler.SAMPLERS` (paper: its own rule).
         seed: Everything random derives from it.
     """
@@ -33,7 +34,7 @@ class SearchSettings:
     avoidable_only: bool = False
     routes: int = 1
     tries: int = 100
-    selection: str = "worst"
+    selection: str = "shown"
     sampler: str = "paper"
     seed: int = 0
 

@@ -34,7 +34,7 @@ class Checked:
 
     Attributes:
         episodes: The probing drives, through collisions.
-        meaning: Per episode, what it did not show of what was said; at least one shows all.
+        meaning: Per episode, what it did not show of what was said up to the first contact; at least one shows all.
         rejected: Probing scenes that could not be placed.
     """
 
@@ -63,6 +63,9 @@ def check(
 ) -> Checked:
     """Climb the ladder from compiling to meaning.
 
+    The last rung is two. The adversary can do what was said: in a drive that goes on through collisions it does all of
+    it, in order. And an ego can be tested with it: in a drive all of it has begun before the ego meets anything.
+
     Args:
         program: What to check; its names were checked when it was assembled.
         slots: What was said.
@@ -76,7 +79,7 @@ def check(
         MapError: The map lacks the geometry.
         Unsatisfiable: No probing scene can be placed.
         StuckBehavior: A behavior never yields.
-        MeansSomethingElse: No drive shows what was said.
+        MeansSomethingElse: No drive shows what was said, or each has its collision before that.
     """
     episodes: list[Episode] = []
     rejected: list[Rejected] = []
@@ -93,14 +96,17 @@ def check(
             f"program {program.scenario_id!r}: none of {len(rejected)} probing scenes could be placed; "
             f"most often: {_commonest([r.reason for r in rejected])}"
         )
-    meaning = [check_meaning(slots, episode, backend.route(program, route)) for episode in episodes]
-    if all(meaning):
-        failures = min(meaning, key=len)
-        raise MeansSomethingElse(
-            f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
-            f"but none of {len(episodes)} drives shows what was said: {'; '.join(failures)}",
-            blamed=_blamed(program, failures),
-        )
+    way = backend.route(program, route)
+    able = [check_meaning(slots, episode, way, through=True) for episode in episodes]
+    meaning = [check_meaning(slots, episode, way) for episode in episodes]
+    for judged, how in ((able, ""), (meaning, " before the ego crashes")):
+        if all(judged):
+            failures = min(judged, key=len)
+            raise MeansSomethingElse(
+                f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
+                f"but none of {len(episodes)} drives shows what was said{how}: {'; '.join(failures)}",
+                blamed=_blamed(program, failures),
+            )
     return Checked(episodes=tuple(episodes), meaning=tuple(meaning), rejected=tuple(rejected))
 
 

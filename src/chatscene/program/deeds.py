@@ -1,9 +1,15 @@
-"""What an adversary does: one test on the tracks for every action, at which a person who watches would say yes."""
+"""What an adversary does: for every action, the times it is done, as a person who watches the tracks would say.
+
+An act begins and is done at a step. Where the track ends first, it is under way if it has gone so far that the watcher
+would say what is coming: a third of the time that it lasts, the nose over the stop line, the turn begun.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,8 +24,31 @@ STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
 SLOW = {"Pedestrian": 1.45}  # [m/s]; of others 4
 FAST = {"Pedestrian": 3.0, "Bicycle": 6.5}  # [m/s]; of vehicles 11
+GAIN = 2.0  # [m/s] within `GAINING`: it accelerates
+GAINING = 30  # [steps]
 TURNED = math.radians(45)
 TURNED_MIDWAY = math.radians(25)  # of a vehicle that ends up standing in its turn
+TURNING = math.radians(10)  # by now it is turning
+HALT = 4  # [steps] of standing
+PAUSE = 3  # [steps]
+
+# What it does all along: said before or after something else, it comes neither before nor after it.
+MANNERS = frozenset(
+    {Action.SLOW, Action.FAST, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL, Action.FOLLOW, Action.BLOCK}
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Act:
+    """One time that an adversary does something.
+
+    Attributes:
+        began: The step at which it began.
+        done: The step at which a watcher says that it is done; None if it is under way at the last step.
+    """
+
+    began: int
+    done: int | None
 
 
 def _first(condition: NDArray[Any]) -> int | None:
@@ -27,146 +56,301 @@ def _first(condition: NDArray[Any]) -> int | None:
     return int(found[0]) if found.size else None
 
 
-def _lasting(condition: NDArray[Any], steps: int) -> NDArray[Any]:
-    """Where a condition has held for `steps` in a row, ending there."""
-    if len(condition) < steps:
-        return np.zeros(len(condition), bool)
-    held = np.convolve(condition.astype(int), np.ones(steps, int))[: len(condition)]
-    return held == steps
+def _last(condition: NDArray[Any]) -> int:
+    """The last step at which a condition holds; the first of all if it never does."""
+    found = np.flatnonzero(condition)
+    return int(found[-1]) if found.size else 0
+
+
+def _runs(condition: NDArray[Any]) -> Iterator[tuple[int, int]]:
+    """Every time a condition holds: the first step, and the one after the last."""
+    edges = np.diff(np.concatenate(([0], condition.astype(int), [0])))
+    yield from zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True)
+
+
+def _lasting(condition: NDArray[Any], steps: int) -> Iterator[Act]:
+    """Every time a condition holds for `steps` in a row; under way where the track ends after a third of them."""
+    for first, end in _runs(condition):
+        if end - first >= steps:
+            yield Act(first, first + steps - 1)
+        elif end == len(condition) and 3 * (end - first) >= steps:
+            yield Act(first, None)
+
+
+def _once(condition: NDArray[Any]) -> Iterator[Act]:
+    """The first time that a condition holds, which is no sooner begun than done."""
+    if (step := _first(condition)) is not None:
+        yield Act(step, step)
 
 
 def _speed(s: Seen) -> Array:
     return np.abs(s.track.speed)
 
 
-def _crosses(s: Seen) -> bool:
-    # Whoever reaches the line behind the ego's back crosses nobody's way.
-    before = s.lead > -s.ego.length / 2
-    return abs(s.offset[0]) > 1.4 and bool((before & (np.abs(s.offset) < 1.3)).any())
+# Gaining and losing speed
 
 
-def _stops(s: Seen) -> bool:
-    start = _first(_speed(s) > MOVING)
-    return start is not None and bool(_lasting(_speed(s)[start:] < STANDING, 4).any())
+def _slowing_since(s: Seen, step: int) -> int:
+    """Since when it has lost speed at every step up to one, and more than by rolling out."""
+    losing = np.diff(_speed(s)[: step + 1]) < -1.0 * s.dt
+    return _last(~losing) + 1 if not losing.all() else 0
 
 
-def _brakes(s: Seen) -> bool:
-    return bool(_lasting(np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -1.8, 3).any())
-
-
-def _accelerates(s: Seen) -> bool:
+def _slowing(s: Seen) -> Iterator[Act]:
+    """Under way to be slow or to stand: at the end it has lost a fifth of its speed without a break."""
     speed = _speed(s)
-    window = min(30, len(speed) - 1)
-    return window > 0 and float((speed[window:] - speed[:-window]).max()) >= 2.0
+    began = _slowing_since(s, len(speed) - 1)
+    if speed[began] > MOVING and speed[-1] <= 0.8 * speed[began]:
+        yield Act(began, None)
 
 
-def _slow(s: Seen) -> bool:
-    moving = _speed(s)[_speed(s) > 0.2]
-    return moving.size > 0 and float(np.percentile(moving, 25)) < SLOW.get(s.track.kind, 4.0)
+def _gaining(s: Seen) -> Iterator[Act]:
+    """Under way to be fast: at the end it is faster by a quarter of `GAIN` than a moment ago, and no slower since."""
+    lately = _speed(s)[-GAINING - 1 :]
+    low = _last(lately <= lately.min() + 0.1)
+    if lately[-1] - lately[low] >= GAIN / 4 and lately[-1] >= lately[low:].max():
+        yield Act(len(s.track.x) - len(lately) + low, None)
 
 
-def _fast(s: Seen) -> bool:
-    return float(np.percentile(_speed(s), 90)) >= FAST.get(s.track.kind, 11.0)
+def _halts(s: Seen) -> Iterator[tuple[int, int, int]]:
+    """Every time it comes to stand: since when it slows, the first step it stands, and the one after the last."""
+    speed = _speed(s)
+    for first, end in _runs(speed < STANDING):
+        if (speed[:first] > MOVING).any():
+            yield _slowing_since(s, first), first, end
 
 
-def _overtakes(s: Seen) -> bool:
-    return float(s.lead[0]) < 2.0 and float(s.lead.max()) > s.ego.length / 2 + s.track.length / 2
+def _stops(s: Seen) -> Iterator[Act]:
+    for began, first, end in _halts(s):
+        if end - first >= HALT or (end < len(s.track.x) and s.track.speed[end] < 0.0):  # whoever backs has stood
+            yield Act(began, min(first + HALT, end) - 1)
+        elif end == len(s.track.x):
+            yield Act(began, None)
+    yield from _slowing(s)
 
 
-def _tailgates(s: Seen) -> bool:
+def _hesitates(s: Seen) -> Iterator[Act]:
+    for began, first, end in _halts(s):
+        again = _first(_speed(s)[end:] > MOVING)
+        if again is None:
+            yield Act(began, None)
+        elif end - first >= PAUSE:
+            yield Act(began, end + again)
+    yield from _slowing(s)
+
+
+def _brakes(s: Seen) -> Iterator[Act]:
+    return _lasting(np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -1.8, 3)
+
+
+def _accelerates(s: Seen) -> Iterator[Act]:
+    speed = _speed(s)
+    ahead = np.lib.stride_tricks.sliding_window_view(np.pad(speed, (0, GAINING), mode="edge"), GAINING + 1)
+    for first, end in _runs(ahead.max(axis=1) - speed >= GAIN):
+        lately = speed[first:end]
+        began = first + _last(lately <= lately.min() + 0.1)
+        yield Act(began, began + int((speed[began:] >= lately.min() + GAIN).argmax()))
+    yield from _gaining(s)
+
+
+def _slow(s: Seen) -> Iterator[Act]:
+    limit, moving = SLOW.get(s.track.kind, 4.0), _speed(s) > 0.2
+    if moving.any() and float(np.percentile(_speed(s)[moving], 25)) < limit:
+        yield from _once(moving & (_speed(s) < limit))
+    yield from _slowing(s)
+
+
+def _fast(s: Seen) -> Iterator[Act]:
+    limit = FAST.get(s.track.kind, 11.0)
+    if float(np.percentile(_speed(s), 90)) >= limit:
+        yield from _once(_speed(s) >= limit)
+    yield from _gaining(s)
+
+
+def _reverses(s: Seen) -> Iterator[Act]:
+    for first, end in _runs(s.track.speed < 0.0):
+        back = _first(s.track.speed[first:end] < -STANDING)
+        if back is not None or end == len(s.track.x):
+            yield Act(max(first - 1, 0), None if back is None else first + back)
+
+
+# Going aside, in and across
+
+
+def _comes_in(aside: Array, *, outside: float, there: NDArray[Any], dt: float) -> Iterator[Act]:
+    """Every time it sets out from beside a line toward it, until it is there; under way once it is 0.3 m nearer."""
+    away = np.abs(aside)
+    nearer = -np.diff(away, prepend=away[:1]) > 0.05 * dt
+    for first, _ in _runs(nearer):
+        began = max(first - 1, 0)
+        if away[began] <= outside:
+            continue
+        if (arrival := _first(there[first:])) is not None:
+            yield Act(began, first + arrival)
+        elif away[began] - away[-1] > 0.3:
+            yield Act(began, None)
+
+
+def _before_ego(s: Seen) -> NDArray[Any]:
+    """Where it is not behind the ego's back: whoever reaches its line there is in nobody's way."""
+    return s.lead > -s.ego.length / 2
+
+
+def _crosses(s: Seen) -> Iterator[Act]:
+    return _comes_in(s.offset, outside=1.4, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
+
+
+def _pulls_out(s: Seen) -> Iterator[Act]:
+    if _speed(s)[0] < STANDING:
+        yield from _comes_in(s.offset, outside=1.6, there=_before_ego(s) & (np.abs(s.offset) < 1.3), dt=s.dt)
+
+
+def _cuts_in(s: Seen) -> Iterator[Act]:
+    return _comes_in(s.across, outside=1.9, there=np.abs(s.across) < 1.3, dt=s.dt)
+
+
+def _turns_back(s: Seen) -> Iterator[Act]:
+    """It comes in by more than half a metre, then goes back as much; whoever goes on to the far side does not."""
+    came = (s.offset[0] - s.offset) * np.sign(s.offset[0])
+    farthest = np.maximum.accumulate(came)
+    back = np.where(farthest > 0.5, farthest - came, 0.0)
+    if (done := _first(back > 0.5)) is not None:
+        yield Act(int(came[:done].argmax()), done)
+    elif back[-1] > 0.1:
+        yield Act(int(came.argmax()), None)
+
+
+def _changes_lane(s: Seen) -> Iterator[Act]:
+    away = np.abs(s.drift)
+    if (done := _first(away > 2.4)) is not None:
+        yield Act(_last(away[:done] < 0.3), done)
+    elif away[-1] > 0.5:
+        yield Act(_last(away < 0.3), None)
+
+
+def _weaves(s: Seen) -> Iterator[Act]:
+    turning = (np.flatnonzero(np.diff(np.sign(np.diff(s.drift))) != 0) + 1).tolist()
+    swings = [(a, b) for a, b in pairwise(turning) if abs(s.drift[b] - s.drift[a]) > 0.5]
+    if len(swings) > 1:
+        yield Act(swings[0][0], swings[1][1])
+    else:
+        peaks = [0, *turning, len(s.drift) - 1]
+        yield from (Act(a, None) for a, b in pairwise(peaks) if abs(s.drift[b] - s.drift[a]) > 0.5)
+
+
+def _swerves(s: Seen) -> Iterator[Act]:
+    rate = np.abs(s.track.yaw_rate(s.dt))
+    for first, end in _runs(rate > 0.02):
+        sharp, began = _first(rate[first:end] > 0.12), max(first - 1, 0)
+        if sharp is None:
+            continue
+        aside = np.abs(s.drift[began:] - s.drift[began])
+        if (done := _first(aside > 0.8)) is not None:
+            yield Act(began, max(began + done, first + sharp))
+        elif aside[-1] > 0.2:
+            yield Act(began, None)
+
+
+def _diagonal(s: Seen) -> Iterator[Act]:
+    slant = np.abs(np.sin(s.track.heading - s.ego.heading[0]))
+    return _lasting((_speed(s) > MOVING) & (slant > 0.3) & (slant < 0.95), 5)
+
+
+# Turning
+
+
+def _turns(s: Seen, sign: int) -> Iterator[Act]:
+    """A turn to the left (`sign` 1) or right (-1); one that stops in its turn need not have finished it."""
+    turned = sign * (s.track.heading - s.track.heading[0])
+    enough = TURNED_MIDWAY if _speed(s)[-1] < STANDING else TURNED
+    done = _first(turned > enough) if turned[-1] > enough else None
+    if done is not None or turned[-1] > TURNING:
+        yield Act(_last(turned[:done] < TURNING / 2), done)
+
+
+def _turns_round(s: Seen) -> Iterator[Act]:
+    turned = np.abs(s.track.heading - s.track.heading[0])
+    done = _first(turned > math.radians(140))
+    if done is not None or turned[-1] > math.radians(30):
+        yield Act(_last(turned[:done] < TURNING / 2), done)
+
+
+# With the ego and against it
+
+
+def _overtakes(s: Seen) -> Iterator[Act]:
+    if s.lead[0] >= 2.0:
+        return
+    done = _first(s.lead > (s.ego.length + s.track.length) / 2)
+    lowest = _last(s.lead[:done] <= s.lead[:done].min() + 0.1)
+    if done is not None or (s.lead[-1] - s.lead[lowest] > 1.0 and abs(s.offset[-1]) > 1.3):
+        pulls_out = _first(np.abs(s.drift[:done]) > 0.3)
+        yield Act(lowest if pulls_out is None else pulls_out, done)
+
+
+def _tailgates(s: Seen) -> Iterator[Act]:
     between = -s.lead - (s.ego.length + s.track.length) / 2
     close = (s.lead < 0.0) & (between < 8.0) & (np.abs(s.offset) < 1.3) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
-    return bool(_lasting(close, 15).any())
+    return _lasting(close, 15)
 
 
-def _pulls_out(s: Seen) -> bool:
-    beside = _speed(s)[0] < STANDING and abs(s.offset[0]) > 1.6
-    return beside and bool(((np.abs(s.offset) < 1.3) & (s.lead > -s.ego.length / 2)).any())
-
-
-def _wrong_way(s: Seen) -> bool:
-    against = (np.abs(s.facing) > math.radians(120)) & (np.abs(s.offset) < 1.5) & (s.lead > 0.0)
-    return bool(_lasting(against & (_speed(s) > MOVING), 8).any())
-
-
-def _blocks_way(s: Seen) -> bool:
-    stands = (np.abs(s.offset) < 1.3 + s.track.width / 2) & (_speed(s) < STANDING)
-    start = _first(stands & (s.lead > 0.0))  # once there, an ego that drives through it was in its way as well
-    return start is not None and bool(_lasting(stands[start:], 10).any())
-
-
-def _cuts_in(s: Seen) -> bool:
-    return abs(s.across[0]) > 1.9 and float(np.abs(s.across).min()) < 1.3
-
-
-def _weaves(s: Seen) -> bool:
-    lateral = s.drift
-    turning = np.flatnonzero(np.diff(np.sign(np.diff(lateral))) != 0) + 1
-    peaks = lateral[turning]
-    return int((np.abs(np.diff(peaks)) > 0.5).sum()) >= 2
-
-
-def _swerves(s: Seen) -> bool:
-    rate = np.abs(s.track.yaw_rate(s.dt))
-    return float(np.abs(s.drift).max()) > 0.8 and float(rate.max()) > 0.12
-
-
-def _paces(s: Seen) -> bool:
+def _paces(s: Seen) -> Iterator[Act]:
     ego_along, _ = in_frame(s.ego, s.ego.x[0], s.ego.y[0], s.ego.heading[0])
-    level = (np.abs(ego_along - s.along) < 8.0) & (s.ego.speed > 1.0) & (_speed(s) > 1.0)
-    return bool(_lasting(level, 15).any())
+    return _lasting((np.abs(ego_along - s.along) < 8.0) & (s.ego.speed > 1.0) & (_speed(s) > 1.0), 15)
 
 
-def _runs_light(s: Seen) -> bool:
-    return any(
-        (step := crossing_step(s.track, signal)) is not None and signal.state[step] == "r"
-        for signal in s.signals
-        if signal.role != "ego"
-    )
+def _against(s: Seen) -> NDArray[Any]:
+    return np.abs(s.facing) > math.radians(120)
 
 
-def _turns(s: Seen, sign: int) -> bool:
-    """Whether it turns left (`sign` 1) or right (-1); one that stops in its turn need not have finished it."""
-    turned = sign * float(s.track.heading[-1] - s.track.heading[0])
-    return turned > (TURNED_MIDWAY if _speed(s)[-1] < STANDING else TURNED)
+def _wrong_way(s: Seen) -> Iterator[Act]:
+    return _lasting(_against(s) & (np.abs(s.offset) < 1.5) & (s.lead > 0.0) & (_speed(s) > MOVING), 8)
 
 
-def _hesitates(s: Seen) -> bool:
-    start = _first(_speed(s) > MOVING)
-    if start is None:
-        return False
-    pause = _first(_lasting(_speed(s)[start:] < STANDING, 3))
-    return pause is not None and bool((_speed(s)[start + pause :] > MOVING).any())
+def _blocks_way(s: Seen) -> Iterator[Act]:
+    within = np.abs(s.offset) < 1.3 + s.track.width / 2
+    start = _first(within & (_speed(s) < STANDING) & (s.lead > 0.0))
+    if start is not None:  # once there, an ego that drives through it was in its way as well
+        stands = within & (_speed(s) < STANDING)
+        yield from _lasting(stands & (np.arange(len(stands)) >= start), 10)
+    if within[-1] and s.lead[-1] > 0.0:
+        yield from _slowing(s)
 
 
-def _diagonal(s: Seen) -> bool:
-    moving = _speed(s) > MOVING
-    slant = np.abs(np.abs(np.sin(s.track.heading - s.ego.heading[0])))
-    return bool(_lasting(moving & (slant > 0.3) & (slant < 0.95), 5).any())
+def _runs_light(s: Seen) -> Iterator[Act]:
+    ahead, heading = s.track.length / 2, s.track.heading
+    nose = replace(s.track, x=s.track.x + ahead * np.cos(heading), y=s.track.y + ahead * np.sin(heading))
+    for signal in s.signals:
+        if signal.role != "ego":
+            over, done = crossing_step(nose, signal), crossing_step(s.track, signal)
+            if done is not None and signal.state[done] == "r":
+                yield Act(done if over is None else over, done)
+            elif done is None and over is not None and signal.state[over] == "r":
+                yield Act(over, None)
 
 
-def _turns_back(s: Seen) -> bool:
-    inward = np.abs(s.offset[0]) - np.abs(s.offset)
-    peak = int(inward.argmax())
-    return float(inward[peak]) > 0.5 and float(inward[peak] - inward[peak:].min()) > 0.5
+def _follows(s: Seen) -> Iterator[Act]:
+    moved = np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0])
+    if moved[-1] > 1.0:
+        yield Act(_last(moved < 0.1), _first(moved > 5.0))
 
 
-ACTIONS: dict[Action, Callable[[Seen], bool]] = {
+ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.CROSS: _crosses,
     Action.STOP: _stops,
     Action.BRAKE: _brakes,
     Action.ACCELERATE: _accelerates,
     Action.SLOW: _slow,
-    Action.REVERSE: lambda s: float(s.track.speed.min()) < -STANDING,
+    Action.REVERSE: _reverses,
     Action.CUT_IN: _cuts_in,
-    Action.CHANGE_LANE: lambda s: float(np.abs(s.drift).max()) > 2.4,
+    Action.CHANGE_LANE: _changes_lane,
     Action.WEAVE: _weaves,
     Action.SWERVE: _swerves,
     Action.PACE: _paces,
     Action.RUN_LIGHT: _runs_light,
     Action.TURN_LEFT: lambda s: _turns(s, 1),
     Action.TURN_RIGHT: lambda s: _turns(s, -1),
-    Action.ONCOMING: lambda s: bool((np.abs(s.facing) > math.radians(120))[_speed(s) > STANDING].any()),
+    Action.ONCOMING: lambda s: _once(_against(s) & (_speed(s) > STANDING)),
     Action.HESITATE: _hesitates,
     Action.DIAGONAL: _diagonal,
     Action.TURN_BACK: _turns_back,
@@ -174,8 +358,8 @@ ACTIONS: dict[Action, Callable[[Seen], bool]] = {
     Action.TAILGATE: _tailgates,
     Action.PULL_OUT: _pulls_out,
     Action.WRONG_WAY: _wrong_way,
-    Action.U_TURN: lambda s: float(np.abs(s.track.heading - s.track.heading[0]).max()) > math.radians(140),
+    Action.U_TURN: _turns_round,
     Action.BLOCK: _blocks_way,
     Action.FAST: _fast,
-    Action.FOLLOW: lambda s: float(np.hypot(np.ptp(s.track.x), np.ptp(s.track.y))) > 5.0,
+    Action.FOLLOW: _follows,
 }

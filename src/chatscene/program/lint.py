@@ -223,7 +223,9 @@ def try_triple(
             yield Finding(behavior.id, "plausible", f"{problem} ({where})")
     for part in triple:
         slots = replace(part.slots, adversary=kind)
-        failures = [failure for episode, route in driven for failure in check_meaning(slots, episode, route)[:1]]
+        failures = [
+            failure for episode, route in driven for failure in check_meaning(slots, episode, route, through=True)[:1]
+        ]
         if len(failures) > (1 - SHARE) * len(driven) + 1e-9:
             yield Finding(
                 part.id, "means", f"{failures[0]}, in {len(failures)} of {len(driven)} scenes ({behavior.id} {where})"

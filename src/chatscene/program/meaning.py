@@ -7,17 +7,18 @@ person watching the replay would say "yes, it does that".
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from chatscene.program.assemble import CLASSES
-from chatscene.program.deeds import ACTIONS, STANDING
+from chatscene.program.deeds import ACTIONS, MANNERS, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
-from chatscene.terms.episode import Ending, Episode, Role, Track
+from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import (
     WAITING,
+    Action,
     Maneuver,
     Occluder,
     Place,
@@ -28,6 +29,7 @@ from chatscene.terms.scenario import (
 )
 
 IN_LANE = 1.75  # [m] from the ego's line
+TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
 
 OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
     Occluder.BUS_STOP: ("BusStop",),
@@ -42,15 +44,19 @@ OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
 }
 
 
-def check_meaning(slots: Slots, episode: Episode, route: Route) -> tuple[str, ...]:
+def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool = False) -> tuple[str, ...]:
     """What an episode does not show of what was said.
 
-    An action that a collision cut short does not count against the scene; one that contradicts does.
+    It is judged up to the first contact of the ego, which excuses only what was under way: an act that had not begun
+    by then was no part of the test. Acts must begin in the order in which they were said, except for what the
+    adversary does all along (`chatscene.program.deeds.MANNERS`).
 
     Args:
         slots: What was said; what is not filled is not checked.
         episode: What happened.
         route: The ego's route.
+        through: Judge to the end a drive that went on through a collision: not what the ego was tested with, but what
+            the adversary can do.
 
     Returns:
         One sentence per failure; empty if the episode means what was said.
@@ -58,15 +64,32 @@ def check_meaning(slots: Slots, episode: Episode, route: Route) -> tuple[str, ..
     failures = list(_route_failures(slots, route))
     if not episode.adversaries:
         return (*failures, "adversary: there is none")
-    seen = watch(episode, route, episode.adversaries[0])
+    contact = episode.collision.step if episode.collision and not through else None
+    seen = watch(episode, route, episode.adversaries[0], contact)
     failures += _start_failures(slots, seen, episode, route)
-    if episode.ending is not Ending.COLLISION:
-        failures += [
-            f"action: said {action}, but the adversary never does"
-            for action in slots.actions
-            if not ACTIONS[action](seen)
-        ]
+    failures += _action_failures(slots.actions, seen, contact)
     return tuple(failures)
+
+
+# What the adversary does
+
+
+def _action_failures(actions: Sequence[Action], seen: Seen, contact: int | None) -> list[str]:
+    failures: list[str] = []
+    before, latest = None, 0
+    for action in actions:
+        acts = ACTIONS[action](seen)
+        began = [act.began for act in acts if (act.done is not None if contact is None else act.began < contact)]
+        if not began:
+            never = "never does" if contact is None else "had not begun to when the ego crashed"
+            failures.append(f"action: said {action}, but the adversary {never}")
+        elif action not in MANNERS:
+            after = [step for step in began if step >= latest - TOGETHER / seen.dt]
+            if after:
+                before, latest = action, max(latest, min(after))
+            else:
+                failures.append(f"action: said {before}, then {action}, but the adversary does it the other way round")
+    return failures
 
 
 # The ego's route

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,11 +45,13 @@ class Seen:
     signals: tuple[SignalTrack, ...]
 
 
-def watch(episode: Episode, route: Route, track: Track) -> Seen:
-    """See one adversary of an episode in the ego's frame."""
-    ego = episode.ego_track
+def watch(episode: Episode, route: Route, track: Track, until: int | None = None) -> Seen:
+    """See one adversary of an episode in the ego's frame, to the end or until a step, which is seen too."""
+    ego, track = _until(episode.ego_track, until), _until(track, until)
     along, across = in_frame(track, ego.x[0], ego.y[0], ego.heading[0])
     at, offset = _on_line(route.line, track)
+    behind, _ = in_frame(track, *route.line.point_at(0.0), route.start_heading)
+    at = np.where(at > 0.0, at, np.minimum(behind, 0.0))  # before its start the route is taken to come straight
     bearing = (track.heading - ego.heading[0] + math.pi) % (2 * math.pi) - math.pi
     facing = bearing
     if route.junction is None:
@@ -70,6 +72,13 @@ def watch(episode: Episode, route: Route, track: Track) -> Seen:
         dt=episode.dt,
         signals=episode.signals,
     )
+
+
+def _until(track: Track, step: int | None) -> Track:
+    if step is None:
+        return track
+    x, y, heading, speed = (row[: step + 1] for row in (track.x, track.y, track.heading, track.speed))
+    return replace(track, x=x, y=y, heading=heading, speed=speed)
 
 
 def _on_line(line: Polyline, track: Track) -> tuple[Array, Array]:

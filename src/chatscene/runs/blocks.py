@@ -251,12 +251,14 @@ def _counts(scenes: Table) -> dict[str, int]:
     def count(column: str, value: object = True) -> int:
         return scenes.column(column).to_pylist().count(value)
 
+    shown = list(zip(*(scenes.column(name).to_pylist() for name in ("selected", "meaning_ok")), strict=True))
     return {
         "scenes": scenes.num_rows,
         "ran": count("status", "ran"),
         "rejected": count("status", "rejected"),
         "collided": count("collision"),
         "selected": count("selected"),
+        "selected_shown": shown.count((True, True)),
         "fill_in": count("fill_in"),
     }
 

@@ -63,7 +63,7 @@ class RunRecord(_Frozen):
         settings: All settings, resolved, as `Settings` nests them.
         versions: Of chatscene, Python, Scenic and numpy.
         seed: What everything random derives from.
-        counts: scenes, ran, rejected, collided, selected, fill_in; empty until there are some.
+        counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
         timings: Seconds by phase, and whatever else differs between two equal runs (such as ``jobs``).
     """
 

@@ -29,7 +29,7 @@ from chatscene.terms.snippet import Tried
 class Retrieved:
     """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
 
-    reference = SearchSettings(scenes=50, block=10, keep=2, routes=10)
+    reference = SearchSettings(scenes=50, block=10, keep=2, routes=10, selection="worst")
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
         """Five sentences, in our words, for the situations of the paper's five."""

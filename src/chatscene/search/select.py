@@ -18,12 +18,14 @@ class Candidate:
     Attributes:
         scene_id: Which.
         collided: Whether the ego collided.
+        shown: Whether its drive showed what was said (`chatscene.program.meaning`).
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         overall_score: Of that one drive, paper mode.
     """
 
     scene_id: str
     collided: bool
+    shown: bool
     avoidable: bool | None
     overall_score: float
 
@@ -42,14 +44,17 @@ class Selected:
 
 
 def select(
-    candidates: Iterable[Candidate], *, count: int, selection: str = "worst", avoidable_only: bool = False
+    candidates: Iterable[Candidate], *, count: int, selection: str = "shown", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
-    """Scenes that collided first, lowest overall score first; if too few, the lowest-scoring others fill up.
+    """Scenes that collided first, of these those that show what was said, of these the lowest overall scores.
+
+    If too few collided, others fill up, in the same order.
 
     Args:
         candidates: The scenes of one scenario on one route, in the order in which they were driven.
         count: How many to keep, at least 1.
-        selection: ``last`` keeps the last ones instead, whatever came of them.
+        selection: One of `chatscene.settings.SELECTIONS`: ``worst`` does not look at what was shown (paper); ``last``
+            keeps the last ones, whatever came of them.
         avoidable_only: Never keep a collision that a careful driver would not have avoided.
 
     Returns:
@@ -61,9 +66,11 @@ def select(
     if count < 1:
         raise SettingsError(f"at least one scene must be kept, not {count}")
     allowed = [c for c in candidates if not (avoidable_only and c.avoidable is False)]
-    if selection == "worst":
-        best = sorted(allowed, key=lambda c: (not c.collided, c.overall_score, c.scene_id))[:count]
-    else:
+    if selection == "last":
         best = allowed[-count:]
+    else:
+        blind = selection == "worst"
+        best = sorted(allowed, key=lambda c: (not c.collided, not (c.shown or blind), c.overall_score, c.scene_id))
+        best = best[:count]
     kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))
