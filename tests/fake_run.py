@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 from typing import Any
@@ -385,10 +386,18 @@ def finished(
     """A whole run folder."""
     run = started(folder, text=text, program=program, routes=routes)
     selected: dict[str, bool] = {}
+    expected = [(SCENARIO, route, number) for route in range(routes) for number in range(count)]
     for route in range(routes):
         done = blocks(count, route=route, steps=steps)
         for one in done:
             write_block(run, one)
         selected |= selection(done)
-    finish(run, selected=selected, timings={"understand": 0.4, "search": 11.2, "jobs": 2})
+    finish(run, selected=selected, expected=expected, timings={"understand": 0.4, "search": 11.2, "jobs": 2})
     return run
+
+
+def as_by_an_older_version(run: Run) -> None:
+    """Make `run.json` one that knows no digests, so that a test may change what is in the folder."""
+    path = run.file("run.json")
+    content = json.loads(path.read_text()) | {"schema_version": 1, "files": {}, "digest": ""}
+    path.write_text(json.dumps(content))

@@ -13,7 +13,7 @@ from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import rebuild, run
 from chatscene.program.check import Checked
-from chatscene.runs import open_run, read_tried
+from chatscene.runs import open_run, read_explanation
 from chatscene.search import generator as searching
 from chatscene.search.generator import TRIES, Written, climb
 from chatscene.search.retrieved import Retrieved
@@ -108,6 +108,6 @@ def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path) -> None:
     text = CYCLIST
     run(text, tmp_path / "run", settings=few, ego_name="rule-based")
     kept = open_run(tmp_path / "run")
-    assert read_tried(kept)
+    assert read_explanation(kept)["scenarios"][0]["tried"]
     scenario, rebuilt = rebuild(kept)
     assert rebuilt.snippet_ids != Retrieved().write(scenario, SETTINGS).program.snippet_ids

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from chatscene import runs
+from fake_run import as_by_an_older_version
 
 ROOT = Path(__file__).parents[1]
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
@@ -101,7 +102,8 @@ def test_a_finished_run_is_not_run_again(finished: Path, chatscene: Chatscene) -
 def test_a_scene_replays_bit_for_bit(finished: Path, chatscene: Chatscene) -> None:
     kept = next(row for row in runs.read_scenes(runs.open_run(finished)) if row["selected"])
     answer = chatscene("replay", str(finished), kept["scene_id"], "--json")
-    assert json.loads(answer.stdout) == {"scene_id": kept["scene_id"], "identical": True, "difference": ""}
+    told = {"scene_id": kept["scene_id"], "identical": True, "difference": "", "versions": {}}
+    assert json.loads(answer.stdout) == told
 
 
 def test_a_replay_of_changed_tracks_says_where_they_differ(
@@ -119,6 +121,7 @@ def test_a_replay_of_changed_tracks_says_where_they_differ(
     x = table.column("x").to_numpy().copy()
     x[7] += 1e-9
     pq.write_table(table.set_column(table.column_names.index("x"), "x", pa.array(x)), path)
+    as_by_an_older_version(runs.Run(folder))
     scene = table.column("scene_id")[0].as_py()
     answer = chatscene("replay", str(folder), scene)
     assert answer.returncode == 1
@@ -138,7 +141,7 @@ BAD = {
     "noise": (["run", "x7 " * 3500], "at most"),
     "unknown map": (["run", SENTENCE, "--map", "twon"], "did you mean 'town'"),
     "unknown ego": (["run", SENTENCE, "--ego", "rule-base"], "did you mean 'rule-based'"),
-    "no scenes": (["run", SENTENCE, "--scenes", "0"], "at least 1"),
+    "no scenes": (["run", SENTENCE, "--scenes", "0"], "scenes must be a whole number from 1"),
     "not a run": (["resume", "."], "not a run folder"),
     "unknown snippet": (["library", "show", "behavior/cros"], "did you mean"),
 }
@@ -179,7 +182,8 @@ def test_usage_errors_have_status_2(chatscene: Chatscene) -> None:
 
 
 @pytest.mark.parametrize(
-    "command", ["", "run", "resume", "replay", "explain", "library", "library lint", "map", "map info", "doctor"]
+    "command",
+    ["", "run", "resume", "replay", "check", "explain", "library", "library lint", "map", "map info", "doctor"],
 )
 def test_every_command_has_a_help_with_an_example(command: str, chatscene: Chatscene) -> None:
     answer = chatscene(*command.split(), "--help")

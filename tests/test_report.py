@@ -24,7 +24,7 @@ from chatscene.report.sections import command, verdict
 from chatscene.report.tracks import contact_point, extent, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import Status, read_ranges, read_record, read_scenes, update, write_block
-from fake_run import PROGRAM, SCENARIO, TEXT, blocks, drawing, drive, finished, scene, started
+from fake_run import PROGRAM, SCENARIO, TEXT, as_by_an_older_version, blocks, drawing, drive, finished, scene, started
 
 NASTY = """</script><script>alert(1)</script><img src=x onerror="alert(2)"> & 'quotes' "too" {{script}} <!--"""
 
@@ -109,6 +109,7 @@ def test_a_run_without_a_drawing_of_its_map_still_replays(tmp_path: Path) -> Non
     run = finished(tmp_path / "run", count=1)
     run.file("map.json").unlink()
     run.file("explanation.json").unlink()
+    as_by_an_older_version(run)
     assert 'class="play-scene"' in _page(run.path)
     assert write_gif(run.path).stat().st_size > 0
 

@@ -110,30 +110,31 @@ def benchmark(
     scenarios, search = _share(generator, budget)
     settings = Settings(search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler))
     setup = _Setup(generator=generator, settings=settings, map_name=map_name, surrogate=surrogate)
-    record = _open(folder, {"generator": generator, "budget": budget, "egos": list(egos), **asdict(setup)})
-    tasks = _tasks(folder, generator, scenarios)
+    with runs.alone(folder):
+        record = _open(folder, {"generator": generator, "budget": budget, "egos": list(egos), **asdict(setup)})
+        tasks = _tasks(folder, generator, scenarios)
 
-    began = time.monotonic()
-    refused: dict[str, str] = {}
-    for count, (task, reason) in enumerate(spread(_Searcher, setup, tasks, jobs=jobs), 1):
-        if reason:
-            refused[task.text] = reason
-        progress("searching, scenarios", count, len(tasks))
-    found = [task.folder for task in tasks if task.text not in refused]
-    if not found:
-        raise MapError(f"map {map_name!r} serves none of the scenarios; the first: {next(iter(refused.values()))}")
-    record |= {"refused": refused, "counts": _counts(found)}
-    record = _spent(folder, record, "search", time.monotonic() - began)
+        began = time.monotonic()
+        refused: dict[str, str] = {}
+        for count, (task, reason) in enumerate(spread(_Searcher, setup, tasks, jobs=jobs), 1):
+            if reason:
+                refused[task.text] = reason
+            progress("searching, scenarios", count, len(tasks))
+        found = [task.folder for task in tasks if task.text not in refused]
+        if not found:
+            raise MapError(f"map {map_name!r} serves none of the scenarios; the first: {next(iter(refused.values()))}")
+        record |= {"refused": refused, "counts": _counts(found)}
+        record = _spent(folder, record, "search", time.monotonic() - began)
 
-    where = folder / "evaluation"
-    if (where / "run.json").exists():
-        evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
-    else:
-        evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
-    record = _spent(folder, record, "evaluation", evaluated.seconds)
-    return Benchmarked(
-        folder=folder, evaluated=evaluated, refused=refused, counts=record["counts"], seconds=record["seconds"]
-    )
+        where = folder / "evaluation"
+        if (where / "run.json").exists():
+            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
+        else:
+            evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
+        record = _spent(folder, record, "evaluation", evaluated.seconds)
+        return Benchmarked(
+            folder=folder, evaluated=evaluated, refused=refused, counts=record["counts"], seconds=record["seconds"]
+        )
 
 
 def _share(generator: str, budget: str) -> tuple[int, SearchSettings]:
@@ -202,6 +203,10 @@ class _Searcher:
 
     def __call__(self, task: _Task) -> tuple[_Task, str]:
         """Search; the reason if the scenario cannot be searched with."""
+        with runs.alone(task.folder):
+            return self._search(task)
+
+    def _search(self, task: _Task) -> tuple[_Task, str]:
         setup = self._setup
         if (task.folder / "run.json").exists():
             run = runs.open_run(task.folder)

@@ -17,7 +17,7 @@ from chatscene.cli_finetune import finetune
 from chatscene.cli_library import JSON, READING, Reading, console, library, progress
 from chatscene.cli_proposal import COMMANDS, describe
 from chatscene.cli_reproduce import reproduce
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 
 if TYPE_CHECKING:
     from chatscene.evaluation import Evaluated
@@ -40,6 +40,8 @@ class _Errors(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
+            if any("\0" in word for word in ctx.args):
+                raise SettingsError("no argument may hold a NUL character; leave it out")
             return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse) as error:
             _complain(error)
@@ -343,6 +345,31 @@ def replay(folder: Path, scene_id: str, as_json: bool) -> None:
     else:
         click.echo(outcome.in_words())
     if not outcome.identical:
+        sys.exit(1)
+
+
+@main.command()
+@click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@JSON
+def check(folders: tuple[Path, ...], as_json: bool) -> None:
+    """Say which files of the runs or evaluations in DIR... are damaged or missing, and which were added since.
+
+    Every file of a finished folder is compared with the digest that run.json keeps of it, and run.json with its own.
+    Exit status 0: all that was written is there and unchanged; 1: it is not, or nobody can tell.
+
+    \b
+    chatscene check runs/cyclist
+    chatscene check runs/* --json
+    """
+    from chatscene import runs
+
+    found = [runs.check(folder) for folder in folders]
+    if as_json:
+        click.echo(json.dumps([condition.as_dict() for condition in found], indent=1))
+    else:
+        for condition in found:
+            click.echo(condition.in_words())
+    if not all(condition.whole for condition in found):
         sys.exit(1)
 
 

@@ -28,6 +28,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, rebuild
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
+from chatscene.settings import SimulationSettings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
@@ -102,42 +103,59 @@ def evaluate(
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
-        if (record.map_name, record.settings["simulation"]) != (records[0].map_name, records[0].settings["simulation"]):
+        if _where(record) != _where(records[0]):
             raise RunError(f"{run.path} and {found[0].path} differ in map or step; evaluate them one by one")
-    kept = runs.create(
-        folder,
-        text="all scenes" if every_scene else "kept scenes",
-        settings=runs.settings_of(records[0]),
-        map_name=records[0].map_name,
-        ego=",".join(egos),
-        sources=[_source(run, record, first_route) for run, record in zip(found, records, strict=True)],
-    )
-    return carry_on(kept, jobs=jobs, progress=progress)
+    told = [_source(run, record, first_route) for run, record in zip(found, records, strict=True)]
+    with runs.alone(folder):
+        kept = runs.create(
+            folder,
+            text="all scenes" if every_scene else "kept scenes",
+            settings=runs.settings_of(records[0]),
+            map_name=records[0].map_name,
+            ego=",".join(egos),
+            sources=told,
+        )
+        return _carry_on(kept, jobs, progress)
+
+
+def _where(record: runs.RunRecord) -> tuple[str, SimulationSettings]:
+    return record.map_name, runs.settings_of(record).simulation
 
 
 def _source(run: runs.Run, record: runs.RunRecord, first_route: int) -> runs.SourceRecord:
-    scenario = runs.read_explanation(run)["scenarios"][0]
-    if scenario["base"] is None:
+    scenario, _ = runs.read_choice(run)
+    if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
     return runs.SourceRecord(
         folder=str(run.path),
-        scenario_id=scenario["scenario_id"],
-        base=scenario["base"],
+        scenario_id=scenario.id,
+        base=scenario.base,
         generator=record.generator,
         first_route=first_route,
     )
 
 
 def carry_on(run: runs.Run, *, jobs: int, progress: Progress) -> Evaluated:
-    """Do what is left of an evaluation."""
+    """Do what is left of an evaluation.
+
+    Raises:
+        RunError: It is damaged, or one of its sources is, or another process is at work on it.
+    """
+    with runs.alone(run.path):
+        return _carry_on(runs.open_run(run.path), jobs, progress)
+
+
+def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Evaluated:
     began = time.monotonic()
-    runs.resume(run)
+    runs.resume(run, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(run)
     failures = dict(record.failures)
     if record.status is not runs.Status.DONE:
         try:
-            failures |= _drive_all(run, record, failures, jobs, progress)
-            runs.finish(run, selected=_fill_ins(record))
+            tasks = _tasks(run, record)
+            failures |= _drive_all(run, record, tasks, failures, jobs, progress)
+            every = [(t.source.scenario_id, t.route, t.number) for t in tasks if t.ego not in failures]
+            runs.finish(run, selected=_fill_ins(record), expected=every)
         except ChatSceneError as error:
             runs.update(run, status=runs.Status.FAILED, reason=str(error))
             raise
@@ -145,24 +163,36 @@ def carry_on(run: runs.Run, *, jobs: int, progress: Progress) -> Evaluated:
     progress("computing the tables", 0, 0)
     tables = tabulate(run)
     write_tables(run.file("tables"), tables)
+    runs.note(run, *run.file("tables").iterdir())
     return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
+
+
+def _tasks(run: runs.Run, record: runs.RunRecord) -> list[_Task]:
+    """Every ego that did not fail on every route with scenes of every source.
+
+    Raises:
+        RunError: A source is damaged.
+    """
+    for source in record.sources:
+        runs.open_run(Path(source.folder))
+    return [
+        _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
+        for number, ego in enumerate(record.ego.split(","))
+        if ego not in record.failures
+        for source in record.sources
+        for route in sorted({row for row, _ in _kept(source, record)})
+    ]
 
 
 def _drive_all(
     run: runs.Run,
     record: runs.RunRecord,
+    tasks: Sequence[_Task],
     failed: dict[str, str],
     jobs: int,
     progress: Progress,
 ) -> dict[str, str]:
     """Run every task that is not done; the reasons of the egos that failed in it."""
-    tasks = [
-        _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
-        for number, ego in enumerate(record.ego.split(","))
-        if ego not in failed
-        for source in record.sources
-        for route in sorted({row for row, _ in _kept(source, record)})
-    ]
     done = runs.done_blocks(run)
     left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
     failures: dict[str, str] = {}

@@ -17,7 +17,15 @@ import numpy as np
 
 from chatscene import runs
 from chatscene.ego.policy import load_ego
-from chatscene.errors import ChatSceneError, Diverged, MapError, MeansSomethingElse, NothingFits
+from chatscene.errors import (
+    ChatSceneError,
+    Diverged,
+    MapError,
+    MeansSomethingElse,
+    NothingFits,
+    RunError,
+    SnippetError,
+)
 from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
@@ -79,10 +87,17 @@ class Summary:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Replayed:
-    """A scene simulated again; `difference` is empty if every number is the same."""
+    """A scene simulated again.
+
+    Attributes:
+        scene_id: Which.
+        difference: Where the tracks first differ, in words; empty if every number is the same.
+        versions: What the run was made with and is otherwise now: by name, the version then and now.
+    """
 
     scene_id: str
     difference: str
+    versions: Mapping[str, tuple[str, str]]
 
     @property
     def identical(self) -> bool:
@@ -91,11 +106,18 @@ class Replayed:
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
-        return {"scene_id": self.scene_id, "identical": self.identical, "difference": self.difference}
+        return {
+            "scene_id": self.scene_id,
+            "identical": self.identical,
+            "difference": self.difference,
+            "versions": {name: {"then": then, "now": now} for name, (then, now) in self.versions.items()},
+        }
 
     def in_words(self) -> str:
         """One line for a person."""
-        return f"{self.scene_id}: " + (f"differs: {self.difference}" if self.difference else "identical")
+        if self.identical:
+            return f"{self.scene_id}: identical"
+        return f"{self.scene_id}: differs: {self.difference}{_since(self.versions)}"
 
 
 def understand(text: str, settings: Settings | None = None) -> Understood:
@@ -134,17 +156,20 @@ def run(
     resolve_map(map_name)
     load_ego(ego_name)
     load_sampler(settings.search.sampler)
-    kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
-    return _carry_on(kept, jobs, progress or _silent)
+    with runs.alone(folder):
+        kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
+        return _carry_on(kept, jobs, progress or _silent)
 
 
 def resume(folder: Path, *, jobs: int = 1, progress: Progress | None = None) -> Summary:
     """Go on with a run that was killed or failed; the result is that of an uninterrupted one.
 
     Raises:
-        RunError: There is no run in the folder.
+        RunError: There is no run in the folder, it is damaged, or another process is at work on it.
     """
-    return _carry_on(runs.open_run(folder), jobs, progress or _silent)
+    run = runs.open_run(folder)
+    with runs.alone(folder):
+        return _carry_on(run, jobs, progress or _silent)
 
 
 def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
@@ -164,11 +189,11 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
 
 def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     """Steps 2 to 7 for a run folder, from where it stands."""
-    done = runs.resume(run)
+    settings = runs.settings_of(runs.read_record(run))
+    done = runs.resume(run, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(run)
     if record.status is runs.Status.DONE:
         return
-    settings = runs.settings_of(record)
     map_path = resolve_map(record.map_name)
 
     progress("understanding the sentence", 0, 0)
@@ -205,7 +230,8 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     already = sum(map(len, before.values()))
     total = len(routes) * work.blocks()
     run_blocks(work, before, jobs=jobs, on_block=lambda n: progress("searching, blocks", already + n, total))
-    runs.finish(run, selected=_selected(run, settings.search))
+    every = [(scenario.id, route, number) for route in routes for number in range(work.blocks())]
+    runs.finish(run, selected=_selected(run, settings.search), expected=every)
 
 
 def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
@@ -270,26 +296,48 @@ def replay(folder: Path, scene_id: str) -> Replayed:
     scene = runs.scene_of(row, program)
     backend = load_generator(record.generator).backend(resolve_map(record.map_name), settings.simulation)
     again = backend.run(program, scene, load_ego(record.ego))
-    return Replayed(scene_id=scene_id, difference=_difference(stored, again))
+    return Replayed(scene_id=scene_id, difference=_difference(stored, again), versions=runs.changed_versions(record))
 
 
 def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:
-    """The scenario and the program of a run, made again from its text: what lies in the folder is never executed.
+    """The scenario and the program of a run, from what was understood and chosen then; the text is not read again.
+
+    The program that lies in the folder is never executed: it is joined again, of snippets of the library, and compared.
 
     Raises:
-        Diverged: This version makes another program of the text than the one that was kept.
+        RunError: The run did not come that far, or what it tells was changed.
+        Diverged: This version makes another program than the one that was kept.
     """
     record = runs.read_record(run)
     generator = load_generator(record.generator)
     settings = runs.settings_of(record).retrieval
-    scenario = generator.read(record.text, settings)
-    program = generator.write(scenario, settings, runs.read_tried(run)).program
+    scenario, choice = runs.read_choice(run)
+    try:
+        if not isinstance(generator, Retrieved):
+            program = generator.write(scenario, settings).program
+        elif choice is None:
+            raise RunError(f"nothing was chosen in {run.path}: its explanation.json names no snippets")
+        else:
+            ranges = {row["parameter"]: (row["low"], row["high"]) for row in runs.read_ranges(run) if row["block"] == 0}
+            program = generator.join(scenario, choice.snippet_ids, choice.adversary, ranges, settings)
+    except SnippetError as error:
+        raise Diverged(f"the library has changed since {run.path} was made: {error}; {_remedy(record)}") from error
     if runs.read_programs(run).get(scenario.id) != program.source:
         raise Diverged(
-            f"the library has changed since {run.path} was made: it now makes another program of the sentence; "
-            "install the version of chatscene that run.json names"
+            f"the library has changed since {run.path} was made: the same snippets now make another program; "
+            f"{_remedy(record)}"
         )
     return scenario, program
+
+
+def _remedy(record: runs.RunRecord) -> str:
+    return f"install the version of chatscene that run.json names{_since(runs.changed_versions(record))}"
+
+
+def _since(versions: Mapping[str, tuple[str, str]]) -> str:
+    """The versions that changed, to end a sentence with; empty if none did."""
+    changed = ", ".join(f"{name} {then} then, {now} now" for name, (then, now) in versions.items())
+    return f" ({changed})" if changed else ""
 
 
 def _difference(stored: Episode, again: Episode | Rejected) -> str:

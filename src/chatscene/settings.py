@@ -2,12 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 
 from chatscene.errors import SettingsError, no_such
 
 SELECTIONS = ("shown", "worst", "last")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
+
+
+def _check(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
+    """Hold every field to its kind and every number to its range; a run's record is as good as what a user typed.
+
+    Raises:
+        SettingsError: One is not; the message names it and the range.
+    """
+    for setting in fields(settings):  # type: ignore[arg-type]
+        name, value, kind = setting.name, getattr(settings, setting.name), type(setting.default)
+        fits = type(value) is kind or (kind is float and type(value) is int)
+        if name not in limits:
+            if not fits or "\0" in str(value):
+                raise SettingsError(f"{name} must be {_KINDS[kind]}, not {value!r}")
+            continue
+        least, most = limits[name]
+        if not (fits and least <= value <= most):  # NaN is neither
+            raise SettingsError(f"{name} must be {_KINDS[kind]} from {least:,} to {most:,}, not {value!r}")
+
+
+_KINDS: dict[type, str] = {int: "a whole number", float: "a number", bool: "true or false", str: "text"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,13 +61,20 @@ class SearchSettings:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        for name in ("scenes", "block", "keep", "routes", "tries"):
-            if getattr(self, name) < 1:
-                raise SettingsError(f"{name} must be at least 1, not {getattr(self, name)}")
+        many = (1, 1_000_000)
+        _check(
+            self,
+            {
+                "scenes": many,
+                "block": many,
+                "keep": many,
+                "routes": (1, 1_000),
+                "tries": (1, 10_000),
+                "seed": (0, 2**63 - 1),
+            },
+        )
         if self.selection not in SELECTIONS:
             raise SettingsError(no_such("selection", self.selection, SELECTIONS))
-        if self.seed < 0:
-            raise SettingsError(f"seed must not be negative, not {self.seed}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,6 +88,9 @@ class SimulationSettings:
 
     dt: float = 0.1
     max_steps: int = 300
+
+    def __post_init__(self) -> None:
+        _check(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,6 +110,9 @@ class RetrievalSettings:
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE
+
+    def __post_init__(self) -> None:
+        _check(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,6 +24,7 @@ from chatscene.ego.network import Network, NetworkEgo, layers_of
 from chatscene.ego.reward import DESIRED_SPEED
 from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
 from chatscene.evaluate.ordinary import OrdinaryResult, drive_ordinary
+from chatscene.runs import alone
 from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
 
 if TYPE_CHECKING:
@@ -130,25 +131,26 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
         MissingExtra: Stable-Baselines3 is not installed.
         RunError: The folder holds another training, or something else, or cannot be written.
     """
-    curve = _open_folder(folder, settings)
-    learner = _Learner(folder, settings)
-    if curve:
-        learner.restore()
-    for number in range(len(curve), settings.rounds):
-        progress("training, steps", number * settings.round, settings.steps)
-        began = time.monotonic()
-        learner.learn(number)
-        seconds = time.monotonic() - began
-        network = learner.network()
-        result = evaluate_network(network, settings)
-        row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
-        if not curve or _worth(row) > max(map(_worth, curve)):
-            write_bytes(folder / "policy.npz", network.stored(_about(settings, row)))
-        learner.keep()
-        curve.append(row)  # last: a row says that everything before it is on disk
-        write_json(folder / "train.json", {"settings": asdict(settings), "curve": curve})
-    progress("training, steps", settings.steps, settings.steps)
-    return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
+    with alone(folder):
+        curve = _open_folder(folder, settings)
+        learner = _Learner(folder, settings)
+        if curve:
+            learner.restore()
+        for number in range(len(curve), settings.rounds):
+            progress("training, steps", number * settings.round, settings.steps)
+            began = time.monotonic()
+            learner.learn(number)
+            seconds = time.monotonic() - began
+            network = learner.network()
+            result = evaluate_network(network, settings)
+            row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
+            if not curve or _worth(row) > max(map(_worth, curve)):
+                write_bytes(folder / "policy.npz", network.stored(_about(settings, row)))
+            learner.keep()
+            curve.append(row)  # last: a row says that everything before it is on disk
+            write_json(folder / "train.json", {"settings": asdict(settings), "curve": curve})
+        progress("training, steps", settings.steps, settings.steps)
+        return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
 
 
 def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = EVALUATION_SEED) -> OrdinaryResult:

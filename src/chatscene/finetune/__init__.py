@@ -25,6 +25,7 @@ from chatscene.finetune.settings import PRESETS, FinetuneSettings
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
 from chatscene.program.ordinary import ordinary_courses
+from chatscene.runs import alone
 from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
 from chatscene.simulate.backend import Backend, load_backend
 
@@ -98,30 +99,31 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
         train_routes=settings.train_routes,
         validation_routes=settings.validation_routes,
     )
-    record = _open_folder(folder, settings, lessons, parts)
-    backend = load_backend("embedded", resolve_map(lessons.map_name), lessons.simulation)
-    judging = _Judging(parts, backend, lessons.map_name, progress)
-    if "before" not in record:
-        record["before"], record["skipped"] = judging.all(start, "driving before")
-        _write(folder, record)
-    schedule = Schedule(
-        scenes=_drivable(parts[TRAIN], record["skipped"]),
-        ordinary=ordinary_courses(backend) if settings.ordinary_share else (),
-        share=settings.ordinary_share,
-        seed=settings.seed,
-    )
-    if "chosen" not in record:
-        learner = learner_of(settings, schedule, lessons.map_name, lessons.simulation)
-        _rounds(folder, record, learner, judging, settings, progress)
-        chosen, record["reason"] = choose(record["curve"])
-        write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
-        record["chosen"] = chosen
-        _write(folder, record)
-    if "after" not in record:
-        record["after"], _ = judging.all(_ego(str(folder)), "driving after")
-        _write(folder, record)
-    names = ("chosen", "reason", "before", "after", "skipped")
-    return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
+    with alone(folder):
+        record = _open_folder(folder, settings, lessons, parts)
+        backend = load_backend("embedded", resolve_map(lessons.map_name), lessons.simulation)
+        judging = _Judging(parts, backend, lessons.map_name, progress)
+        if "before" not in record:
+            record["before"], record["skipped"] = judging.all(start, "driving before")
+            _write(folder, record)
+        schedule = Schedule(
+            scenes=_drivable(parts[TRAIN], record["skipped"]),
+            ordinary=ordinary_courses(backend) if settings.ordinary_share else (),
+            share=settings.ordinary_share,
+            seed=settings.seed,
+        )
+        if "chosen" not in record:
+            learner = learner_of(settings, schedule, lessons.map_name, lessons.simulation)
+            _rounds(folder, record, learner, judging, settings, progress)
+            chosen, record["reason"] = choose(record["curve"])
+            write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
+            record["chosen"] = chosen
+            _write(folder, record)
+        if "after" not in record:
+            record["after"], _ = judging.all(_ego(str(folder)), "driving after")
+            _write(folder, record)
+        names = ("chosen", "reason", "before", "after", "skipped")
+        return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
 
 
 def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:

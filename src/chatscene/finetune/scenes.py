@@ -82,11 +82,11 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
     """The kept scenes of finished runs among or below some folders.
 
     Raises:
-        RunError: There is no run, one is not finished, they differ in map or step, or one is a program of the user's
-            own, which is run nowhere but in the sandbox.
-        Diverged: This version makes another program of a run's text.
+        RunError: There is no run, one is not finished or damaged, they differ in map or step, or one is a program of
+            the user's own, which is run nowhere but in the sandbox.
+        Diverged: This version makes another program of a run's snippets.
     """
-    found = [runs.Run(path) for path in runs.run_folders(sources)]
+    found = [runs.open_run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
     first = records[0]
     map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation

@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw
 from chatscene.errors import RunError
 from chatscene.report.tracks import contact_point
 from chatscene.report.viewer import ranked
-from chatscene.runs import open_run, read_drawing, read_episode, read_scenes
+from chatscene.runs import note, open_run, read_drawing, read_episode, read_scenes
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode, Role, Track
 
@@ -62,6 +62,7 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     content = animate(read_episode(run, scene_id), read_drawing(run))
     path = run.file(f"{quote(scene_id.replace('/', '-'), safe='')}.gif")
     write_bytes(path, content)
+    note(run, path)
     return path
 
 

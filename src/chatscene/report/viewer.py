@@ -19,6 +19,7 @@ from chatscene.runs import (
     Run,
     criticality_of,
     metrics_of,
+    note,
     open_run,
     read_drawing,
     read_episodes,
@@ -48,6 +49,7 @@ def write_report(folder: Path) -> Path:
     run = open_run(folder)
     path = run.file("report.html")
     write_bytes(path, _page(run).encode())
+    note(run, path)
     return path
 
 

@@ -6,9 +6,10 @@
     write_explanation(run, explain(text, understood)); write_program(run, ...); write_drawing(run, ...)
     write_block(run, block)                     # for each block, as it is done
     rows = read_scenes(run)                     # to select from
-    finish(run, selected={"…/scene-017": False})
+    finish(run, selected={"…/scene-017": False}, expected=[("…", 0, 0)])
 
-    run = open_run(folder); done = resume(run)              # after a kill
+    with alone(folder):                                     # after a kill
+        run = open_run(folder); done = resume(run)
     episode = read_episode(run, "…/scene-017")              # exactly as simulated
 
 `docs/run-folder.md` lists the files and their columns.
@@ -17,6 +18,7 @@
 from __future__ import annotations
 
 from chatscene.runs.blocks import (
+    damaged_parts,
     done_blocks,
     drop_blocks,
     finish,
@@ -30,16 +32,18 @@ from chatscene.runs.blocks import (
     resume,
     write_block,
 )
-from chatscene.runs.explanation import explain
+from chatscene.runs.checking import Condition, check
+from chatscene.runs.exclusive import alone
+from chatscene.runs.explanation import Choice, explain, read_choice, read_explanation
 from chatscene.runs.folder import (
     Run,
+    changed_versions,
     create,
+    note,
     open_run,
     read_drawing,
-    read_explanation,
     read_programs,
     read_record,
-    read_tried,
     run_folders,
     update,
     write_drawing,
@@ -51,20 +55,28 @@ from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, r
 
 __all__ = [
     "SCHEMA_VERSION",
+    "Choice",
+    "Condition",
     "Run",
     "RunRecord",
     "SourceRecord",
     "Status",
+    "alone",
+    "changed_versions",
+    "check",
     "create",
     "criticality_of",
+    "damaged_parts",
     "done_blocks",
     "drop_blocks",
     "explain",
     "finish",
     "measurements_of",
     "metrics_of",
+    "note",
     "open_run",
     "read_adversaries",
+    "read_choice",
     "read_drawing",
     "read_episode",
     "read_episodes",
@@ -75,7 +87,6 @@ __all__ = [
     "read_record",
     "read_scenes",
     "read_signals",
-    "read_tried",
     "resume",
     "route_index",
     "run_folders",

@@ -29,6 +29,8 @@ _REMEDIES = {
 @contextmanager
 def writing(path: Path) -> Generator[None]:
     """Turn an `OSError` raised inside into a `RunError` that names `path` and says what to do."""
+    if "\0" in str(path):
+        raise RunError(f"cannot write {str(path)!r}: no path may hold a NUL character; choose another with --out")
     try:
         yield
     except OSError as error:

@@ -7,7 +7,7 @@ not at all, so that a kill at any moment loses at most the block in progress.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from itertools import groupby
 from pathlib import Path
@@ -16,9 +16,11 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from chatscene.errors import RunError
-from chatscene.runs.atomic import read_json, sweep, write_json, writing
+from chatscene.runs.atomic import read_json, sweep, writing
+from chatscene.runs.digests import DRAWN, KEPT, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.folder import Run, read_record, update
 from chatscene.runs.record import (
+    DIGESTS_SINCE,
     EventRow,
     Part,
     RangeRow,
@@ -35,6 +37,7 @@ from chatscene.runs.tables import (
     events_table,
     ranges_table,
     read_table,
+    route_id,
     route_index,
     scenes_table,
     signals_table,
@@ -64,11 +67,11 @@ def write_block(run: Run, block: Block) -> None:
         RunError: The file system refuses; the block then counts as not done.
     """
     where = (block.scenario_id, block.route, block.number)
-    write_table(run.episodes(*where), episodes_table([ran.episode for ran in block.ran]))
-    write_json(run.part(*where), _part(block).model_dump())
+    tracks = write_table(run.episodes(*where), episodes_table([ran.episode for ran in block.ran]))
+    write_sealed(run.part(*where), _part(block, tracks).model_dump(exclude={"digest"}))
 
 
-def _part(block: Block) -> Part:
+def _part(block: Block, tracks: str) -> Part:
     return Part(
         scenario_id=block.scenario_id,
         route=block.route,
@@ -77,6 +80,7 @@ def _part(block: Block) -> Part:
         scenes=[*(_ran_row(ran) for ran in block.ran), *(_rejected_row(r) for r in block.rejected)],
         events=[row for ran in block.ran for row in _event_rows(ran.episode)],
         signals=[row for ran in block.ran for row in _signal_rows(ran.episode)],
+        tracks=tracks,
     )
 
 
@@ -152,43 +156,60 @@ def _signal_rows(episode: Episode) -> list[SignalRow]:
 
 
 def read_parts(run: Run) -> list[Part]:
-    """The blocks that are done, by scenario, route and block; none once the run is finished.
-
-    Raises:
-        RunError: A part was changed or damaged after it was written.
-    """
-    parts = [_read_part(path) for path in sorted(run.file("parts").glob("*.json"))]
-    done = [part for part in parts if run.episodes(part.scenario_id, part.route, part.block).is_file()]
-    return sorted(done, key=lambda part: (part.scenario_id, part.route, part.block))
+    """The blocks that are done and whole, by scenario, route and block; none once the run is finished."""
+    parts = [part for _, part in _parts(run) if isinstance(part, Part)]
+    return sorted(parts, key=lambda part: (part.scenario_id, part.route, part.block))
 
 
-def _read_part(path: Path) -> Part:
-    try:
-        return Part.model_validate(read_json(path))
-    except ValidationError as error:
-        raise RunError(
-            f"{path} is not a finished block: {first_problem(error)}; delete it to run the block again"
-        ) from error
+def damaged_parts(run: Run) -> dict[Path, str]:
+    """The parts that do not count, of an unfinished run, and why: they or their tracks are not as they were written."""
+    return {path: part for path, part in _parts(run) if isinstance(part, str)}
 
 
-def resume(run: Run) -> dict[tuple[str, int], list[list[Outcome]]]:
+def _parts(run: Run) -> Iterator[tuple[Path, Part | str]]:
+    sealed = read_record(run).schema_version >= DIGESTS_SINCE
+    for path in sorted(run.file("parts").glob("*.json")):
+        try:
+            part = Part.model_validate(read_json(path))
+        except (RunError, ValidationError) as error:
+            yield path, str(error) if isinstance(error, RunError) else f"{path} is no block: {first_problem(error)}"
+            continue
+        tracks = run.episodes(part.scenario_id, part.route, part.block)
+        if sealed and not is_sealed(path, part.digest):
+            yield path, f"{path} was changed or damaged after it was written"
+        elif not tracks.is_file():
+            yield path, f"{tracks} is missing"
+        elif sealed and digest_of(tracks) != part.tracks:
+            yield path, f"{tracks} was changed or damaged after it was written"
+        else:
+            yield path, part
+
+
+def resume(run: Run, *, told: Callable[[str], None] = lambda _: None) -> dict[tuple[str, int], list[list[Outcome]]]:
     """Make an unfinished run ready to go on, and say what is done.
 
-    Half-written files of killed processes are removed and the status is ``running`` again. If every block is
-    done and folded, the status is ``done`` again, even if what came after failed, and the answer is empty: ask
-    `read_record` for the status next.
+    Half-written files of killed processes are removed, so are blocks that were damaged since, and the status is
+    ``running`` again. If every block is done and folded, the status is ``done`` again, even if what came after failed,
+    and the answer is empty: ask `read_record` for the status next.
+
+    Args:
+        run: Which run.
+        told: Told of each block that has to be run again, and why.
 
     Returns:
         By scenario and route: for each block done, from block 0 without a gap, what came of its scenes, in order;
         what `chatscene.search.explore.explore` takes as ``done``.
     """
     sweep(run.path)
-    if read_record(run).status is Status.DONE:
+    record = read_record(run)
+    if record.status is Status.DONE or _folded(run, record):
         _drop_parts(run)
-    if _folded(run):
         update(run, status=Status.DONE)
         return {}
     update(run, status=Status.RUNNING)
+    for path, reason in damaged_parts(run).items():
+        told(f"{reason}; its block is run again")
+        path.unlink()
     groups = groupby(read_parts(run), key=lambda part: (part.scenario_id, part.route))
     return {job: [_outcomes(p) for n, p in enumerate(parts) if p.block == n] for job, parts in groups}
 
@@ -211,6 +232,7 @@ def finish(
     run: Run,
     *,
     selected: Mapping[str, bool],
+    expected: Iterable[tuple[str, int, int]],
     timings: Mapping[str, float] | None = None,
 ) -> RunRecord:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
@@ -218,25 +240,42 @@ def finish(
     Args:
         run: Which run.
         selected: The scenes kept, by id; True for a fill-in, which was kept although nothing collided.
+        expected: Scenario, route and number of every block that there has to be.
         timings: Seconds by phase, added to those in `run.json`.
 
     Raises:
-        RunError: The file system refuses; the blocks are still there then.
+        RunError: A block is missing, or the file system refuses; the blocks are still there then.
     """
     record = read_record(run)
-    if record.status is not Status.DONE and not _folded(run):
+    if record.status is not Status.DONE and not _folded(run, record):
         parts = read_parts(run)
+        _require(run, parts, list(expected))
         for name, fold in _TABLES.items():
             write_table(run.file(name), fold(parts))
         scenes = scenes_table(parts, selected)
         write_table(run.file("scenes.parquet"), scenes)
-        record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings)
+        files = digests(run.path, (*KEPT, *DRAWN))
+        record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings, files=files)
     _drop_parts(run)
     return record
 
 
-def _folded(run: Run) -> bool:
-    """Whether the tables are all there is: `finish` removes the parts as its last act."""
+def _require(run: Run, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:
+    there = {(part.scenario_id, part.route, part.block) for part in parts}
+    missing = [place for place in expected if place not in there]
+    if missing:
+        scenario_id, route, block = missing[0]
+        raise RunError(
+            f"{run.path} lacks {len(missing)} of its {len(expected)} blocks, the first of them block {block} of "
+            f"{scenario_id}/{route_id(route)}: files were removed or damaged while the run went on; run what is "
+            f"missing with: chatscene resume {run.path}"
+        )
+
+
+def _folded(run: Run, record: RunRecord) -> bool:
+    """Whether the tables are all there is, whatever became of the run afterwards."""
+    if record.schema_version >= DIGESTS_SINCE:
+        return bool(record.files)
     return run.file("scenes.parquet").is_file() and not run.file("parts").exists()
 
 
@@ -284,7 +323,8 @@ def read_ranges(run: Run) -> list[dict[str, Any]]:
 
 
 def _rows(run: Run, name: str, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
-    done = read_record(run).status is Status.DONE or _folded(run)
+    record = read_record(run)
+    done = record.status is Status.DONE or _folded(run, record)
     table: Table = read_table(run.file(name)) if done else fold(read_parts(run))
     return table.to_pylist()
 

@@ -1,11 +1,21 @@
-"""What was understood and why, as plain JSON: the content of `explanation.json`."""
+"""What was understood and why, as plain JSON: the content of `explanation.json`, and what a program is made of again.
+
+What is read back is data: it is checked against its types, and none of it is ever executed.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from typing import Any
 
-from chatscene.terms.scenario import Component, Scenario
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
+
+from chatscene.errors import RunError
+from chatscene.runs.atomic import read_json
+from chatscene.runs.folder import Run
+from chatscene.runs.record import first_problem
+from chatscene.terms.scenario import AdversaryKind, BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval
 
 
@@ -60,3 +70,112 @@ def _match(match: Match) -> dict[str, Any]:
 def _plain(value: object) -> object:
     """A slot as JSON: enumerations are text already, tuples become lists."""
     return [str(item) for item in value] if isinstance(value, tuple) else value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """Which snippets were joined.
+
+    Attributes:
+        snippet_ids: Behavior, geometry, spawn.
+        adversary: The kind of adversary.
+    """
+
+    snippet_ids: tuple[str, str, str]
+    adversary: AdversaryKind
+
+
+class _Told(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="ignore", hide_input_in_errors=True)
+
+
+class _Candidate(_Told):
+    snippet_id: str
+    description: str
+    similarity: float
+    conflicts: list[str] = []
+
+
+class _RuledOut(_Told):
+    snippet_id: str
+    reason: str
+
+
+class _Tried(_Told):
+    snippet_ids: list[str]
+    reason: str
+
+
+class _Explained(_Told):
+    """One scenario of `explanation.json`; what comes with a retrieval is absent where none was reached."""
+
+    scenario_id: str
+    text: str
+    base: BaseScenario | None
+    parts: SubDescriptions
+    slots: Slots
+    notes: list[str]
+    confidence: float | None = None
+    adversary: AdversaryKind | None = None
+    chosen: dict[Component, str] = {}
+    candidates: dict[Component, list[_Candidate]] = {}
+    ruled_out: list[_RuledOut] = []
+    tried: list[_Tried] = []
+
+    @field_validator("slots", mode="before")
+    @classmethod
+    def _known(cls, value: Any) -> Any:
+        known = {field.name for field in fields(Slots)}
+        if isinstance(value, dict) and (unknown := [str(name) for name in value if name not in known]):
+            raise ValueError(f"there is no slot {', '.join(unknown)}")
+        return value
+
+
+class _Explanation(_Told):
+    text: str
+    scenarios: list[_Explained] = Field(min_length=1)
+
+
+def read_explanation(run: Run) -> dict[str, Any]:
+    """What was understood and why; empty if the run did not come that far.
+
+    Raises:
+        RunError: It was changed or damaged.
+    """
+    path = run.file("explanation.json")
+    if not path.is_file():
+        return {}
+    content = read_json(path)
+    _checked(run, content)
+    return content
+
+
+def read_choice(run: Run) -> tuple[Scenario, Choice | None]:
+    """The scenario of a run as it was understood, and the snippets that were joined; None where none were retrieved.
+
+    Raises:
+        RunError: The run did not come that far, or its explanation was changed or damaged.
+    """
+    content = read_explanation(run)
+    if not content:
+        raise RunError(f"{run.path} has no explanation.json: nothing was made of the text yet, or the file was removed")
+    told = _checked(run, content).scenarios[0]
+    scenario = Scenario(
+        id=told.scenario_id, text=told.text, base=told.base, parts=told.parts, slots=told.slots, notes=(*told.notes,)
+    )
+    if not told.chosen:
+        return scenario, None
+    behavior, geometry, spawn = (told.chosen.get(component) for component in Component)
+    if behavior is None or geometry is None or spawn is None or told.adversary is None:
+        raise RunError(f"{run.file('explanation.json')} does not say what was chosen for each part; it was changed")
+    return scenario, Choice(snippet_ids=(behavior, geometry, spawn), adversary=told.adversary)
+
+
+def _checked(run: Run, content: Any) -> _Explanation:
+    try:
+        return _Explanation.model_validate(content)
+    except ValidationError as error:
+        raise RunError(
+            f"{run.file('explanation.json')} is no explanation of a run: {first_problem(error)}; "
+            "it was changed or damaged after it was written"
+        ) from error

@@ -14,9 +14,17 @@ from pydantic import ValidationError
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import TEMPORARY, read_json, sweep, write_bytes, write_json, writing
-from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, first_problem, settings_to_json
+from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
+from chatscene.runs.record import (
+    DIGESTS_SINCE,
+    SCHEMA_VERSION,
+    RunRecord,
+    SourceRecord,
+    Status,
+    first_problem,
+    settings_to_json,
+)
 from chatscene.settings import Settings
-from chatscene.terms.snippet import Tried
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,14 +116,38 @@ def _occupied(run: Run) -> str:
 
 
 def open_run(folder: Path) -> Run:
-    """Open a run that is there, and check that this version can read it.
+    """Open a run that is there, and check that this version can read it and that it is whole.
 
     Raises:
-        RunError: There is no run in the folder, its `run.json` is broken, or a newer version wrote it.
+        RunError: There is no run in the folder, its `run.json` is broken, a newer version wrote it, or a file was
+            changed, damaged or removed after it was written.
     """
     run = Run(folder)
-    read_record(run)
+    record = read_record(run)
+    if not is_as_written(run, record):
+        raise RunError(f"{run.file('run.json')} was changed or damaged after it was written; {_REMEDY}")
+    wrong = list(damage(folder, {name: told for name, told in record.files.items() if not is_drawn(name)}))
+    if wrong:
+        name, how = wrong[0]
+        others = f" (the first of {len(wrong)}; chatscene check {folder} names them)" if wrong[1:] else ""
+        raise RunError(f"{run.file(name)} is {how}{others}; {_REMEDY}")
     return run
+
+
+_REMEDY = "put back what was there, or run it again into another folder"
+
+
+def is_as_written(run: Run, record: RunRecord) -> bool:
+    """Whether `run.json` is, to the byte, as it was written; of a run of an older version, nobody can tell."""
+    return record.schema_version < DIGESTS_SINCE or is_sealed(run.file("run.json"), record.digest)
+
+
+def note(run: Run, *drawn: Path) -> None:
+    """Keep the digests of files that were drawn from a finished run; of an unfinished one, none are kept."""
+    record = read_record(run)
+    if record.files:
+        added = {path.relative_to(run.path).as_posix(): digest_of(path) for path in drawn}
+        _write_record(run, record.model_copy(update={"files": dict(sorted((record.files | added).items()))}))
 
 
 def read_record(run: Run) -> RunRecord:
@@ -151,6 +183,7 @@ def update(
     counts: Mapping[str, int] | None = None,
     timings: Mapping[str, float] | None = None,
     failures: Mapping[str, str] | None = None,
+    files: Mapping[str, str] | None = None,
 ) -> RunRecord:
     """Rewrite `run.json` in one step.
 
@@ -161,6 +194,7 @@ def update(
         counts: New counts; None leaves them.
         timings: Added to those that stand there, key by key, so that a resumed run keeps its first part.
         failures: Why egos were given up; None leaves them.
+        files: The digest of every file, now that the run is finished; None leaves them.
     """
     record = read_record(run)
     changes: dict[str, Any] = {}
@@ -172,6 +206,8 @@ def update(
         changes["timings"] = _added(record.timings, timings)
     if failures is not None:
         changes["failures"] = dict(failures)
+    if files is not None:
+        changes |= {"files": dict(files), "schema_version": SCHEMA_VERSION}
     changed = record.model_copy(update=changes)
     _write_record(run, changed)
     return changed
@@ -182,7 +218,7 @@ def _added(before: Mapping[str, float], more: Mapping[str, float]) -> dict[str, 
 
 
 def _write_record(run: Run, record: RunRecord) -> None:
-    write_json(run.file("run.json"), record.model_dump(mode="json"))
+    write_sealed(run.file("run.json"), record.model_dump(mode="json", exclude={"digest"}))
 
 
 def write_program(run: Run, scenario_id: str, source: str) -> Path:
@@ -193,20 +229,29 @@ def write_program(run: Run, scenario_id: str, source: str) -> Path:
 
 
 def read_programs(run: Run) -> dict[str, str]:
-    """The kept programs by scenario, sorted."""
+    """The kept programs by scenario, sorted.
+
+    Raises:
+        RunError: One cannot be read, or is no text.
+    """
     paths = sorted(run.file("programs").glob("*.scenic"))
-    return {unquote(path.stem): path.read_text(encoding="utf-8") for path in paths}
+    return {unquote(path.stem): _read_program(path) for path in paths}
+
+
+def _read_program(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise RunError(f"cannot read {path}: {error.strerror or error}") from error
+    except UnicodeDecodeError as error:
+        raise RunError(
+            f"{path} is no text in UTF-8 ({error.reason} at byte {error.start}); it was changed after it was written"
+        ) from error
 
 
 def write_explanation(run: Run, explanation: Mapping[str, Any]) -> None:
     """Keep what was understood and why; `chatscene.runs.explanation.explain` makes it."""
     write_json(run.file("explanation.json"), explanation)
-
-
-def read_explanation(run: Run) -> dict[str, Any]:
-    """What was understood and why; empty if the run did not come that far."""
-    path = run.file("explanation.json")
-    return read_json(path) if path.is_file() else {}
 
 
 def run_folders(sources: Sequence[Path]) -> list[Path]:
@@ -227,16 +272,6 @@ def run_folders(sources: Sequence[Path]) -> list[Path]:
     return list(dict.fromkeys(path.resolve() for path in folders))
 
 
-def read_tried(run: Run) -> tuple[Tried, ...]:
-    """The choices that were tried before the kept program was."""
-    scenarios = read_explanation(run).get("scenarios", [])
-    return tuple(
-        Tried(snippet_ids=tuple(one["snippet_ids"]), reason=one["reason"])
-        for scenario in scenarios
-        for one in scenario.get("tried", ())
-    )
-
-
 def write_drawing(run: Run, drawing: Mapping[str, Any]) -> None:
     """Keep the drawing of the map as `map.json`; `docs/run-folder.md` has its shape. Metres, map frame."""
     write_json(run.file("map.json"), drawing)
@@ -249,9 +284,18 @@ def read_drawing(run: Run) -> dict[str, Any]:
 
 
 def _versions() -> dict[str, str]:
-    return {"python": platform.python_version()} | {
-        package: _version(package) for package in ("chatscene", "scenic", "numpy")
+    return {
+        "python": platform.python_version(),
+        **{package: _version(package) for package in ("chatscene", "scenic", "numpy", "shapely")},
+        "platform": " ".join([platform.system(), platform.machine(), *platform.libc_ver()]).strip(),
     }
+
+
+def changed_versions(record: RunRecord) -> dict[str, tuple[str, str]]:
+    """What a run was made with and this process has otherwise: by name, the version then and now."""
+    now = _versions()
+    then = {name: version for name, version in record.versions.items() if name in now}
+    return {name: (version, now[name]) for name, version in then.items() if version != now[name]}
 
 
 def _version(package: str) -> str:

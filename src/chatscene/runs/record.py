@@ -11,7 +11,8 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
+DIGESTS_SINCE = 2  # version of a folder that keeps a digest of every file, of `run.json` and of each part
 
 
 class Status(StrEnum):
@@ -61,10 +62,12 @@ class RunRecord(_Frozen):
         failures: Of an evaluation: why an ego was given up, by ego.
         given: Settings the user gave, by name; the rest are defaults.
         settings: All settings, resolved, as `Settings` nests them.
-        versions: Of chatscene, Python, Scenic and numpy.
+        versions: Of what the numbers depend on.
         seed: What everything random derives from.
         counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
         timings: Seconds by phase, and whatever else differs between two equal runs (such as ``jobs``).
+        files: SHA-256 of every other file, by its path in the folder; empty until the run is finished.
+        digest: SHA-256 of `run.json` itself, while this one is empty.
     """
 
     schema_version: int
@@ -83,6 +86,8 @@ class RunRecord(_Frozen):
     seed: int
     counts: dict[str, int] = {}
     timings: dict[str, float] = {}
+    files: dict[str, str] = {}
+    digest: str = ""
 
 
 class RangeRow(_Frozen):
@@ -154,6 +159,8 @@ class Part(_Frozen):
         scenes: Driven ones in order, then rejected ones in order.
         events: By scene, then by step.
         signals: By scene.
+        tracks: SHA-256 of the file with its tracks.
+        digest: SHA-256 of the part itself, while this one is empty.
     """
 
     scenario_id: str
@@ -163,6 +170,8 @@ class Part(_Frozen):
     scenes: list[SceneRow]
     events: list[EventRow]
     signals: list[SignalRow]
+    tracks: str = ""
+    digest: str = ""
 
 
 def settings_to_json(settings: Settings) -> dict[str, dict[str, Any]]:

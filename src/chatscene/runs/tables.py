@@ -5,6 +5,7 @@ The same rows give the same bytes: fixed compression, no pandas metadata, nothin
 
 from __future__ import annotations
 
+import hashlib
 import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
@@ -126,11 +127,20 @@ _FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.name
 }
 
 
-def write_table(path: Path, table: Table) -> None:
-    """Write a Parquet file, whole or not at all."""
+def write_table(path: Path, table: Table) -> str:
+    """Write a Parquet file, whole or not at all; the SHA-256 of what was written."""
     sink = io.BytesIO()
-    pq.write_table(table, sink, compression="zstd", compression_level=3, version="2.6", row_group_size=1 << 20)
+    pq.write_table(
+        table,
+        sink,
+        compression="zstd",
+        compression_level=3,
+        version="2.6",
+        row_group_size=1 << 20,
+        write_page_checksum=True,
+    )
     write_bytes(path, sink.getvalue())
+    return hashlib.sha256(sink.getvalue()).hexdigest()
 
 
 def read_table(path: Path, **filters: str) -> Table:
@@ -141,7 +151,9 @@ def read_table(path: Path, **filters: str) -> Table:
     """
     chosen = [(name, "==", value) for name, value in filters.items()] or None
     try:
-        return pq.read_table(path, filters=chosen)
+        # No partitioning: the file has all columns, and a folder named `seed=1` is only a name.
+        options: dict[str, Any] = {"partitioning": None, "page_checksum_verification": True}
+        return pq.read_table(path, filters=chosen, **options)
     except (OSError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was damaged") from error
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
@@ -15,13 +15,13 @@ from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
 from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.backend import Backend, load_backend
-from chatscene.snippets.bind import bound
+from chatscene.snippets.bind import bound, narrowed
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scenario import AdversaryKind, BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -49,6 +49,30 @@ class Retrieved:
         program = assemble(scenario, triple, retrieval.adversary)
         retrieval = replace(retrieval, notes=notes)
         return Written(program=program, retrieval=retrieval)
+
+    def join(
+        self,
+        scenario: Scenario,
+        snippet_ids: tuple[str, str, str],
+        adversary: AdversaryKind,
+        ranges: Mapping[str, tuple[float, float]],
+        settings: RetrievalSettings,
+    ) -> ScenicProgram:
+        """Step 4 alone, for a choice that was made before: the sentence is not read, and nothing is retrieved.
+
+        Args:
+            scenario: What was understood then.
+            snippet_ids: Behavior, geometry, spawn.
+            adversary: The kind of adversary.
+            ranges: What each parameter was bound to, by name.
+            settings: Which library.
+
+        Raises:
+            SnippetError: The library has no such snippet, or one that cannot be bound so.
+        """
+        library = library_with(settings.library)
+        behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in snippet_ids)
+        return assemble(scenario, narrowed((behavior, geometry, spawn), ranges), adversary)
 
     def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
         """In this process: the snippets are reviewed."""

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from chatscene.errors import NothingFits
+from chatscene.errors import NothingFits, SnippetError
 from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
 
+DECIMALS, ROUNDING = 3, 1e-3  # of a narrowed range, and how far that may step over a declared one
 SHARE = 0.1  # of a quantity, to either side: what a person means by a number
 SLACK = 0.25  # a quantity this share beyond what a snippet can do is done as nearly as it can
 
@@ -67,6 +68,25 @@ def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float,
     return None
 
 
+def narrowed(triple: Triple, ranges: Mapping[str, tuple[float, float]]) -> Triple:
+    """A triple with the ranges that `bound` gave it once, by parameter; nothing is read for it.
+
+    Raises:
+        SnippetError: A range lies outside of what its snippet can do.
+    """
+    parts = list(triple)
+    for i, part in enumerate(triple):
+        for parameter in part.parameters:
+            low, high = ranges.get(parameter.name, (parameter.low, parameter.high))
+            if not parameter.low - ROUNDING <= low <= high <= parameter.high + ROUNDING:
+                raise SnippetError(
+                    f"{parameter.name} of {part.id} lies between {parameter.low:g} and {parameter.high:g}, "
+                    f"not {low:g} and {high:g}"
+                )
+            parts[i] = _set(parts[i], parameter, low, high)
+    return parts[0], parts[1], parts[2]
+
+
 def _begun(part: Snippet, distance: Distance) -> Snippet:
     """A snippet whose adversary starts near or far, if it can be told so."""
     start = _start(part, distance)
@@ -103,10 +123,12 @@ def _narrowed(part: Snippet, parameter: ParameterRange, quantity: Quantity) -> S
 
 def _set(part: Snippet, parameter: ParameterRange, low: float, high: float) -> Snippet:
     """A snippet with a narrower range, in code and header alike."""
-    narrowed = replace(parameter, low=round(low, 3), high=round(high, 3))
+    if (low, high) == (parameter.low, parameter.high):
+        return part
+    told = replace(parameter, low=round(low, DECIMALS), high=round(high, DECIMALS))
     line = re.compile(rf"^(param {parameter.name} = Range)\([^)]*\)", re.MULTILINE)
     return replace(
         part,
-        parameters=tuple(narrowed if p is parameter else p for p in part.parameters),
-        source=line.sub(rf"\1({narrowed.low:g}, {narrowed.high:g})", part.source),
+        parameters=tuple(told if p is parameter else p for p in part.parameters),
+        source=line.sub(rf"\1({told.low:g}, {told.high:g})", part.source),
     )

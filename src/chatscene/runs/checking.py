@@ -1,0 +1,100 @@
+"""Whether a run folder is as it was left: which files are damaged, missing, or were added."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.errors import RunError
+from chatscene.runs.blocks import damaged_parts
+from chatscene.runs.digests import damage, is_drawn
+from chatscene.runs.folder import Run, is_as_written, read_record
+from chatscene.runs.record import DIGESTS_SINCE, RunRecord
+
+RECORD = "run.json"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Condition:
+    """What became of a run folder since it was written.
+
+    Attributes:
+        folder: Which.
+        damaged: What is wrong, by the path of the file in the folder.
+        missing: Files that were there.
+        added: Files that nobody wrote who worked on the run; they change nothing.
+        unknown: Why nothing can be said of it, or of its blocks; empty if all of it was checked.
+    """
+
+    folder: Path
+    damaged: Mapping[str, str]
+    missing: tuple[str, ...] = ()
+    added: tuple[str, ...] = ()
+    unknown: str = ""
+
+    @property
+    def whole(self) -> bool:
+        """Whether everything that was written is there and unchanged."""
+        return not (self.damaged or self.missing or self.unknown)
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "folder": str(self.folder),
+            "whole": self.whole,
+            "damaged": dict(self.damaged),
+            "missing": list(self.missing),
+            "added": list(self.added),
+            "unknown": self.unknown,
+        }
+
+    def in_words(self) -> str:
+        """A line for each file that is not as it was left, and one for the folder."""
+        lines = [f"damaged  {name}: {reason}" for name, reason in self.damaged.items()]
+        lines += [f"missing  {name}{_REMADE if is_drawn(name) else ''}" for name in self.missing]
+        lines += [f"added    {name}" for name in self.added]
+        verdict = "whole" if self.whole else self.unknown or "not as it was written"
+        return "\n".join([*lines, f"{self.folder}: {verdict}"])
+
+
+_CHANGED = "it is not what was written"
+_REMADE = "; chatscene resume makes it again"
+
+
+def check(folder: Path) -> Condition:
+    """Compare every file of a run folder with what is known of it.
+
+    Of a finished run that is a digest of each file; of an unfinished one, what its finished blocks say of themselves.
+
+    Raises:
+        RunError: There is no run in the folder, or a newer version wrote it.
+    """
+    run = Run(folder)
+    try:
+        record = read_record(run)
+    except RunError as error:
+        if not run.file(RECORD).is_file():
+            raise
+        return Condition(folder=folder, damaged={RECORD: str(error)}, unknown="its record cannot be read")
+    if record.schema_version < DIGESTS_SINCE:
+        unknown = "an older version of chatscene made it and kept no digests, so changes cannot be seen"
+        return Condition(folder=folder, damaged={}, unknown=unknown)
+    damaged = {} if is_as_written(run, record) else {RECORD: _CHANGED}
+    if not record.files:
+        damaged |= {path.relative_to(folder).as_posix(): reason for path, reason in damaged_parts(run).items()}
+        return Condition(folder=folder, damaged=damaged)
+    wrong = dict(damage(folder, record.files))
+    damaged |= {name: _CHANGED + (_REMADE if is_drawn(name) else "") for name, how in wrong.items() if how == "damaged"}
+    return Condition(
+        folder=folder,
+        damaged=damaged,
+        missing=tuple(name for name, how in wrong.items() if how == "missing"),
+        added=_added(folder, record),
+    )
+
+
+def _added(folder: Path, record: RunRecord) -> tuple[str, ...]:
+    names = (path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*")) if path.is_file())
+    return tuple(name for name in names if name != RECORD and name not in record.files)

@@ -1,0 +1,449 @@
+"""Nothing that a run wrote changes in silence: what is damaged, missing or added has a name, and is not used."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pyarrow.parquet as pq
+import pytest
+from click.testing import CliRunner, Result
+
+from chatscene import pipeline
+from chatscene.cli import main
+from chatscene.errors import ChatSceneError, RunError, SettingsError
+from chatscene.evaluation import evaluate
+from chatscene.finetune.scenes import kept_scenes
+from chatscene.report.animation import write_gif
+from chatscene.report.viewer import write_report
+from chatscene.runs import (
+    Run,
+    Status,
+    alone,
+    check,
+    create,
+    damaged_parts,
+    finish,
+    note,
+    open_run,
+    read_choice,
+    read_episode,
+    read_explanation,
+    read_programs,
+    read_ranges,
+    read_record,
+    read_scenes,
+    resume,
+    settings_of,
+    write_block,
+)
+from chatscene.runs.digests import write_sealed
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started
+
+
+def command(*arguments: str) -> Result:
+    return CliRunner().invoke(main, arguments)
+
+
+def _flip(path: Path, bit: int) -> None:
+    content = bytearray(path.read_bytes())
+    content[bit // 8] ^= 1 << bit % 8
+    path.write_bytes(content)
+
+
+def _files(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.is_file())
+
+
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished run with everything that is drawn from it."""
+    run = finished(tmp_path_factory.mktemp("damage") / "run", count=2)
+    write_report(run.path)
+    write_gif(run.path)
+    return run.path
+
+
+@pytest.fixture
+def folder(drawn: Path, tmp_path: Path) -> Path:
+    return shutil.copytree(drawn, tmp_path / "run")
+
+
+# Names of folders
+
+
+@pytest.mark.parametrize("name", ["seed=1", "ego=x", "lr=0.1", "scene_id=nobody"])
+def test_a_folder_named_like_a_partition_changes_no_column(drawn: Path, tmp_path: Path, name: str) -> None:
+    run = Run(shutil.copytree(drawn, tmp_path / name / "run"))
+    plain = Run(drawn)
+    assert read_scenes(run) == read_scenes(plain)
+    assert read_ranges(run) == read_ranges(plain)
+    driven = next(row["scene_id"] for row in read_scenes(run) if row["status"] == "ran")
+    assert read_episode(run, driven).ego == read_episode(plain, driven).ego
+
+
+# Digests
+
+
+def test_a_finished_folder_is_whole_and_so_it_is_after_its_report_is_drawn_again(folder: Path) -> None:
+    assert check(folder).whole
+    assert not check(folder).added
+    folder.joinpath("report.html").write_text("something else")
+    assert "report.html" in check(folder).damaged
+    write_report(folder)
+    assert check(folder).whole
+
+
+def test_every_flipped_bit_of_every_file_is_found(folder: Path) -> None:
+    chance = random.Random(5)
+    for path in _files(folder):
+        name, size = path.relative_to(folder).as_posix(), 8 * path.stat().st_size
+        for bit in {0, size - 1, *(chance.randrange(size) for _ in range(12))}:
+            _flip(path, bit)
+            assert name in check(folder).damaged, (name, bit)
+            _flip(path, bit)
+    assert check(folder).whole
+
+
+def test_every_bit_of_the_record_is_guarded(folder: Path) -> None:
+    path = folder / "run.json"
+    for bit in range(0, 8 * path.stat().st_size, 41):
+        _flip(path, bit)
+        assert "run.json" in check(folder).damaged, bit
+        _flip(path, bit)
+
+
+def test_a_flipped_bit_in_a_page_is_noticed_even_where_no_digest_is_kept(folder: Path) -> None:
+    run = Run(folder)
+    as_by_an_older_version(run)
+    path = folder / "ranges.parquet"
+    column = pq.ParquetFile(path).metadata.row_group(0).column(RANGES_LOW)
+    start = column.dictionary_page_offset or column.data_page_offset
+    _flip(path, 8 * (start + column.total_compressed_size - 2))
+    with pytest.raises(RunError, match=r"ranges\.parquet.*damaged"):
+        read_ranges(run)
+
+
+RANGES_LOW = 4  # column `low`
+
+
+def test_missing_and_added_files_are_named(folder: Path) -> None:
+    folder.joinpath("events.parquet").unlink()
+    folder.joinpath("notes.txt").write_text("my own")
+    condition = check(folder)
+    assert condition.missing == ("events.parquet",)
+    assert condition.added == ("notes.txt",)
+    assert not condition.whole
+
+
+def test_an_added_file_is_no_damage(folder: Path) -> None:
+    folder.joinpath("notes.txt").write_text("my own")
+    assert check(folder).whole
+    assert open_run(folder)
+
+
+def test_the_command_says_what_is_wrong_to_people_and_to_scripts(folder: Path) -> None:
+    well = command("check", str(folder))
+    assert (well.exit_code, well.output) == (0, f"{folder}: whole\n")
+    _flip(folder / "map.json", 80)
+    ill = command("check", str(folder))
+    assert ill.exit_code == 1
+    assert "damaged  map.json" in ill.output
+    answer = command("check", str(folder), "--json")
+    (told,) = json.loads(answer.output)
+    assert answer.exit_code == 1
+    assert (told["whole"], list(told["damaged"]), told["missing"], told["added"]) == (False, ["map.json"], [], [])
+
+
+def test_of_a_folder_of_an_older_version_nobody_can_tell(folder: Path) -> None:
+    as_by_an_older_version(Run(folder))
+    answer = command("check", str(folder))
+    assert answer.exit_code == 1
+    assert "older version" in answer.output
+    assert open_run(folder)
+
+
+def test_a_folder_without_a_run_cannot_be_checked(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="not a run folder"):
+        check(tmp_path)
+
+
+def test_a_newer_run_is_not_called_damaged(folder: Path) -> None:
+    path = folder / "run.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | {"schema_version": 99}))
+    assert "newer chatscene" in check(folder).damaged["run.json"]
+
+
+USES: dict[str, Callable[[Path, Path], object]] = {
+    "resume": lambda folder, _: pipeline.resume(folder),
+    "replay": lambda folder, _: pipeline.replay(folder, "any"),
+    "report": lambda folder, _: write_report(folder),
+    "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=lambda *_: None),
+    "finetune": lambda folder, _: kept_scenes([folder]),
+}
+
+
+@pytest.mark.parametrize("use", USES)
+@pytest.mark.parametrize("name", ["scenes.parquet", "run.json"])
+def test_no_command_uses_a_damaged_folder(folder: Path, tmp_path: Path, use: str, name: str) -> None:
+    path = folder / name
+    if name == "run.json":  # still a record, of another seed
+        path.write_text(path.read_text().replace('"seed": 7', '"seed": 8'))
+    else:
+        _flip(path, 4000)
+    with pytest.raises(RunError, match=rf"{name} (is|was changed or) damaged"):
+        USES[use](folder, tmp_path / "out")
+
+
+def test_a_damaged_drawing_keeps_no_run_from_being_used(folder: Path) -> None:
+    _flip(folder / "report.html", 400)
+    assert open_run(folder)
+    assert "chatscene resume" in check(folder).damaged["report.html"]
+    pipeline.resume(folder)
+    assert check(folder).whole
+
+
+def test_several_damaged_files_are_counted_and_the_first_is_named(folder: Path) -> None:
+    folder.joinpath("events.parquet").unlink()
+    folder.joinpath("map.json").unlink()
+    with pytest.raises(RunError, match=r"is missing \(the first of 2; chatscene check"):
+        open_run(folder)
+
+
+def test_tables_of_an_evaluation_are_under_the_digests(folder: Path) -> None:
+    folder.joinpath("tables").mkdir()
+    folder.joinpath("tables", "fault.txt").write_text("0.5")
+    note(Run(folder), folder / "tables" / "fault.txt")
+    assert check(folder).whole
+    _flip(folder / "tables" / "fault.txt", 3)
+    assert "tables/fault.txt" in check(folder).damaged
+
+
+# Runs that go on
+
+
+def _ongoing(path: Path) -> Run:
+    run = started(path)
+    for block in blocks(3):
+        write_block(run, block)
+    return run
+
+
+@pytest.mark.parametrize("which", ["part", "episodes"])
+def test_a_damaged_block_of_a_running_run_is_run_again_and_not_used(tmp_path: Path, which: str) -> None:
+    run = _ongoing(tmp_path / "run")
+    path = getattr(run, which)(SCENARIO, 0, 1)
+    chance = random.Random(7)
+    size = 8 * path.stat().st_size
+    for bit in [0, size - 1, *(chance.randrange(size) for _ in range(20))]:
+        _flip(path, bit)
+        assert list(damaged_parts(run)) == [run.part(SCENARIO, 0, 1)], bit
+        assert {row["block"] for row in read_scenes(run)} == {0, 2}
+        assert not check(run.path).whole
+        _flip(path, bit)
+    assert check(run.path).whole
+    _flip(path, size // 2)
+    told: list[str] = []
+    assert len(resume(run, told=told.append)[SCENARIO, 0]) == 1
+    assert len(told) == 1
+    assert "block-01" in told[0]
+    assert "run again" in told[0]
+    assert not run.part(SCENARIO, 0, 1).exists()
+
+
+def test_a_part_that_is_no_part_is_run_again(tmp_path: Path) -> None:
+    run = _ongoing(tmp_path / "run")
+    run.part(SCENARIO, 0, 0).write_text('{"scenario_id": 3}')
+    assert resume(run) == {(SCENARIO, 0): []}
+
+
+def test_a_run_whose_tracks_were_removed_meanwhile_is_not_done(tmp_path: Path) -> None:
+    run, done = _ongoing(tmp_path / "run"), blocks(3)
+    expected = [(SCENARIO, 0, block.number) for block in done]
+    shutil.rmtree(run.file("episodes"))
+    with pytest.raises(RunError, match=r"lacks 3 of its 3 blocks.*chatscene resume"):
+        finish(run, selected={}, expected=expected)
+    assert read_record(run).status is Status.RUNNING
+    assert resume(run) == {}
+    for block in done:
+        write_block(run, block)
+    assert finish(run, selected=selection(done), expected=expected).status is Status.DONE
+    assert check(run.path).whole
+
+
+def test_the_record_of_a_running_run_that_was_changed_is_refused(tmp_path: Path) -> None:
+    run = _ongoing(tmp_path / "run")
+    path = run.file("run.json")
+    path.write_text(path.read_text().replace('"seed": 7', '"seed": 8'))
+    with pytest.raises(RunError, match=r"run\.json was changed"):
+        pipeline.resume(run.path)
+
+
+def test_a_run_of_an_older_version_goes_on_and_is_guarded_once_it_is_done(tmp_path: Path) -> None:
+    run, done = started(tmp_path / "run"), blocks(2)
+    as_by_an_older_version(run)
+    for block in done:
+        write_block(run, block)
+        part = run.part(SCENARIO, 0, block.number)
+        part.write_text(json.dumps(json.loads(part.read_text()) | {"tracks": "", "digest": ""}))
+    assert len(resume(run)[SCENARIO, 0]) == 2
+    finish(run, selected=selection(done), expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
+    assert check(run.path).whole
+
+
+# Two at once
+
+
+def test_a_second_process_is_refused_until_the_first_is_gone_even_if_it_was_killed(tmp_path: Path) -> None:
+    run = _ongoing(tmp_path / "run")
+    hold = "import sys, time; from pathlib import Path; from chatscene.runs import alone\n"
+    hold += "with alone(Path(sys.argv[1])):\n    print('held', flush=True)\n    time.sleep(600)"
+    first = subprocess.Popen([sys.executable, "-c", hold, str(run.path)], stdout=subprocess.PIPE, text=True)
+    assert first.stdout is not None
+    assert first.stdout.readline() == "held\n"
+    try:
+        with pytest.raises(RunError, match="another chatscene is at work on"):
+            pipeline.resume(run.path)
+        assert read_record(run).status is Status.RUNNING
+        with pytest.raises(RunError, match="another chatscene"):
+            pipeline.run(TEXT, run.path)
+    finally:
+        os.kill(first.pid, signal.SIGKILL)
+        first.wait()
+        first.stdout.close()
+    with alone(run.path):
+        assert _files(run.path) == _files(run.path)
+
+
+def test_a_held_folder_holds_no_more_files_than_one_that_is_not(tmp_path: Path) -> None:
+    with alone(tmp_path / "run"):
+        assert list((tmp_path / "run").iterdir()) == []
+        with pytest.raises(RunError, match="another chatscene"), alone(tmp_path / "run"):
+            pass
+    with alone(tmp_path / "run"):
+        pass
+
+
+# Values that no run has
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value"),
+    [
+        ("simulation", "dt", 0),
+        ("simulation", "dt", -0.1),
+        ("simulation", "dt", float("nan")),
+        ("simulation", "dt", float("inf")),
+        ("simulation", "dt", "0.1"),
+        ("simulation", "max_steps", 10**9),
+        ("simulation", "max_steps", 2.5),
+        ("retrieval", "candidates", -3),
+        ("retrieval", "refuse_below", float("nan")),
+        ("retrieval", "library", ["a"]),
+        ("retrieval", "library", "a\0b"),
+        ("search", "scenes", 0),
+        ("search", "routes", 10**8),
+        ("search", "tries", True),
+        ("search", "seed", -1),
+        ("search", "avoidable_only", "no"),
+    ],
+)
+def test_a_setting_out_of_range_is_named_with_its_range(tmp_path: Path, part: str, name: str, value: object) -> None:
+    run = started(tmp_path / "run")
+    as_by_an_older_version(run)
+    path = run.file("run.json")
+    content = json.loads(path.read_text())
+    content["settings"][part][name] = value
+    path.write_text(json.dumps(content))
+    with pytest.raises(SettingsError, match=rf"{name} must be .*, not "):
+        settings_of(read_record(run))
+    answer = command("resume", str(run.path))
+    assert answer.exit_code == 1
+    assert f"SettingsError: {name} must be" in answer.output
+
+
+def test_every_number_of_the_settings_has_a_range() -> None:
+    no_number: Any = float("nan")
+    for kind in (SearchSettings, SimulationSettings, RetrievalSettings):
+        for name, value in ((name, getattr(kind(), name)) for name in kind.__slots__):
+            if type(value) in (int, float):
+                with pytest.raises(SettingsError, match=rf"{name} must be .* from .* to .*, not "):
+                    kind(**{name: no_number})
+
+
+def test_a_program_that_is_no_text_is_named(folder: Path) -> None:
+    path = next(folder.glob("programs/*.scenic"))
+    path.write_bytes(b"ego = \xff\xfe")
+    with pytest.raises(RunError, match=r"\.scenic is no text in UTF-8"):
+        read_programs(Run(folder))
+
+
+def test_a_letter_flipped_in_the_explanation_is_one_message_of_our_own(folder: Path) -> None:
+    run, path = Run(folder), folder / "explanation.json"
+    chance = random.Random(11)
+    refused = 0
+    for _ in range(150):
+        bit = chance.randrange(8 * path.stat().st_size)
+        _flip(path, bit)
+        try:
+            read_explanation(run)
+            read_choice(run)
+        except ChatSceneError as error:
+            refused += 1
+            assert "explanation.json" in str(error)
+        _flip(path, bit)
+    assert refused > 30
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"slots": {"adversry": "car"}}, "there is no slot adversry"),
+        ({"slots": {"adversary": "dragon"}}, "slots.adversary"),
+        ({"chosen": {"behavior": "behavior/cross"}}, "does not say what was chosen"),
+        ({"base": "sideways"}, "base"),
+        ({"parts": 3}, "parts"),
+        ({"tried": [{"snippet_ids": "x"}]}, "tried"),
+    ],
+)
+def test_an_explanation_is_checked_against_its_types(folder: Path, change: dict[str, object], words: str) -> None:
+    path = folder / "explanation.json"
+    content = json.loads(path.read_text())
+    content["scenarios"][0] |= change
+    path.write_text(json.dumps(content))
+    with pytest.raises(RunError, match=rf"explanation\.json .*{words}"):
+        read_choice(Run(folder))
+
+
+def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
+    bad = tmp_path / "a\0b"
+    with pytest.raises(RunError, match="NUL"):
+        pipeline.run("A cyclist rides out from the left and stops in front of us.", bad)
+    with pytest.raises(RunError, match="NUL"):
+        create(bad, text=TEXT, settings=Settings(), map_name="town", ego="sac")
+    for arguments in (["run", "a cyclist", "--out"], ["resume"], ["check"], ["evaluate"], ["replay", "x"]):
+        answer = command(*arguments, str(bad))
+        assert answer.exit_code == 1
+        assert "NUL" in answer.output
+
+
+def test_what_is_sealed_is_sealed_to_the_byte(tmp_path: Path) -> None:
+    from chatscene.runs.digests import is_sealed
+
+    path = tmp_path / "x.json"
+    write_sealed(path, {"text": 'a "digest": "" ü', "n": 1})
+    digest = json.loads(path.read_text())["digest"]
+    assert is_sealed(path, digest)
+    path.write_text(path.read_text().replace(" ", "  ", 1))
+    assert not is_sealed(path, digest)
+    assert not is_sealed(path, "")
+    assert not is_sealed(path, None)
