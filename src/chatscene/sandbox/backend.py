@@ -232,7 +232,7 @@ def _to_the_end(drive: SandboxedDrive, ego: EgoPolicy) -> None:
             raise EgoError(
                 f"the ego {name_of(ego)!r} gave no action within {PATIENCE:g} s, at step {drive.step_number}"
             ) from error
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise EgoError(
                 f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
             ) from error
