@@ -18,7 +18,7 @@ from chatscene.search import explore as exploring
 from chatscene.search.baselines.nominal import NOMINAL, Baseline
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
-from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Slots
 from chatscene.terms.scene import Scene, ScenicProgram
 from fake_run import block
@@ -111,7 +111,7 @@ def test_a_baseline_is_determined_by_its_seed(name: str, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("base", list(BaseScenario))
 @pytest.mark.parametrize("name", NAMES)
 def test_a_baselines_program_climbs_the_ladder_on_every_base_scenario(name: str, base: BaseScenario) -> None:
-    backend = load_generator(name).backend(resolve_map("town"), SimulationSettings())
+    backend = load_generator(name).backend(resolve_map("town"), Settings())
     program = program_of(name, base)
     checked = check(program, Slots(), backend, RuleBased(), drives=1)
     assert checked.episodes[0].adversaries

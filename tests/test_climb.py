@@ -17,7 +17,7 @@ from chatscene.runs import open_run, read_explanation
 from chatscene.search import generator as searching
 from chatscene.search.generator import TRIES, Written, climb
 from chatscene.search.retrieved import Retrieved
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
@@ -66,7 +66,7 @@ def climbing(
         SCENARIO,
         Written(program=program(0), retrieval=None),
         settings=SETTINGS,
-        backend=counting.backend(resolve_map("town"), SimulationSettings()),
+        backend=counting.backend(resolve_map("town"), Settings()),
         ego=RuleBased(),
     )
     return written.program.scenario_id, counting.tried

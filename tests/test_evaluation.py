@@ -205,7 +205,7 @@ class TestEveryGenerator:
         generator = load_generator(name)
         scenario = generator.read(sample(generator, BaseScenario.STRAIGHT_OBSTACLE), RetrievalSettings())
         program = generator.write(scenario, RetrievalSettings()).program
-        backend = generator.backend(resolve_map("town"), SETTINGS.simulation)
+        backend = generator.backend(resolve_map("town"), SETTINGS)
         ego = load_ego("rule-based")
 
         def search(done: list[list[Outcome]]) -> list[Block]:

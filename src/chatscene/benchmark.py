@@ -25,6 +25,7 @@ from chatscene.search.generator import load_generator
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario
+from chatscene.trust import Repeated, follow
 from chatscene.workers import spread
 
 
@@ -128,7 +129,7 @@ def benchmark(
 
         where = folder / "evaluation"
         if (where / "run.json").exists():
-            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
+            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=Repeated(ego=tuple(egos)))
         else:
             evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
         record = _spent(folder, record, "evaluation", evaluated.seconds)
@@ -210,6 +211,7 @@ class _Searcher:
         setup = self._setup
         if (task.folder / "run.json").exists():
             run = runs.open_run(task.folder)
+            follow(Repeated(ego=(setup.surrogate,)), egos_of=[run], reading_of=[run])
         else:
             run = runs.create(
                 task.folder,

@@ -11,8 +11,8 @@ from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
 from chatscene.program.lint import Finding, alike, sifted, sound_part, trials, try_triple, unpartnered
-from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.search.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings, Settings
 from chatscene.snippets.composing import Labelled, compose, wordings
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.fitting import fit, heads_of, joined
@@ -42,8 +42,9 @@ class _Checker:
 
     def __init__(self, setup: _Setup) -> None:
         self._setup = setup
-        self._library, _ = sound_part(library_with(setup.own))
-        self._backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+        self._library, _ = sound_part(library_with(setup.own), setup.only)
+        settings = Settings(retrieval=RetrievalSettings(library=setup.own))
+        self._backend = Retrieved().backend(resolve_map("town"), settings)
         self._ego = load_ego("rule-based")
 
     def __call__(self, trial: _Trial) -> set[Finding]:
@@ -60,7 +61,8 @@ def lint_library(
     """Check the packaged library, or somebody's own beside it.
 
     Args:
-        own: Folder of one's own snippets; only these are checked then. Empty: the packaged ones are.
+        own: Folder of one's own snippets; only these are checked then, as a stranger's: they are held against the
+            allow-list and run behind the walls. Empty: the packaged ones are checked.
         scenes: Of each program.
         jobs: Processes; any number gives the same findings.
         progress: Told what is done.
@@ -70,7 +72,7 @@ def lint_library(
     """
     library = library_with(own)
     only = frozenset(s.id for s in load_library(Path(own))) if own else None
-    sound, found = sound_part(library)
+    sound, found = sound_part(library, only)
     tasks: list[_Trial] = [None]
     tried: set[str] = set()
     for triple, kind in trials(sound, only):

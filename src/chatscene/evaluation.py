@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene import runs
@@ -28,12 +28,14 @@ from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, rebuild
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
-from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.search.generator import load_generator
+from chatscene.settings import Settings, SimulationSettings
+from chatscene.simulate.backend import Backend
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Scenario
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.trust import Repeated, follow
 from chatscene.workers import spread
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
@@ -77,6 +79,7 @@ def evaluate(
     first_route: int = 0,
     jobs: int = 1,
     progress: Progress,
+    repeated: Repeated | None = None,
 ) -> Evaluated:
     """Drive the kept scenes of runs with egos, into a new folder.
 
@@ -88,9 +91,11 @@ def evaluate(
         first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
         jobs: Processes.
         progress: Told what is done.
+        repeated: What the runs name and the user as well, besides egos.
 
     Raises:
-        RunError: A source is not finished, they lie on different maps, or the folder is taken.
+        RunError: A source is not finished, they lie on different maps, or the folder is taken; or a source names what
+            must be repeated (`chatscene.trust.follow`).
         EgoError: An ego cannot be loaded.
         SettingsError: There is no ego, or one is named twice.
     """
@@ -99,6 +104,8 @@ def evaluate(
     for ego in egos:
         load_ego(ego)
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
+    repeated = repeated or Repeated()
+    follow(repeated, reading_of=found)
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
@@ -115,7 +122,7 @@ def evaluate(
             ego=",".join(egos),
             sources=told,
         )
-        return _carry_on(kept, jobs, progress)
+        return _carry_on(kept, jobs, progress, replace(repeated, ego=tuple(egos)))
 
 
 def _where(record: runs.RunRecord) -> tuple[str, SimulationSettings]:
@@ -135,18 +142,21 @@ def _source(run: runs.Run, record: runs.RunRecord, first_route: int) -> runs.Sou
     )
 
 
-def carry_on(run: runs.Run, *, jobs: int, progress: Progress) -> Evaluated:
+def carry_on(run: runs.Run, *, jobs: int, progress: Progress, repeated: Repeated | None = None) -> Evaluated:
     """Do what is left of an evaluation.
 
     Raises:
-        RunError: It is damaged, or one of its sources is, or another process is at work on it.
+        RunError: It is damaged, or one of its sources is; another process is at work on it; or one of them names what
+            must be repeated (`chatscene.trust.follow`).
     """
     with runs.alone(run.path):
-        return _carry_on(runs.open_run(run.path), jobs, progress)
+        return _carry_on(runs.open_run(run.path), jobs, progress, repeated or Repeated())
 
 
-def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Evaluated:
+def _carry_on(run: runs.Run, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
+    sources = [runs.Run(Path(source.folder)) for source in runs.read_record(run).sources]
+    follow(repeated, egos_of=[run], reading_of=sources)
     runs.resume(run, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(run)
     failures = dict(record.failures)
@@ -228,9 +238,8 @@ class _Evaluator:
 
     def __init__(self, record: runs.RunRecord) -> None:
         self._record = record
-        settings = runs.settings_of(record)
-        self._backend: Backend = load_backend("embedded", resolve_map(record.map_name), settings.simulation)
         self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
+        self._backends: dict[tuple[str, Settings], Backend] = {}
         self._failed: dict[str, str] = {}
 
     def __call__(self, task: _Task) -> tuple[_Task, str]:
@@ -243,16 +252,30 @@ class _Evaluator:
         scenario, program = self._programs[task.source.folder]
         scenes = [runs.scene_of(row, program) for route, row in _kept(task.source, self._record) if route == task.route]
         try:
-            block = self._block(task, scenario, program, scenes)
+            block = self._block(task, scenario, program, scenes, self._backend_of(source))
         except EgoError as error:
             self._failed[task.ego] = str(error)
             return task, str(error)
         runs.write_block(runs.Run(task.folder), block)
         return task, ""
 
-    def _block(self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene]) -> Block:
+    def _backend_of(self, source: runs.Run) -> Backend:
+        """Where the programs of a source are run, which is for its own generator to say; one for all that are alike."""
+        record = runs.read_record(source)
+        settings = Settings(
+            simulation=runs.settings_of(self._record).simulation, retrieval=runs.settings_of(record).retrieval
+        )
+        key = (record.generator, settings)
+        if key not in self._backends:
+            generator = load_generator(record.generator)
+            self._backends[key] = generator.backend(resolve_map(self._record.map_name), settings)
+        return self._backends[key]
+
+    def _block(
+        self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene], backend: Backend
+    ) -> Block:
         ego = load_ego(task.ego)
-        outcomes = [drive(program, scenario.slots, scene, backend=self._backend, ego=ego) for scene in scenes]
+        outcomes = [drive(program, scenario.slots, scene, backend=backend, ego=ego) for scene in scenes]
         return Block(
             scenario_id=scenario.id,
             route=task.route,

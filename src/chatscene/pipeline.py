@@ -42,6 +42,7 @@ from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import Rejected, ScenicProgram
 from chatscene.terms.snippet import Retrieval
+from chatscene.trust import Repeated, follow
 from chatscene.workers import Work, run_blocks
 
 Progress = Callable[[str, int, int], None]
@@ -161,13 +162,17 @@ def run(
         return _carry_on(kept, jobs, progress or _silent)
 
 
-def resume(folder: Path, *, jobs: int = 1, progress: Progress | None = None) -> Summary:
+def resume(
+    folder: Path, *, jobs: int = 1, progress: Progress | None = None, repeated: Repeated | None = None
+) -> Summary:
     """Go on with a run that was killed or failed; the result is that of an uninterrupted one.
 
     Raises:
-        RunError: There is no run in the folder, it is damaged, or another process is at work on it.
+        RunError: There is no run in the folder, it is damaged, another process is at work on it, or it names what must
+            be repeated (`chatscene.trust.follow`).
     """
     run = runs.open_run(folder)
+    follow(repeated or Repeated(), egos_of=[run], reading_of=[run])
     with runs.alone(folder):
         return _carry_on(run, jobs, progress or _silent)
 
@@ -205,7 +210,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     runs.write_program(run, scenario.id, written.program.source)
 
     progress("checking that the program means it", 0, 0)
-    backend = generator.backend(map_path, settings.simulation)
+    backend = generator.backend(map_path, settings)
     written, _ = climb(
         generator, scenario, written, settings=settings.retrieval, backend=backend, ego=load_ego(record.ego)
     )
@@ -281,20 +286,22 @@ def _report(run: runs.Run, progress: Progress) -> None:
     write_gif(run.path)
 
 
-def replay(folder: Path, scene_id: str) -> Replayed:
+def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Replayed:
     """Simulate a scene of a run again from its stored values, and compare every number of every track.
 
     Raises:
-        RunError: The run has no such scene, or it was never driven.
+        RunError: The run has no such scene, or it was never driven; or it names what must be repeated
+            (`chatscene.trust.follow`).
     """
     run = runs.open_run(folder)
+    follow(repeated or Repeated(), egos_of=[run], reading_of=[run])
     record = runs.read_record(run)
     stored = runs.read_episode(run, scene_id)
     row = next(row for row in runs.read_scenes(run) if row["scene_id"] == scene_id)
     settings = runs.settings_of(record)
     _, program = rebuild(run)
     scene = runs.scene_of(row, program)
-    backend = load_generator(record.generator).backend(resolve_map(record.map_name), settings.simulation)
+    backend = load_generator(record.generator).backend(resolve_map(record.map_name), settings)
     again = backend.run(program, scene, load_ego(record.ego))
     return Replayed(scene_id=scene_id, difference=_difference(stored, again), versions=runs.changed_versions(record))
 

@@ -29,6 +29,7 @@ from chatscene.runs.atomic import read_json, write_json
 from chatscene.terms.metrics import Measurements, Mode
 from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
+from chatscene.trust import Repeated
 from chatscene.workers import spread
 
 METHODS = ("learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory", "chatscene")
@@ -283,7 +284,7 @@ def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress
     egos = {SURROGATE: BEFORE} | {str(lessons.ego(method, base) / "policy.npz"): method for method in METHODS}
     where = lessons.where / "tested" / base
     if (where / "run.json").exists():
-        done = carry_on(runs.open_run(where), jobs=jobs, progress=progress)
+        done = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=Repeated(ego=tuple(egos)))
     else:
         sources = [lessons.scenes(method, base) for method in METHODS]
         first = lessons.settings.train_routes

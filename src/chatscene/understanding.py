@@ -7,17 +7,18 @@ tracks, against the facts written down, not against those that were read.
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
 from chatscene.agent.base import concluded
+from chatscene.bounded import parse_json
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.evaluate.score import wilson
@@ -26,8 +27,8 @@ from chatscene.pipeline import Progress
 from chatscene.program.meaning import check_meaning
 from chatscene.search.generator import Written, climb
 from chatscene.search.retrieved import Retrieved
-from chatscene.settings import RetrievalSettings, SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.settings import RetrievalSettings, Settings
+from chatscene.simulate.backend import Backend
 from chatscene.snippets.bind import distances
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import Library, library_with
@@ -113,10 +114,10 @@ def load_sentences(name: str | Path) -> tuple[Sentence, ...]:
     for number, line in enumerate(content.splitlines(), 1):
         if line.strip():
             try:
-                row = json.loads(line)
+                row = parse_json(line)
                 sentence = adapter.validate_python({key: row[key] for key in row if key in known})
                 found.append(replace(sentence, slots=concluded(sentence.slots)))
-            except (json.JSONDecodeError, ValidationError, TypeError) as error:
+            except (ValueError, TypeError) as error:
                 raise SettingsError(f"{name}, line {number} is not a sentence with its facts: {error}") from error
     return tuple(found)
 
@@ -234,11 +235,16 @@ def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Ju
     )
 
 
+@lru_cache(maxsize=1)
+def _backend(settings: RetrievalSettings) -> Backend:
+    return Retrieved().backend(resolve_map("town"), Settings(retrieval=settings))
+
+
 def _driven(
     sentence: Sentence, scenario: Scenario, first: Written, settings: RetrievalSettings
 ) -> tuple[Written, bool, tuple[str, ...]]:
     """What climbed the ladder, whether it ran, and what its drives never showed of what was written down."""
-    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    backend = _backend(settings)
     ego = load_ego("rule-based")
     try:
         written, checked = climb(Retrieved(), scenario, first, settings=settings, backend=backend, ego=ego)

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, as_completed, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import connection, get_context, parent_process
 from pathlib import Path
@@ -26,6 +27,8 @@ from chatscene.simulate.backend import Backend
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
+
+_SAFE_PATH = "PYTHONSAFEPATH"
 
 Setup = TypeVar("Setup")
 Task = TypeVar("Task")
@@ -66,7 +69,7 @@ class _Worker:
         self._work = work
         self._ego: EgoPolicy = load_ego(work.ego)
         self._generator = load_generator(work.generator)
-        self._backend: Backend = self._generator.backend(work.map_path, work.settings.simulation)
+        self._backend: Backend = self._generator.backend(work.map_path, work.settings)
 
     def run_block(self, route: int, done: list[list[Outcome]]) -> list[Outcome]:
         """Run and keep the next block of a route; what came of it."""
@@ -128,9 +131,7 @@ def _in_processes(
     on_block: Callable[[int], None],
 ) -> None:
     ran = 0
-    with ProcessPoolExecutor(
-        jobs, mp_context=get_context("spawn"), initializer=_start_worker, initargs=(work,)
-    ) as pool:
+    with _processes(jobs, _start_worker, work) as pool:
 
         def submit(route: int) -> Future[list[Outcome]]:
             return pool.submit(_run_block, route, history[route])
@@ -148,6 +149,24 @@ def _in_processes(
                         pending[submit(route)] = route
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
+
+
+@contextmanager
+def _processes(count: int, start: Callable[..., None], *setup: Any) -> Generator[ProcessPoolExecutor]:
+    """Processes that begin without this one's state, and without the working folder among the places of modules.
+
+    Python puts it first in a process that is started with ``-c``, as these are, unless it is told otherwise.
+    """
+    before = os.environ.get(_SAFE_PATH)
+    os.environ[_SAFE_PATH] = "1"
+    try:
+        with ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=start, initargs=setup) as pool:
+            yield pool
+    finally:
+        if before is None:
+            del os.environ[_SAFE_PATH]
+        else:
+            os.environ[_SAFE_PATH] = before
 
 
 _worker: list[_Worker] = []
@@ -183,9 +202,7 @@ def spread(
         do = make(setup)
         yield from map(do, tasks)
         return
-    with ProcessPoolExecutor(
-        min(jobs, len(tasks)), mp_context=get_context("spawn"), initializer=_start_spread, initargs=(make, setup)
-    ) as pool:
+    with _processes(min(jobs, len(tasks)), _start_spread, make, setup) as pool:
         try:
             for future in as_completed([pool.submit(_do, task) for task in tasks]):
                 yield future.result()

@@ -7,17 +7,17 @@ only what is plain text is read. Networks become numpy, so that torch is needed 
 from __future__ import annotations
 
 import io
-import json
 import re
 import zipfile
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
+from chatscene.bounded import check_archive, check_file, parse_json
 from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
 from chatscene.ego.observation import OBSERVATIONS, Observation
 from chatscene.ego.policy import EgoPolicy
@@ -39,7 +39,16 @@ def load_file(path: Path) -> EgoPolicy:
         raise EgoError(f"there is no file {path}; give the path of a policy, or the name of an ego")
     if path.suffix not in _READERS:
         raise EgoError(f"cannot tell what {path} is from its suffix; egos are read from {', '.join(_READERS)}")
-    return _READERS[path.suffix](path)
+    try:
+        check_file(path)
+        return _READERS[path.suffix](path)
+    except (MemoryError, OSError, RecursionError, ValueError) as error:
+        raise EgoError(f"cannot read an ego from {path}: {_first_line(error) or type(error).__name__}") from error
+
+
+def is_plain(path: Path) -> bool:
+    """Whether a file's suffix and content are those of weights alone, which cannot carry code."""
+    return path.suffix in (".npz", ".zip") or (path.suffix == ".pt" and path.is_file() and not _carries_code(path))
 
 
 def _npz(path: Path) -> EgoPolicy:
@@ -51,8 +60,9 @@ def _npz(path: Path) -> EgoPolicy:
 
 def _stable_baselines(path: Path) -> EgoPolicy:
     try:
+        check_archive(path)
         with zipfile.ZipFile(path) as archive:
-            about: dict[str, Any] = dict(json.loads(archive.read("data")))
+            about: dict[str, Any] = dict(parse_json(archive.read("data")))
             weights = archive.read("policy.pth")
     except (OSError, KeyError, ValueError, TypeError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
         raise EgoError(f"{path} is not a model saved by Stable-Baselines3: {error}") from error
@@ -115,12 +125,17 @@ def _stable_baselines_layers(state: State, path: Path) -> tuple[list[str], str]:
 
 def _torch(path: Path) -> EgoPolicy:
     """TorchScript, which carries its code, or a checkpoint of SafeBench v1."""
+    return _torchscript(path) if _carries_code(path) else _safebench(path)
+
+
+def _carries_code(source: Path | IO[bytes]) -> bool:
+    """Whether a file of PyTorch is TorchScript, which torch would run; either kind of file must be of sound size."""
+    if not zipfile.is_zipfile(source):
+        return False  # older checkpoints are no archives; torch says what is wrong with a damaged one
     try:
-        with zipfile.ZipFile(path) as archive:
-            scripted = any("/code/" in name for name in archive.namelist())
-    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile):
-        scripted = False  # older checkpoints are no archives; torch says what is wrong with a damaged one
-    return _torchscript(path) if scripted else _safebench(path)
+        return any("/code/" in name or name.endswith("/constants.pkl") for name in check_archive(source))
+    except (NotImplementedError, zipfile.BadZipFile):
+        return False
 
 
 def _torchscript(path: Path) -> EgoPolicy:
@@ -231,11 +246,15 @@ def _check_size(size: int, path: Path, observation: str | None = None) -> str:
     raise EgoError(f"the policy in {path} looks at {size} numbers; observations are {known}")
 
 
-def _state(source: Any, path: Path) -> Any:
+def _state(source: Path | IO[bytes], path: Path) -> Any:
     """What a file of PyTorch holds, tensors as arrays; anything that would run code is refused."""
     import pickle
 
     torch = _import_torch()
+    if _carries_code(source):
+        raise EgoError(f"cannot read weights from {path}: it holds TorchScript, which is code; only tensors are read")
+    if not isinstance(source, Path):
+        source.seek(0)
     try:
         stored = torch.load(source, map_location="cpu", weights_only=True)
     except (pickle.UnpicklingError, RuntimeError, EOFError, OSError, ValueError, KeyError) as error:

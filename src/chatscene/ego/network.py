@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.bounded import MOST_BYTES, check_archive, parse_json
 from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
 
@@ -22,7 +23,10 @@ DECIMALS = 6  # of an action: hides most, not all, of what another BLAS changes 
 HIDDEN = ("relu", "tanh")
 OUTPUTS = ("tanh", "clip", "sigmoid")
 # What numpy and zipfile raise for files with flipped or missing bytes, or with something else in them.
-_DAMAGED = (OSError, ValueError, TypeError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile, zlib.error)
+_DAMAGED = (
+    OSError, ValueError, TypeError, KeyError, EOFError, MemoryError, RecursionError, NotImplementedError,
+    zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -95,8 +99,9 @@ def load_network(path: Path) -> tuple[Network, dict[str, Any]]:
         EgoError: It is missing, damaged, or no network.
     """
     try:
-        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
-            about: dict[str, Any] = dict(json.loads(str(stored["about"])))
+        check_archive(path)
+        with np.load(path, allow_pickle=False) as stored:
+            about: dict[str, Any] = dict(parse_json(str(stored["about"])))
             hidden, output = str(about.pop("hidden")), str(about.pop("output"))
             layers = tuple(
                 (_float32(stored[f"w{i}"]), _float32(stored[f"b{i}"])) for i in range((len(stored.files) - 1) // 2)
@@ -116,7 +121,11 @@ def layers_of(state: Mapping[str, NDArray[Any]], names: Sequence[str]) -> tuple[
         EgoError: One of them is not there, or is not numbers.
     """
     try:
-        return tuple((_float32(state[f"{name}.weight"]), _float32(state[f"{name}.bias"])) for name in names)
+        pairs = [(state[f"{name}.weight"], state[f"{name}.bias"]) for name in names]
+        count = sum(np.size(array) for pair in pairs for array in pair)
+        if 4 * count > MOST_BYTES:  # a small file can hold many: a tensor may repeat one number without end
+            raise EgoError(f"a network has {count} weights, and at most {MOST_BYTES // 4} are read")
+        return tuple((_float32(weights), _float32(bias)) for weights, bias in pairs)
     except KeyError as error:
         raise EgoError(f"a network lacks the weights {error}; each layer needs weights and a bias") from error
     except (TypeError, ValueError) as error:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import importlib
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation, check_preset
-from chatscene.errors import EgoError, no_such
+from chatscene.errors import ChatSceneError, EgoError, no_such
 
 
 @runtime_checkable
@@ -77,7 +78,7 @@ def load_ego(name: str) -> EgoPolicy:
     """An ego by its name in `EGOS`, from a file, or as ``package.module:factory``.
 
     Raises:
-        EgoError: Nothing of that name exists, or what the factory makes has no `act`.
+        EgoError: Nothing of that name exists, its code fails, or what the factory makes has no `act`.
     """
     if Path(name).suffix in FILES:
         from chatscene.ego.files import load_file
@@ -87,18 +88,42 @@ def load_ego(name: str) -> EgoPolicy:
     module, colon, factory = target.partition(":")
     if not colon:
         raise EgoError(f"{no_such('ego', name, EGOS)}; or give a file ({', '.join(FILES)}) or package.module:factory")
-    if (here := str(Path.cwd())) not in sys.path:  # where a user's own module lies, even for an installed command
-        sys.path.insert(0, here)
-    try:
-        make: Callable[[], Any] = getattr(importlib.import_module(module), factory)
-    except ImportError as error:
-        raise EgoError(f"ego {name!r}: cannot import {module!r}: {error}") from error
-    except AttributeError as error:
-        raise EgoError(f"ego {name!r}: module {module!r} has no {factory!r}") from error
-    ego = make()
+    with nullcontext() if name in EGOS else _importable_from_here():
+        ego = _made(name, module, factory)
     if not isinstance(ego, EgoPolicy):
         raise EgoError(f"ego {name!r} makes a {type(ego).__name__}, which has no method act(observation)")
     return ego
+
+
+def _made(name: str, module: str, factory: str) -> Any:
+    """What a factory makes; whatever its code raises, to end the process too, is a fault of the ego."""
+    try:
+        found = importlib.import_module(module)
+    except (Exception, SystemExit) as error:
+        raise EgoError(f"ego {name!r}: cannot import {module!r}: {type(error).__name__}: {error}") from error
+    make: Callable[[], Any] | None = getattr(found, factory, None)
+    if make is None:
+        raise EgoError(f"ego {name!r}: module {module!r} has no {factory!r}")
+    try:
+        return make()
+    except ChatSceneError:
+        raise
+    except (Exception, SystemExit) as error:
+        raise EgoError(f"ego {name!r}: {factory!r} fails: {type(error).__name__}: {error}") from error
+
+
+@contextmanager
+def _importable_from_here() -> Generator[None]:
+    """Let a user's own module be found in the working folder, behind all that is installed, and only for now."""
+    if (here := str(Path.cwd())) in sys.path:
+        yield
+        return
+    sys.path.append(here)
+    try:
+        yield
+    finally:
+        if here in sys.path:
+            sys.path.remove(here)
 
 
 PEDALS: dict[str, float] = {"safebench": 0.375, "full-brake": 1.0}

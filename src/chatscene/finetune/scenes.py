@@ -21,6 +21,7 @@ from chatscene.simulate.backend import Backend
 from chatscene.simulate.embedded.backend import EmbeddedBackend
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.trust import Repeated, follow
 
 TRAIN, CHOICE, TEST = "train", "choice", "test"
 
@@ -82,22 +83,24 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
     """The kept scenes of finished runs among or below some folders.
 
     Raises:
-        RunError: There is no run, one is not finished or damaged, they differ in map or step, or one is a program of
-            the user's own, which is run nowhere but in the sandbox.
+        RunError: There is no run, one is not finished or damaged, they differ in map or step, or one holds a program or
+            snippets that are not packaged, which are run nowhere but in the sandbox.
         Diverged: This version makes another program of a run's snippets.
     """
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
+    follow(Repeated(), reading_of=found)
     first = records[0]
     map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation
     scenes: list[KeptScene] = []
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
-        if (record.map_name, runs.settings_of(record).simulation) != (first.map_name, simulation):
+        settings = runs.settings_of(record)
+        if (record.map_name, settings.simulation) != (first.map_name, simulation):
             raise RunError(f"{run.path} and {found[0].path} differ in map or step; fine-tune on them one by one")
-        if not isinstance(load_generator(record.generator).backend(map_path, simulation), EmbeddedBackend):
-            raise RunError(f"{run.path} holds a program of your own, which runs in the sandbox only; leave it out")
+        if not isinstance(load_generator(record.generator).backend(map_path, settings), EmbeddedBackend):
+            raise RunError(f"{run.path} holds code that is not packaged, which runs in the sandbox only; leave it out")
         _, program = rebuild(run)
         rows = [row for row in runs.read_scenes(run) if row["selected"]]
         scenes += [KeptScene(program=program, scene=runs.scene_of(row, program)) for row in rows]

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from chatscene.bounded import parse_json
 from chatscene.errors import LanguageModelError, SettingsError
 from chatscene.language_models.completion import FREE, Completion, JsonSchema, Message
 from chatscene.language_models.protocol import Limits
@@ -70,7 +71,7 @@ def from_file(path: str, *, limits: Limits) -> Scripted:  # noqa: ARG001 - every
         SettingsError: The file cannot be read, or holds something else.
     """
     try:
-        script = json.loads(Path(path).read_text(encoding="utf-8"))
+        script = parse_json(Path(path).read_text(encoding="utf-8"))
     except OSError as error:
         raise SettingsError(f"cannot read the script {path}: {error.strerror or error}") from error
     except ValueError as error:

@@ -16,10 +16,9 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from chatscene.errors import SnippetError
 from chatscene.language_models.structured import printable
-from chatscene.program.lint import Finding, check_code, world_names
-from chatscene.sandbox.allow_list import check_foreign
+from chatscene.program.lint import Finding, check_code, partner_names, refused_code, world_names
 from chatscene.snippets.compatibility import HEADER_PROVIDES
-from chatscene.snippets.library import ADVERSARY_CLASS, MARK, REPHRASINGS, Library, names_of
+from chatscene.snippets.library import MARK, REPHRASINGS, Library, names_of
 from chatscene.terms.scenario import (
     Action,
     AdversaryKind,
@@ -134,7 +133,7 @@ def snippet_of(
         origin=origin,
         source=code,
     )
-    if faults := (*_refused_code(blank, library), *_said_faults(blank, library)):
+    if faults := (*refused_code(blank, library), *_said_faults(blank, library)):
         return faults
     names = names_of(code, world_names())
     known = {p.name: p for p in draft.parameters}
@@ -154,25 +153,13 @@ def snippet_of(
     return code_faults(made, library) or made
 
 
-def partner_names(component: Component, library: Library) -> frozenset[str]:
-    """Names that a snippet's partners may define."""
-    others = {name for s in library if s.component is not component for name in s.provides}
-    return frozenset(others | {ADVERSARY_CLASS})
-
-
 def code_faults(snippet: Snippet, library: Library) -> tuple[Finding, ...]:
     """What is wrong with a stranger's snippet before anything of it is run."""
-    return _refused_code(snippet, library) or (
+    return refused_code(snippet, library) or (
         *_said_faults(snippet, library),
         *check_code(snippet),
         *_roles(snippet, library),
     )
-
-
-def _refused_code(snippet: Snippet, library: Library) -> tuple[Finding, ...]:
-    given = partner_names(snippet.component, library)
-    refusals = check_foreign(snippet.source, whole=False, given=given)
-    return tuple(Finding(snippet.id, "allow-list", str(refusal)) for refusal in refusals)
 
 
 def _roles(snippet: Snippet, library: Library) -> Iterator[Finding]:

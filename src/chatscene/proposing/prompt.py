@@ -9,7 +9,8 @@ from functools import lru_cache
 from importlib.resources import files
 
 from chatscene.language_models.protocol import Example
-from chatscene.proposing.draft import Draft, DraftParameter, DraftSlots, partner_names
+from chatscene.program.lint import partner_names
+from chatscene.proposing.draft import Draft, DraftParameter, DraftSlots
 from chatscene.proposing.trying import partners_for
 from chatscene.sandbox.words import world_words
 from chatscene.search.describe import describe

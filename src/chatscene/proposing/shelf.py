@@ -18,6 +18,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from chatscene.bounded import parse_json
 from chatscene.errors import RunError, SnippetError
 from chatscene.runs.atomic import write_bytes
 from chatscene.snippets.library import PACKAGED, Library, load_library, load_snippet
@@ -128,7 +129,7 @@ class Shelf:
             return
         for line in lines:
             try:
-                event = json.loads(line)
+                event = parse_json(line)
             except ValueError:
                 continue
             if isinstance(event, dict):
@@ -184,7 +185,7 @@ def read_record(path: Path) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        record = json.loads(path.read_text(encoding="utf-8"))
+        record = parse_json(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise SnippetError(f"{path} cannot be read ({error}); reject the proposal") from error
     if not isinstance(record, dict):

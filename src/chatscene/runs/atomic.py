@@ -5,14 +5,16 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from chatscene.bounded import parse_json
 from chatscene.errors import RunError
 
-TEMPORARY = ".tmp"
+_LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_bytes` calls its temporary files
 
 _REMEDIES = {
     errno.ENOSPC: "the disk is full; free some space and continue with: chatscene resume DIR",
@@ -47,7 +49,7 @@ def write_bytes(path: Path, content: bytes) -> None:
     Raises:
         RunError: The file system refuses.
     """
-    temporary = path.with_name(f".{path.name}.{os.getpid()}{TEMPORARY}")
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     with writing(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         try:
@@ -73,7 +75,7 @@ def read_json(path: Path) -> Any:
         RunError: It cannot be read, or is not JSON.
     """
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
+        return parse_json(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise RunError(f"cannot read {path}: {error.strerror or error}") from error
     except ValueError as error:
@@ -83,8 +85,13 @@ def read_json(path: Path) -> Any:
 def sweep(folder: Path) -> None:
     """Remove what killed writers left half-written below `folder`."""
     with writing(folder):
-        for leftover in sorted(folder.rglob(f".*{TEMPORARY}")):
+        for leftover in sorted(filter(is_leftover, folder.rglob(".*.tmp"))):
             leftover.unlink(missing_ok=True)
+
+
+def is_leftover(path: Path) -> bool:
+    """Whether a file is what a killed writer left half-written."""
+    return _LEFTOVER.fullmatch(path.name) is not None and path.is_file()
 
 
 def _sync_folder(folder: Path) -> None:

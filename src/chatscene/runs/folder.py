@@ -12,8 +12,9 @@ from urllib.parse import quote, unquote
 
 from pydantic import ValidationError
 
+from chatscene.ego.policy import FILES
 from chatscene.errors import RunError
-from chatscene.runs.atomic import TEMPORARY, read_json, sweep, write_bytes, write_json, writing
+from chatscene.runs.atomic import is_leftover, read_json, sweep, write_bytes, write_json, writing
 from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
 from chatscene.runs.record import (
     DIGESTS_SINCE,
@@ -83,7 +84,7 @@ def create(
     run = Run(folder)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        if any(not path.name.endswith(TEMPORARY) for path in folder.iterdir()):
+        if not all(map(is_leftover, folder.iterdir())):
             raise RunError(_occupied(run))
     sweep(folder)
     _write_record(
@@ -94,6 +95,7 @@ def create(
             text=text,
             map_name=map_name,
             ego=ego,
+            ego_digests={name: digest_of(Path(name)) for name in ego.split(",") if Path(name).suffix in FILES},
             generator=generator,
             command="evaluate" if sources else "run",
             sources=list(sources),

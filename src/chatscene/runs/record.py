@@ -56,6 +56,7 @@ class RunRecord(_Frozen):
         text: The sentence.
         map_name: The map as it was given.
         ego: The ego as it was given; of an evaluation, the egos, comma between them.
+        ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         generator: Who made the scenes.
         command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
         sources: Of an evaluation: the runs whose scenes were driven.
@@ -76,6 +77,7 @@ class RunRecord(_Frozen):
     text: str
     map_name: str
     ego: str
+    ego_digests: dict[str, str] = {}
     generator: str = "chatscene"
     command: str = "run"
     sources: list[SourceRecord] = []

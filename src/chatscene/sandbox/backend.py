@@ -236,7 +236,7 @@ def _to_the_end(drive: SandboxedDrive, ego: EgoPolicy) -> None:
                 f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
                 f"{error.within}"
             ) from error
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise EgoError(
                 f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
             ) from error

@@ -16,6 +16,7 @@ from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
+from chatscene.bounded import parse_json
 from chatscene.errors import ChatSceneError, SandboxError
 from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
@@ -51,8 +52,8 @@ def decode(line: bytes) -> Message:
         SandboxError: It is none.
     """
     try:
-        message = json.loads(line, parse_constant=_refuse)
-    except (ValueError, RecursionError) as error:
+        message = parse_json(line, parse_constant=_refuse)
+    except ValueError as error:
         raise nonsense("no JSON") from error
     if not isinstance(message, dict):
         raise nonsense("no object")

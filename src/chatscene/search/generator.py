@@ -17,7 +17,7 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError, no_such
 from chatscene.program.check import Checked, check
 from chatscene.search.explore import Block
-from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.backend import Backend
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
@@ -73,8 +73,8 @@ class Generator(Protocol):
         """
         ...
 
-    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
-        """Where its programs are run."""
+    def backend(self, map_path: Path, settings: Settings) -> Backend:
+        """Where its programs are run: behind the sandbox's walls if a stranger may have written a part of them."""
         ...
 
     def explore(

@@ -10,7 +10,7 @@ from chatscene.program.foreign import ForeignProgram, foreign_program
 from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.backend import Backend
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
@@ -43,9 +43,9 @@ class OwnProgram:
         """The program itself."""
         return Written(program=_program(scenario.text), retrieval=None)
 
-    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
+    def backend(self, map_path: Path, settings: Settings) -> Backend:
         """The confined one: whoever wrote the program is a stranger."""
-        return SandboxedBackend(map_path, settings)
+        return SandboxedBackend(map_path, settings.simulation)
 
     def explore(
         self,

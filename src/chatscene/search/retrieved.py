@@ -11,9 +11,10 @@ from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.program.assemble import assemble
+from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.snippets.bind import bound, narrowed
 from chatscene.snippets.embedding import load_embedder
@@ -74,9 +75,11 @@ class Retrieved:
         behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in snippet_ids)
         return assemble(scenario, narrowed((behavior, geometry, spawn), ranges), adversary)
 
-    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
-        """In this process: the snippets are reviewed."""
-        return load_backend("embedded", map_path, settings)
+    def backend(self, map_path: Path, settings: Settings) -> Backend:
+        """In this process if all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""
+        if settings.retrieval.library:
+            return SandboxedBackend(map_path, settings.simulation)
+        return load_backend("embedded", map_path, settings.simulation)
 
     def explore(
         self,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import importlib
-import json
 import os
 import re
 import tempfile
@@ -20,6 +19,7 @@ from typing import IO, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.bounded import parse_json
 from chatscene.errors import MissingExtra, SettingsError, no_such
 from chatscene.snippets.wordpiece import tokenize
 
@@ -214,7 +214,7 @@ def _fetched(name: str, where: str, snapshot_download: Callable[..., str]) -> Pa
 
 def _content_hash(folder: Path) -> str:
     """Of every file in the folders that ``modules.json`` names: weights, tokenizer, settings; not of other formats."""
-    modules = json.loads((folder / "modules.json").read_text(encoding="utf-8"))
+    modules = parse_json((folder / "modules.json").read_text(encoding="utf-8"))
     digest = hashlib.blake2b(digest_size=16)
     for part in sorted({"", *(module["path"] for module in modules)}):
         for path in sorted(path for path in (folder / part).glob("*") if path.is_file()):

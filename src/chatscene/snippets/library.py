@@ -19,6 +19,7 @@ from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
+from chatscene.bounded import check_file
 from chatscene.errors import SnippetError
 from chatscene.terms.scenario import Component, Slots
 from chatscene.terms.snippet import ParameterRange, Snippet
@@ -128,15 +129,16 @@ def load_snippet(path: Path) -> Snippet:
         SnippetError: Its header is missing, is not TOML, or lacks or mistakes a key.
     """
     try:
+        check_file(path)
         text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         raise SnippetError(f"{path} cannot be read: {error}") from error
     lines = text.splitlines()
     end = next((i for i, line in enumerate(lines) if not line.startswith(MARK)), len(lines))
     header = "\n".join(line.removeprefix(MARK) for line in lines[:end])
     try:
         fields = tomllib.loads(header)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise SnippetError(f"{path}: the header (lines that start with {MARK!r}) is not TOML: {error}") from error
     _check_keys(path, fields)
     component = path.parent.name

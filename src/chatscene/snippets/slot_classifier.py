@@ -10,6 +10,8 @@ them was fitted on sentences written by hand (decision 0017).
 
 from __future__ import annotations
 
+import zipfile
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -20,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.agent.decompose import decompose
+from chatscene.bounded import check_archive
 from chatscene.errors import SnippetError
 from chatscene.snippets.embedding import MiniLM
 from chatscene.terms.scenario import (
@@ -240,9 +243,11 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
         SnippetError: The file is missing or damaged.
     """
     try:
+        check_archive(path)
         with np.load(path, allow_pickle=False) as arrays:
             ends = np.cumsum(arrays["lengths"]).tolist()
             places = list(zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=True))
+            _check_places(path, [(at, b - a) for at, a, b in places])
             rows = zip(
                 arrays["changes"], arrays["queries"], arrays["weights"].astype(np.float32), arrays["bias"], strict=True
             )
@@ -256,10 +261,23 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
                 classes={head: tuple(names) for head, *names in named},
                 trust=dict(zip(TRUSTED, trust, strict=True)),
             )
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
         raise SnippetError(
             f"the slot classifier {path} cannot be read ({error}); train it again with: chatscene library fit"
         ) from error
+
+
+def _check_places(path: Path, places: list[tuple[int, int]]) -> None:
+    """Refuse to change the encoder's file elsewhere than the packaged classifier does, where only weights lie.
+
+    Raises:
+        ValueError: It would.
+    """
+    if path == PACKAGED:
+        return
+    trained = load_classifier(PACKAGED).members[0].changes
+    if places != [(at, len(new)) for at, new in trained.items()]:
+        raise ValueError("it would change the encoder elsewhere than training does")
 
 
 @lru_cache(maxsize=2)

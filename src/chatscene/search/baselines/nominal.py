@@ -17,7 +17,7 @@ from chatscene.errors import SettingsError
 from chatscene.program.assemble import assemble
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.snippets.library import load_library
 from chatscene.terms.outcome import Outcome
@@ -175,9 +175,9 @@ class Baseline:
             source="\n".join(lines) + f"\n\n{turn}behavior AdvBehavior():\n{code}",
         )
 
-    def backend(self, map_path: Path, settings: SimulationSettings) -> Backend:
+    def backend(self, map_path: Path, settings: Settings) -> Backend:
         """In this process: the code is ours."""
-        return load_backend("embedded", map_path, settings)
+        return load_backend("embedded", map_path, settings.simulation)
 
     def explore(
         self,

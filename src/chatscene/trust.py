@@ -1,0 +1,105 @@
+"""What a run folder may name without the user saying it again.
+
+A `run.json` may come from a stranger, and what it names is loaded and run when it is followed: an ego, snippets, an
+encoder, a language model. Followed without asking is only what cannot carry code: names of what is packaged, and files
+of an ego's plain weights that are still those of the record. All else the user must name, too, on the command line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from chatscene import runs
+from chatscene.ego.files import is_plain
+from chatscene.ego.policy import EGOS
+from chatscene.errors import RunError
+from chatscene.runs.digests import digest_of
+from chatscene.settings import RetrievalSettings
+
+_PACKAGED = asdict(RetrievalSettings())
+_READING = ("library", "embedder", "language_model")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Repeated:
+    """What the user names beside a run folder, by the name of its option.
+
+    Attributes:
+        ego: Egos.
+        library: Folders of snippets.
+        embedder: Who measures wording.
+        language_model: Who reads sentences.
+    """
+
+    ego: tuple[str, ...] = ()
+    library: tuple[str, ...] = ()
+    embedder: tuple[str, ...] = ()
+    language_model: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Named:
+    """One thing that a record names, and why it is not followed unasked; empty if it is."""
+
+    run: runs.Run
+    option: str
+    value: str
+    doubt: str
+
+
+def follow(repeated: Repeated, *, egos_of: Sequence[runs.Run] = (), reading_of: Sequence[runs.Run] = ()) -> None:
+    """Refuse to follow run folders that name what only the user may.
+
+    Args:
+        repeated: What the user named as well.
+        egos_of: Runs whose egos will be loaded.
+        reading_of: Runs whose texts will be read and made into programs again.
+
+    Raises:
+        RunError: They name something that is neither packaged nor repeated; an ego's file is not that of the record
+            any more; or the user named something that they do not.
+    """
+    named = [*(one for run in egos_of for one in _egos(run)), *(one for run in reading_of for one in _reading(run))]
+    said: dict[str, tuple[str, ...]] = asdict(repeated)
+    for one in named:
+        if one.doubt and one.value not in said[one.option]:
+            raise RunError(
+                f"{one.run.path} names the {_words(one.option)} {one.value!r}, {one.doubt}: whoever wrote run.json "
+                f"chose it. If you trust it, say so: --{_words(one.option, '-')} {one.value}"
+            )
+    for option, values in said.items():
+        known = {one.value for one in named if one.option == option}
+        if wrong := [value for value in values if value not in known]:
+            there = f"it names {', '.join(map(repr, sorted(known)))}" if known else "it names none"
+            where = (*egos_of, *reading_of)[0].path
+            raise RunError(f"{where} does not name the {_words(option)} {wrong[0]!r}; {there}")
+
+
+def _words(option: str, joint: str = " ") -> str:
+    return option.replace("_", joint)
+
+
+def _egos(run: runs.Run) -> Iterator[_Named]:
+    record = runs.read_record(run)
+    for ego in record.ego.split(",") if record.command == "evaluate" else (record.ego,):
+        path, kept = Path(ego), record.ego_digests.get(ego)
+        if kept is not None and path.is_file() and digest_of(path) != kept:
+            raise RunError(f"the ego {ego} is not the file that {run.path} was made with (its SHA-256 differs)")
+        plain = ego in EGOS or is_plain(path)
+        doubt = "which may run code of its own" if not plain else "of whose file it holds no SHA-256"
+        yield _Named(run=run, option="ego", value=ego, doubt="" if ego in EGOS or (plain and kept) else doubt)
+
+
+def _reading(run: runs.Run) -> Iterator[_Named]:
+    settings = asdict(runs.settings_of(runs.read_record(run)).retrieval)
+    for option in _READING:
+        value = settings[option]
+        if value or _PACKAGED[option]:
+            yield _Named(
+                run=run,
+                option=option,
+                value=value,
+                doubt="" if value == _PACKAGED[option] else "which is not the packaged one",
+            )
