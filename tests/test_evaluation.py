@@ -72,7 +72,19 @@ def test_every_kept_scene_is_driven_by_every_ego(searched: Path, tmp_path: Path)
         (scene, ego) for scene in kept for ego in ("RuleBased", "idm")
     )
     assert not evaluated.failures
+    for table in evaluated.tables.values():
+        assert any(note.startswith("idm sees its route and the 6 nearest") for note in table.notes)
+        assert any(note.startswith("rule-based sees its route and, of all others, only") for note in table.notes)
+    by_ego = dict(evaluated.tables["collision-rate-by-ego"].rows)  # the scenes were searched against rule-based
+    marked = {label: any(cell.by_selection for cell in row) for label, row in by_ego.items()}
+    assert marked == {"rule-based, chatscene": True, "idm, chatscene": False}
     assert (tmp_path / "e" / "tables" / "generation.tex").is_file()
+
+
+def test_where_every_scene_is_driven_nothing_is_by_selection(searched: Path, tmp_path: Path) -> None:
+    evaluated = evaluate([searched / "0"], tmp_path / "e", egos=["rule-based"], every_scene=True, progress=silent)
+    rows = evaluated.tables["collision-rate-by-ego"].rows
+    assert not any(cell.by_selection for _, row in rows for cell in row)
 
 
 def test_the_surrogate_drives_its_scenes_as_it_did_when_they_were_found(searched: Path, tmp_path: Path) -> None:

@@ -1,20 +1,22 @@
 """From a sentence to a program that means it: our own sentences by golden file, the paper's forty by outcome."""
 
+import itertools
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from chatscene import pipeline
+from chatscene import pipeline, runs
 from chatscene.agent.decompose import decompose
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NamesNotClosed, NothingFits, Unsatisfiable
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
-from chatscene.settings import SimulationSettings
+from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.backend import Backend, load_backend
 from chatscene.snippets.library import load_library
 from chatscene.terms.scenario import AdversaryKind, Slots
@@ -86,6 +88,29 @@ AdvAgent = new Car at pointOn(egoRoute, globalParameters.OPT_GEO_Y), facing 0, w
     with pytest.raises(Unsatisfiable, match="adversary overlaps ego"):
         check(program, Slots(), backend, RuleBased())
     assert {scene.values["OPT_GEO_Y"] for scene in probe_scenes(program, 0)} >= {0.5, 0.25}
+
+
+def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seconds = itertools.count(start=100.0, step=2.0)
+    monkeypatch.setattr(pipeline.time, "monotonic", lambda: next(seconds))
+    small = Settings(search=SearchSettings(scenes=2, block=1, keep=1))
+
+    def cut(what: str, done: int, _total: int) -> None:
+        if what.startswith("searching") and done == 1:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        pipeline.run(SENTENCES["bus-stop"], tmp_path / "run", settings=small, progress=cut)
+    first = runs.read_record(runs.open_run(tmp_path / "run")).timings["total"]
+    assert first == 6.0  # three times told what is being done, two seconds each
+    summary = pipeline.resume(tmp_path / "run")
+    page = (tmp_path / "run" / "report.html").read_text()
+    told = re.search(r"<dt>Time</dt><dd>([\d.]+) s, until this page was written</dd>", page)
+    assert told
+    assert first < float(told[1]) < summary.seconds
+    assert "sac sees its route" in summary.in_words()
 
 
 def test_nonsense_is_refused() -> None:

@@ -2,12 +2,15 @@ from __future__ import annotations
 
 import html
 import re
+import shlex
 import shutil
 import subprocess
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
+import click
 import numpy as np
 import pytest
 from hypothesis import given
@@ -15,15 +18,34 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
+from chatscene import cli, pipeline
+from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
+from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError
+from chatscene.pipeline import Summary
 from chatscene.report import viewer
 from chatscene.report.animation import write_gif
 from chatscene.report.highlight import highlight
+from chatscene.report.measures import MEASURES
+from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, verdict
 from chatscene.report.tracks import contact_point, extent, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
-from chatscene.runs import Status, read_ranges, read_record, read_scenes, update, write_block
+from chatscene.runs import (
+    Status,
+    create,
+    metrics_of,
+    read_explanation,
+    read_ranges,
+    read_record,
+    read_scenes,
+    update,
+    write_block,
+    write_explanation,
+)
+from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.terms.criticality import Criticality
 from fake_run import PROGRAM, SCENARIO, TEXT, as_by_an_older_version, blocks, drawing, drive, finished, scene, started
 
 NASTY = """</script><script>alert(1)</script><img src=x onerror="alert(2)"> & 'quotes' "too" {{script}} <!--"""
@@ -37,7 +59,15 @@ def _page(folder: Path) -> str:
 
 def test_the_page_tells_the_run_in_order(tmp_path: Path) -> None:
     page = _page(finished(tmp_path / "run").path)
-    parts = (TEXT, "44 collided", 'id="view"', 'id="scenes-title"', 'id="understood-title"', "cross-hesitate")
+    parts = (
+        TEXT,
+        "44 collided",
+        "The ego:",
+        'id="view"',
+        'id="scenes-title"',
+        'id="understood-title"',
+        "cross-hesitate",
+    )
     rest = ("needs advTrajectory", "AdvBehavior", 'class="ranges"', "bus-stop overlaps adversary", "chatscene run")
     places = [page.index(part, page.index("<body>")) for part in (*parts, *rest)]
     assert places == sorted(places)
@@ -117,8 +147,8 @@ def test_a_run_without_a_drawing_of_its_map_still_replays(tmp_path: Path) -> Non
 def test_the_verdict_carries_an_interval() -> None:
     row = {"status": "ran", "selected": False, "fill_in": False, "meaning_ok": True, "impact_speed": None}
     rows = [row | {"collision": i < 41, "avoidable": i < 12 if i < 41 else None} for i in range(50)]
-    assert "<dd>29%</dd>" in verdict(rows)
-    assert "82%, 95 % interval 69% to 90%" in verdict(rows)
+    assert "<dd>29%</dd>" in verdict(rows, "sac", read=True)
+    assert "82%, 95 % interval 69% to 90%" in verdict(rows, "sac", read=True)
 
 
 def test_the_command_can_be_pasted_into_a_shell(tmp_path: Path) -> None:
@@ -127,6 +157,125 @@ def test_the_command_can_be_pasted_into_a_shell(tmp_path: Path) -> None:
     said = subprocess.run(["sh", "-c", words], capture_output=True, text=True, check=True).stdout.splitlines()
     assert said[:2] == ["run", 'don\'t $(rm -rf) `this`; "please"']
     assert said[-2:] == ["--seed", "7"]
+
+
+def test_the_page_says_what_was_read_and_how_many_scenes_show_it(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=2)
+    page = _page(run.path)
+    assert "<b>Read as</b> adversary: pedestrian; actions: cross, then stop; side: right; position: roadside" in page
+    ran = [row for row in read_scenes(run) if row["status"] == "ran"]
+    kept = [row for row in ran if row["selected"]]
+    shown, shown_kept = (sum(row["meaning_ok"] for row in rows) for rows in (ran, kept))
+    assert shown < len(ran)
+    assert f"Of 2 kept scenes {shown_kept} show every act that was read; of all 20, {shown}" in page
+    assert "what the sentence says" not in page
+
+
+def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> None:
+    run = create(
+        tmp_path / "run", text=f"## program mine\n{PROGRAM}", settings=Settings(), map_name="town", ego="sac",
+        generator="program",
+    )  # fmt: skip
+    page = _page(run.path)
+    assert "<h1>mine</h1>" in page
+    assert "chatscene run --program programs/mine.scenic --map town --ego sac" in page
+    rows = [
+        {"status": "ran", "selected": True, "fill_in": False, "collision": True, "avoidable": None, "meaning_ok": True}
+        | {"impact_speed": 3.0}
+    ]
+    assert "show every act" not in verdict(rows, "sac", read=False)
+
+
+def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    assert "rule-based (what it sees was not recorded)" in _page(run.path)
+    egos = {"rule-based": senses_of(load_ego("rule-based"))}
+    write_explanation(run, {**read_explanation(run), "egos": egos})
+    page = _page(run.path)
+    said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 0.375 of the pedal (3 m/s²)"
+    assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')
+
+
+@pytest.mark.parametrize("name", EGOS)
+def test_every_packaged_ego_has_its_senses_in_words(name: str) -> None:
+    said = in_words(senses_of(load_ego(name)))
+    assert said.startswith("sees its route and")
+    assert ("hidden ones too" in said) == (observation_of(load_ego(name)) == "actors")
+    assert re.search(r"brakes with at most (0\.375 of the pedal \(3|1 of the pedal \(8) m/s²\)", said)
+
+
+def test_every_preset_has_words() -> None:
+    assert set(IN_WORDS) == set(OBSERVATIONS)
+
+
+def test_every_number_of_a_scene_has_a_name_a_unit_and_a_direction(tmp_path: Path) -> None:
+    row = next(row for row in read_scenes(finished(tmp_path / "run", count=1)) if row["status"] == "ran")
+    assert set(metrics_of(row)) | {f.name for f in fields(Criticality)} - {"impact_speed", "severity"} == set(MEASURES)
+    for one in measures_in_words(dict.fromkeys(MEASURES, 0.5)):
+        assert re.search(r"[\d.]+ (s|m|m/s²)$", one["value"]) or "; more is" in one["note"]
+        assert one["note"].endswith(("more is better", "more is worse"))
+
+
+@pytest.mark.parametrize(("needed", "said"), [(9.9, True), (88.4, True), (8.0, False)])
+def test_a_deceleration_that_no_tyre_can_do_is_said_to_be_one(needed: float, said: bool) -> None:
+    (one,) = measures_in_words({"deceleration_required": needed})
+    assert ("more than any tyre can do" in one["note"]) == said
+    assert one["value"] == f"{needed:g} m/s²"
+
+
+def test_the_page_says_how_long_the_run_took(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    assert "<dt>Time</dt><dd>not recorded</dd>" in _page(run.path)
+    update(run, timings={"total": 12.0})
+    update(run, timings={"total": 3.5})  # after a kill
+    assert "<dt>Time</dt><dd>15.5 s, until this page was written</dd>" in _page(run.path)
+
+
+def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """What `chatscene run` would start with these words."""
+    caught: dict[str, Any] = {}
+
+    def start(text: str, _folder: Path, **others: Any) -> Summary:
+        caught.update(text=text, **{name: others[name] for name in ("settings", "map_name", "ego_name")})
+        return Summary(
+            counts=dict.fromkeys(("ran", "collided", "rejected", "fill_in", "selected"), 0), seconds=0, ego=""
+        )
+
+    monkeypatch.setattr(pipeline, "run", start)
+    cli.main.main(words, standalone_mode=False)
+    return caught
+
+
+def _other(option: click.Option) -> list[str]:
+    """An option with a value that is not its default."""
+    if option.is_flag:
+        return [option.opts[0]]
+    return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
+
+
+NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program"}
+OPTIONS_OF_RUN = [p for p in cli.run.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
+
+
+@pytest.mark.parametrize("option", OPTIONS_OF_RUN, ids=lambda option: option.name)
+def test_the_command_to_run_it_again_leaves_out_no_option(
+    option: click.Option, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = _caught(["run", "it's a car", *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
+    assert first != _caught(["run", "it's a car", "--out", str(tmp_path / "x")], monkeypatch)
+    run = create(
+        tmp_path / "run", text=first["text"], settings=first["settings"], map_name=first["map_name"],
+        ego=first["ego_name"],
+    )  # fmt: skip
+    words = shlex.split(command(read_record(run)))
+    assert words[0] == "chatscene"
+    assert _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch) == first
+
+
+def test_what_the_command_cannot_say_stands_beside_it(tmp_path: Path) -> None:
+    settings = Settings(search=SearchSettings(block=7, sampler="random"), simulation=SimulationSettings(dt=0.05))
+    run = create(tmp_path / "run", text="a car", settings=settings, map_name="town", ego="sac")
+    assert "block 7, dt 0.05" in _page(run.path)
 
 
 @given(source=st.text(max_size=300) | st.just(PROGRAM))

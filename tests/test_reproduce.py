@@ -87,6 +87,11 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
     assert [label for label in rows["table3"] if label.startswith("Comp")] == [
         f"Comp, {name}" for name in sorted((*methods, BEFORE))
     ]
+    before = next(row for label, row in done.tables["table3"].rows if label == f"CR, {BEFORE}")
+    assert all(cell.by_selection for cell in before if cell.value is not None)
+    assert any("A cell is one training" in note for note in done.tables["table3"].notes)
+    for made in done.tables.values():
+        assert any(note.startswith("sac sees its route and, of all others, only") for note in made.notes)
     assert all((tmp_path / "r" / "tables" / f"{name}.md").is_file() for name in TABLES)
     figures = ["figures/search.svg", "finetuning/released-paper/figures/finetuning.svg"]
     assert all((tmp_path / "r" / figure).is_file() for figure in figures)

@@ -187,6 +187,30 @@ def test_avoidable_is_of_collisions_and_fill_in_of_scenes() -> None:
     assert avoidable["Lane changing"] == Cell(None)
 
 
+def test_the_row_of_the_ego_that_scenes_were_kept_for_is_marked_and_has_no_interval() -> None:
+    drives = [replace(one, by_selection=one.ego == "sac") for one in many()]
+    table = ego_table(drives, Mode.PAPER, which="collision_rate")
+    marked = {label: [cell for cell in row if cell.value is not None] for label, row in table.rows}
+    assert all(cell.by_selection and cell.low is None for cell in marked["sac, chatscene"])
+    assert not any(cell.by_selection for label in ("ppo, chatscene", "td3, chatscene") for cell in marked[label])
+    values = [cell.value for cell in dict(ego_table(many(), Mode.PAPER, which="collision_rate").rows)["sac, chatscene"]]
+    assert [cell.value for cell in dict(table.rows)["sac, chatscene"]] == values
+    assert "(by selection)" in as_markdown(table)
+    assert "by selection" in as_text(table)
+    for of_all in (table, generation_table(drives, [], Mode.PAPER), avoidability_table(drives), fault_table(drives)):
+        assert any(note.startswith("sac: by selection.") for note in of_all.notes)
+
+
+def test_every_bootstrap_says_what_it_leaves_out() -> None:
+    tables = (
+        generation_table(many(), [], Mode.PAPER),
+        diagnostic_table(many(), Mode.PAPER),
+        ego_table(many(), Mode.PAPER, which="overall_score"),
+    )
+    for table in tables:
+        assert any("Scenarios, egos and their trainings are not resampled" in note for note in table.notes)
+
+
 def test_the_shares_of_faults_are_of_collisions_and_sum_to_one() -> None:
     faults = [Fault.ADVERSARY_INTO_EGO, Fault.ADVERSARY_INTO_EGO, Fault.EGO_INTO_STATIC, None]
     drives = [drive(CRASH if fault else PERFECT, scene=k, fault=fault) for k, fault in enumerate(faults)]

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene import runs
-from chatscene.ego.policy import load_ego
+from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import ChatSceneError, EgoError, RunError, SettingsError
 from chatscene.evaluate.drive import Ran, drive
 from chatscene.evaluate.score import average_displacement
@@ -26,6 +26,7 @@ from chatscene.evaluate.tables import (
 )
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, rebuild
+from chatscene.report.egos import ego_in_words
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
@@ -101,8 +102,7 @@ def evaluate(
     """
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
-    for ego in egos:
-        load_ego(ego)
+    senses = {ego: senses_of(load_ego(ego)) for ego in egos}
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     repeated = repeated or Repeated()
     follow(repeated, reading_of=found)
@@ -113,6 +113,7 @@ def evaluate(
         if _where(record) != _where(records[0]):
             raise RunError(f"{run.path} and {found[0].path} differ in map or step; evaluate them one by one")
     told = [_source(run, record, first_route) for run, record in zip(found, records, strict=True)]
+    surrogates = {source.scenario_id: record.ego for source, record in zip(told, records, strict=True)}
     with runs.alone(folder):
         kept = runs.create(
             folder,
@@ -122,6 +123,7 @@ def evaluate(
             ego=",".join(egos),
             sources=told,
         )
+        runs.write_explanation(kept, {"egos": senses, "kept_for": {} if every_scene else surrogates})
         return _carry_on(kept, jobs, progress, replace(repeated, ego=tuple(egos)))
 
 
@@ -300,13 +302,21 @@ def tabulate(run: runs.Run) -> dict[str, ResultTable]:
     tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
     tables["avoidability"] = avoidability_table(drives)
     tables["fault"] = fault_table(drives)
-    return tables
+    egos = egos_in_words(run, record)
+    return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
+
+
+def egos_in_words(run: runs.Run, record: runs.RunRecord) -> tuple[str, ...]:
+    """A note for each ego of an evaluation: what it sees, and how hard it brakes."""
+    explanation = runs.read_explanation(run)
+    return tuple(f"{ego_in_words(ego, explanation)}." for ego in record.ego.split(","))
 
 
 def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
     """Every drive of an evaluation that was not rejected."""
     sources = {source.scenario_id: source for source in record.sources}
     egos = record.ego.split(",")
+    kept_for = runs.read_explanation(run).get("kept_for", {})
     drives: list[Drive] = []
     for row in runs.read_scenes(run):
         source = sources[row["scenario_id"]]
@@ -323,6 +333,7 @@ def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
                     fill_in=row["fill_in"],
                     avoidable=row["avoidable"],
                     fault=row["fault"],
+                    by_selection=kept_for.get(row["scenario_id"]) == egos[row["block"]],
                 )
             )
     return drives

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from chatscene import runs
-from chatscene.ego.policy import load_ego
+from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import (
     ChatSceneError,
     Diverged,
@@ -30,6 +30,7 @@ from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.report.animation import write_gif
+from chatscene.report.egos import ego_in_words
 from chatscene.report.viewer import write_report
 from chatscene.search.generator import climb, load_generator
 from chatscene.search.retrieved import Retrieved
@@ -65,13 +66,20 @@ class Understood:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Summary:
-    """What a run came to."""
+    """What a run came to.
+
+    Attributes:
+        counts: As in `run.json`.
+        seconds: Wall time, of every call that worked on the folder.
+        ego: Who drove, and what it sees: no collision rate means anything without it.
+    """
 
     counts: Mapping[str, int]
     seconds: float
+    ego: str
 
     def in_words(self) -> str:
-        """One line for a person."""
+        """Two lines for a person: what came of it, and what the ego could see."""
         ran, collided = self.counts["ran"], self.counts["collided"]
         low, high = wilson(collided, ran)
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
@@ -82,7 +90,7 @@ class Summary:
         return (
             f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
             f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
-            f"{kept} kept" + (f" ({', '.join(but)})" if but else "")
+            f"{kept} kept" + (f" ({', '.join(but)})" if but else "") + f"\n{self.ego}"
         )
 
 
@@ -178,18 +186,30 @@ def resume(
 
 
 def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
-    began = time.monotonic()
+    since = time.monotonic()
+
+    def clock() -> runs.RunRecord:
+        """Add the time since it was last called: block by block, so that a kill costs no more than a block of it."""
+        nonlocal since
+        before, since = since, time.monotonic()
+        return runs.update(run, timings={"total": since - before})
+
+    def tell(what: str, done: int, total: int) -> None:
+        clock()
+        progress(what, done, total)
+
     try:
-        search(run, jobs, progress)
-        _report(run, progress)
+        search(run, jobs, tell)
+        _report(run, tell)
     except (NothingFits, MeansSomethingElse) as error:
         runs.update(run, status=runs.Status.REFUSED, reason=str(error))
         raise
     except ChatSceneError as error:
         runs.update(run, status=runs.Status.FAILED, reason=str(error))
         raise
-    record = runs.update(run, timings={"total": time.monotonic() - began})
-    return Summary(counts=record.counts, seconds=record.timings["total"])
+    record = clock()
+    ego = ego_in_words(record.ego, runs.read_explanation(run))
+    return Summary(counts=record.counts, seconds=record.timings["total"], ego=ego)
 
 
 def search(run: runs.Run, jobs: int, progress: Progress) -> None:
@@ -199,23 +219,25 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     record = runs.read_record(run)
     if record.status is runs.Status.DONE:
         return
-    map_path = resolve_map(record.map_name)
+    map_path, ego = resolve_map(record.map_name), load_ego(record.ego)
+
+    def explain(scenario: Scenario, retrieval: Retrieval | None) -> None:
+        explanation = runs.explain(record.text, [(scenario, retrieval)])
+        runs.write_explanation(run, {**explanation, "egos": {record.ego: senses_of(ego)}})
 
     progress("understanding the sentence", 0, 0)
     generator = load_generator(record.generator)
     scenario = generator.read(record.text, settings.retrieval)
-    runs.write_explanation(run, runs.explain(record.text, [(scenario, None)]))
+    explain(scenario, None)
     written = generator.write(scenario, settings.retrieval)
-    runs.write_explanation(run, runs.explain(record.text, [(scenario, written.retrieval)]))
+    explain(scenario, written.retrieval)
     runs.write_program(run, scenario.id, written.program.source)
 
     progress("checking that the program means it", 0, 0)
     backend = generator.backend(map_path, settings)
-    written, _ = climb(
-        generator, scenario, written, settings=settings.retrieval, backend=backend, ego=load_ego(record.ego)
-    )
+    written, _ = climb(generator, scenario, written, settings=settings.retrieval, backend=backend, ego=ego)
     program = written.program
-    runs.write_explanation(run, runs.explain(record.text, [(scenario, written.retrieval)]))
+    explain(scenario, written.retrieval)
     runs.write_program(run, scenario.id, program.source)
     routes = _routes(backend, program, settings.search.routes)
     if len(routes) < settings.search.routes:

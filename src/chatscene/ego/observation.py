@@ -50,6 +50,12 @@ HORIZON = 100.0  # [m] of route left beyond which it does not matter how much
 OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": OWN + NEAREST * PER_ACTOR}
 """The presets by name, and the size of each vector."""
 
+IN_WORDS: dict[str, str] = {
+    "safebench": f"sees its route and, of all others, only whether a vehicle is within {SIGHT:g} m ahead in its lane",
+    "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m, hidden ones too",
+}
+"""What each preset shows, to stand beside what came of it."""
+
 
 class Posed(Protocol):
     """Anything with a pose and a size: what `actors` sees of an actor."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import importlib
 import math
 import sys
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
-from chatscene.ego.observation import Observation, check_preset
+from chatscene.ego.observation import IN_WORDS, Observation, check_preset
 from chatscene.errors import ChatSceneError, EgoError, no_such
+from chatscene.terms.limits import LIMITS
 
 
 @runtime_checkable
@@ -59,6 +60,24 @@ def pedals_of(ego: EgoPolicy) -> str:
     if pedals not in PEDALS:
         raise EgoError(f"the ego {name_of(ego)!r} wants pedals {pedals!r}; known: {', '.join(PEDALS)}")
     return pedals
+
+
+def senses_of(ego: EgoPolicy) -> dict[str, str]:
+    """What an ego sees and brakes with, by the names of the presets; `in_words` says them.
+
+    Raises:
+        EgoError: There is no such preset, or no such pedals.
+    """
+    return {"observation": observation_of(ego), "pedals": pedals_of(ego)}
+
+
+def in_words(senses: Mapping[str, str]) -> str:
+    """What an ego sees and how hard it can brake, to stand beside its collisions wherever these are told."""
+    seen, pedals = senses.get("observation"), senses.get("pedals")
+    if seen not in IN_WORDS or pedals not in PEDALS:
+        return "(what it sees was not recorded)"
+    share = PEDALS[pedals]
+    return f"{IN_WORDS[seen]}; brakes with at most {share:.4g} of the pedal ({share * LIMITS['Car'].brake:g} m/s²)"
 
 
 FILES = (".npz", ".zip", ".pt", ".onnx")

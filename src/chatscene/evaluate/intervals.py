@@ -1,7 +1,8 @@
 """Confidence intervals from what varies between routes; decision 0014 says why routes and how well it covers.
 
 The scenes of a route share its geometry, and every ego drives the same scenes, so drives are not independent; routes
-are taken to be. A bootstrap draws as many routes as there are, with replacement, and computes the number again.
+are taken to be. A bootstrap draws as many routes as there are, with replacement, and computes the number again. What
+other sentences, other egos or another training of the same ego would give is in none of these intervals.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ scenarios. The other tables are ours. Decision 0014 says which interval is used 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
@@ -43,7 +43,8 @@ TITLES: dict[Which, str] = {
 WILSON = "95 % Wilson interval that takes drives for independent"
 FEW_ROUTES = f"CR of a base scenario with too few routes, or where all or none collided: {WILSON}"
 BOOTSTRAP = (
-    f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none where they are too few or alike"
+    f"95 % cluster bootstrap over the routes of a base scenario, {DRAWS} draws; none where they are too few or alike."
+    " Scenarios, egos and their trainings are not resampled: how others would differ is in no interval"
 )
 
 
@@ -109,7 +110,7 @@ def ego_table(drives: Sequence[Drive], mode: Mode, *, which: Which) -> ResultTab
         which: Table 4 (``collision_rate``), 5 (``overall_score``), or the completion that must stand beside them.
     """
     rows = [
-        (f"{ego}, {generator}", _cells(_scores(own, mode), which))
+        (f"{ego}, {generator}", _unless_selected(own, _cells(_scores(own, mode), which)))
         for ego, of_ego in _split(drives, lambda drive: drive.ego).items()
         for generator, own in _split(of_ego, _generator).items()
     ]
@@ -236,6 +237,13 @@ def _with_interval(value: float, interval: tuple[float, float]) -> Cell:
     return Cell(value) if math.isnan(interval[0]) else Cell(value, *interval)
 
 
+def _unless_selected(drives: Sequence[Drive], cells: tuple[Cell, ...]) -> tuple[Cell, ...]:
+    """The row of an ego; where its scenes were kept for what it did in them, the values alone."""
+    if not all(drive.by_selection for drive in drives):
+        return cells
+    return tuple(cell if cell.value is None else Cell(cell.value, by_selection=True) for cell in cells)
+
+
 def _shares(drives: Sequence[Drive], of: Callable[[Sequence[Drive]], Sequence[bool]]) -> tuple[Cell, ...]:
     """A row: what share of something is so, on each base scenario and on all."""
     by_base = _by_base(drives)
@@ -298,10 +306,10 @@ def _mode_note(mode: Mode) -> str:
     return f"Mode: {mode}."
 
 
-def _counts(drives: Iterable[Drive]) -> tuple[str, ...]:
-    """What each generator's numbers are made of, and which base scenarios lack."""
+def _counts(drives: Sequence[Drive]) -> tuple[str, ...]:
+    """What each generator's numbers are made of, which base scenarios lack, and whom the scenes were kept for."""
     notes: list[str] = []
-    for name, own in _split(list(drives), _generator).items():
+    for name, own in _split(drives, _generator).items():
         there = _by_base(own)
         scenes, egos = len({_scene(drive) for drive in own}), len({drive.ego for drive in own})
         routes = sorted({len(_routes(some)) for some in there.values()})
@@ -310,4 +318,9 @@ def _counts(drives: Iterable[Drive]) -> tuple[str, ...]:
             f"{name}: {len(own)} drives, {scenes} scenes, {span} routes per base scenario, egos: {egos},"
             f" base scenarios: {len(there)} of {len(BaseScenario)}."
         )
+    notes += [
+        f"{ego}: by selection. The scenes were kept for what it did in them, so its numbers say how well they were"
+        " searched and not how it fares; they are part of every mean and share over egos."
+        for ego in sorted({drive.ego for drive in drives if drive.by_selection})
+    ]
     return tuple(notes)

@@ -6,31 +6,53 @@ import math
 import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
 from html import escape
 from itertools import groupby
 from typing import Any
+from urllib.parse import quote
 
-from chatscene.evaluate.score import COLUMNS, wilson
+from chatscene.evaluate.score import wilson
 from chatscene.report.highlight import highlight
 from chatscene.report.ranges import plot_ranges
 from chatscene.runs import RunRecord, Status
+from chatscene.settings import Settings
 
 Row = Mapping[str, Any]
 
-_METRIC_NAMES = {column: name for name, column in COLUMNS.items()}
-_CRITICALITY_NAMES = {
-    "time_to_collision": "least time to collision [s]",
-    "post_encroachment_time": "post-encroachment time [s]",
-    "time_headway": "least time headway [s]",
-    "deceleration_required": "deceleration required [m/s²]",
-    "distance": "least distance [m]",
-}
+PROGRAM = "program"  # the generator that runs a user's own
 _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", "spawn": "Spawn position"}
 
 
-def heading(record: RunRecord) -> str:
-    """The sentence, and how far the run came where it did not end well."""
-    return f"<h1><q>{escape(record.text.strip())}</q></h1>{_banner(record)}"
+def heading(record: RunRecord, explanation: Row) -> str:
+    """The sentence, what was read in it, and how far the run came where it did not end well."""
+    said = escape(title(record))
+    first = f"<h1>{said}</h1>" if record.generator == PROGRAM else f"<h1><q>{said}</q></h1>"
+    return f"{first}{_reading(explanation)}{_banner(record)}"
+
+
+def title(record: RunRecord) -> str:
+    """The sentence; of a program of the user's own, whose text is all of its code, its name."""
+    return _program_name(record) if record.generator == PROGRAM else record.text.strip()
+
+
+def _program_name(record: RunRecord) -> str:
+    return record.text.partition("\n")[0].removeprefix("## program ").strip()
+
+
+def _reading(explanation: Row) -> str:
+    """The slots in words: what the scenes are held against, which need not be all that was said."""
+    facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
+    return f'<p class="reading"><b>Read as</b> {escape(facts)}.</p>' if facts else ""
+
+
+def facts_of(explanation: Row) -> list[tuple[str, object]]:
+    """What was read: each slot with its value."""
+    return [fact for scenario in explanation.get("scenarios", []) for fact in scenario.get("slots", {}).items()]
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")
 
 
 def _banner(record: RunRecord) -> str:
@@ -39,14 +61,20 @@ def _banner(record: RunRecord) -> str:
     words = {
         Status.RUNNING: "This run is not finished. What is shown is what was done so far.",
         Status.FAILED: "This run failed. What is shown is what was done before.",
-        Status.REFUSED: "This run was refused: nothing in the library serves the sentence.",
+        Status.REFUSED: "This run was refused. Nothing was searched.",
     }
     reason = f"<br>{escape(record.reason)}" if record.reason else ""
     return f'<p class="banner" role="status"><strong>{words[record.status]}</strong>{reason}</p>'
 
 
-def verdict(scenes: Sequence[Row]) -> str:
-    """How many scenes there are, how many crashed, how many were kept."""
+def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> str:
+    """How many scenes there are, how many crashed, how many were kept and show what was read; and who drove.
+
+    Args:
+        scenes: Driven ones and rejected ones.
+        ego: Who drove and what it sees, as `chatscene.report.egos.ego_in_words` says it.
+        read: Whether anything was read that scenes are held against.
+    """
     ran = [row for row in scenes if row["status"] == "ran"]
     if not ran:
         return '<p class="verdict">No scene was driven.</p>'
@@ -65,7 +93,7 @@ def verdict(scenes: Sequence[Row]) -> str:
         (
             f"{kept}",
             "scenes kept",
-            f"{fill_ins} of them without a collision" if fill_ins else "collision first, then lowest score",
+            f"{fill_ins} of them without a collision" if fill_ins else "all of them with a collision",
         ),
         (
             f"{avoidable / hits:.0%}" if hits else "none",
@@ -78,17 +106,27 @@ def verdict(scenes: Sequence[Row]) -> str:
         f'<div class="tile"><dt>{escape(label)}</dt><dd>{value}</dd><dd class="note">{escape(note)}</dd></div>'
         for value, label, note in tiles
     )
-    meant = sum(bool(row["meaning_ok"]) for row in ran)
     return (
         f'<p class="verdict">{_scenes(len(ran))} driven, <strong>{hits} collided</strong>'
         f" ({hits / len(ran):.0%}, 95 % interval {low:.0%} to {high:.0%}), <strong>{kept} kept</strong>. "
-        f"In {meant} of {len(ran)} the adversary did what the sentence says, as far as the drive went.</p>"
+        f"{_shown(ran) if read else 'Nothing was read that a scene would have to show.'}</p>"
+        f'<p class="senses"><b>The ego:</b> {escape(ego)}.</p>'
         f'<dl class="tiles">{cells}</dl>'
     )
 
 
-def _scenes(count: int) -> str:
-    return "1 scene" if count == 1 else f"{count} scenes"
+def _shown(ran: Sequence[Row]) -> str:
+    """How many scenes show all that was read; the kept ones apart."""
+    kept = [bool(row["meaning_ok"]) for row in ran if row["selected"]]
+    every = [bool(row["meaning_ok"]) for row in ran]
+    return (
+        f"Of {_scenes(len(kept), 'kept scene')} {sum(kept)} show every act that was read; of all {len(every)}, "
+        f"{sum(every)}, each as far as its drive went."
+    )
+
+
+def _scenes(count: int, what: str = "scene") -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Iterable[str]) -> str:
@@ -104,7 +142,7 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
             ("Avoidable", ""),
             ("Who hit", ""),
             ("Score", ' class="n"'),
-            ("As said", ""),
+            ("As read", ""),
             *((f"{escape(short(name))}<small>{escape(units[name])}</small>", ' class="n"') for name in parameters),
         )
     )
@@ -118,14 +156,6 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
 def short(parameter: str) -> str:
     """A parameter's name for a heading."""
     return parameter.removeprefix("OPT_").replace("_", " ").lower()
-
-
-def metric_label(column: str) -> str:
-    """A metric's name in words, with its abbreviation: ``collision rate (CR)``."""
-    name = _METRIC_NAMES.get(column)
-    if name is None:
-        return _CRITICALITY_NAMES.get(column, column.replace("_", " "))
-    return f"{name.replace('_', ' ')} ({column.upper()})"
 
 
 def scene_label(scene_id: str) -> str:
@@ -174,7 +204,7 @@ def understanding(explanation: Row) -> str:
 def _scenario(scenario: Row, *, alone: bool) -> str:
     title = "" if alone else f"<h3><q>{escape(scenario['text'])}</q></h3>"
     slots = "".join(
-        f'<span class="chip slot"><i>{escape(name)}</i> {escape(_slot(value))}</span>'
+        f'<span class="chip slot"><i>{escape(_words(name))}</i> {escape(_slot(value))}</span>'
         for name, value in scenario.get("slots", {}).items()
     )
     notes = "".join(f"<li>{escape(note)}</li>" for note in scenario.get("notes", []))
@@ -298,26 +328,60 @@ def rejections(scenes: Sequence[Row]) -> str:
 def provenance(record: RunRecord) -> str:
     """What made this page, and the command that makes it again."""
     versions = ", ".join(f"{name} {number}" for name, number in record.versions.items())
-    timings = ", ".join(f"{name} {seconds:.1f} s" for name, seconds in record.timings.items())
+    seconds = record.timings.get("total")
     facts = {
         "Versions": versions,
         "Seed": str(record.seed),
         "Map": record.map_name,
         "Ego": record.ego,
-        "Time": timings or "not recorded",
+        "Time": "not recorded" if seconds is None else f"{seconds:.1f} s, until this page was written",
     }
+    if left := _without_option(record):
+        facts["Set from Python, as the command has no option for it"] = left
     items = "".join(f"<div><dt>{name}</dt><dd>{escape(value)}</dd></div>" for name, value in facts.items())
     again = f'<pre class="code wrap" tabindex="0"><code>{escape(command(record))}</code></pre>'
     return f'{again}<dl class="facts">{items}</dl>'
 
 
+# The options of `chatscene run` that are settings; a test holds them to the command line.
+OPTIONS = {
+    ("search", "scenes"): "--scenes",
+    ("search", "routes"): "--routes",
+    ("search", "seed"): "--seed",
+    ("search", "avoidable_only"): "--avoidable",
+    ("search", "sampler"): "--sampler",
+    ("retrieval", "library"): "--library",
+    ("retrieval", "embedder"): "--embedder",
+    ("retrieval", "language_model"): "--language-model",
+}
+
+
 def command(record: RunRecord) -> str:
-    """The command line that repeats a run."""
-    search = record.settings.get("search", {})
-    words = ["chatscene", "run", record.text, "--map", record.map_name, "--ego", record.ego]
-    for name in ("scenes", "routes", "seed"):
-        if name in search:
-            words += [f"--{name}", str(search[name])]
-    if search.get("avoidable_only"):
-        words.append("--avoidable")
+    """The command line that repeats a run, where it was started; of a program of one's own, in the run folder."""
+    if record.generator == PROGRAM:
+        words = ["chatscene", "run", "--program", f"programs/{quote(_program_name(record), safe='')}.scenic"]
+    elif record.generator == "chatscene":
+        words = ["chatscene", "run", record.text]
+    else:
+        return f"# a scenario of: chatscene benchmark --generator {shlex.quote(record.generator)}"
+    words += ["--map", record.map_name, "--ego", record.ego]
+    for place, value in _changed(record).items():
+        if place in OPTIONS:
+            words += [OPTIONS[place]] if value is True else [OPTIONS[place], str(value)]
     return shlex.join(words)
+
+
+def _without_option(record: RunRecord) -> str:
+    changed = _changed(record)
+    return ", ".join(f"{_words(place[1])} {value}" for place, value in changed.items() if place not in OPTIONS)
+
+
+def _changed(record: RunRecord) -> dict[tuple[str, str], object]:
+    """The settings that are not the default, by group and name."""
+    default = asdict(Settings())
+    return {
+        (group, name): value
+        for group, values in record.settings.items()
+        for name, value in values.items()
+        if value != default.get(group, {}).get(name)
+    }

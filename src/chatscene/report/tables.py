@@ -37,7 +37,7 @@ def as_text(table: ResultTable) -> str:
     lines += ["-" * (label + len(table.columns) * (WIDTH + len(GAP)))]
     for name, cells in table.rows:
         lines.append(line(name, [_value(cell) for cell in cells]))
-        if any(cell.low is not None for cell in cells):
+        if any(cell.low is not None or cell.by_selection for cell in cells):
             lines.append(line("", [_interval(cell) for cell in cells]))
     return "\n".join([*lines, "", *table.notes]) + "\n"
 
@@ -99,11 +99,13 @@ def _value(cell: Cell) -> str:
 
 
 def _interval(cell: Cell) -> str:
+    if cell.by_selection:
+        return "by selection"
     return DASH if cell.low is None or cell.high is None else f"{cell.low:.3f}{DASH}{cell.high:.3f}"
 
 
 def _inline(cell: Cell) -> str:
-    return _value(cell) if cell.low is None else f"{_value(cell)} ({_interval(cell)})"
+    return _value(cell) if cell.low is None and not cell.by_selection else f"{_value(cell)} ({_interval(cell)})"
 
 
 def _pipes(cells: list[str]) -> str:

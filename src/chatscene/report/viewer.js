@@ -355,10 +355,10 @@ function introduce(scene) {
     button.title = "Go to one second before";
     return button;
   }));
-  $("metrics").replaceChildren(...Object.entries(scene.metrics).map(([name, value]) => {
-    const pair = document.createElement("div");
-    pair.append(element("dt", name), element("dd", String(value)));
-    return pair;
+  $("metrics").replaceChildren(...scene.metrics.map((metric) => {
+    const entry = document.createElement("div");
+    entry.append(element("dt", metric.name), element("dd", metric.value), element("dd", metric.note, "note"));
+    return entry;
   }));
   for (const row of document.querySelectorAll("tr[data-scene]")) {
     if (row.dataset.scene === scene.id) row.setAttribute("aria-current", "true");

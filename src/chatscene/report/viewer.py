@@ -9,11 +9,12 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
-from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from chatscene.report import sections
+from chatscene.report.egos import ego_in_words
+from chatscene.report.measures import in_words
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     Run,
@@ -66,6 +67,7 @@ def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 def _page(run: Run) -> str:
     record, scenes, ranges = read_record(run), read_scenes(run), read_ranges(run)
+    explanation = read_explanation(run)
     order = ranked(scenes)
     replays, boxes = _replays(run, order)
     units = {row["parameter"]: row["unit"] for row in ranges}
@@ -77,16 +79,18 @@ def _page(run: Run) -> str:
     return _fill(
         _asset("viewer.html"),
         {
-            "title": escape(record.text.strip()),
+            "title": escape(sections.title(record)),
             "policy": _policy(script),
             "style": style,
             "script": script,
             "content": json.dumps(content, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c"),
-            "heading": sections.heading(record),
-            "verdict": sections.verdict(scenes),
+            "heading": sections.heading(record, explanation),
+            "verdict": sections.verdict(
+                scenes, ego_in_words(record.ego, explanation), read=bool(sections.facts_of(explanation))
+            ),
             "left-out": _left_out(len(replays), len(order)),
             "scenes": sections.scene_table(order, units, replays),
-            "understanding": sections.understanding(read_explanation(run)),
+            "understanding": sections.understanding(explanation),
             "programs": sections.programs(read_programs(run)),
             "refinement": sections.refinement(ranges, scenes),
             "rejections": sections.rejections(scenes),
@@ -120,11 +124,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "collision": row["collision"],
         "impact": row["impact_speed"],
         "kept": row["selected"],
-        "metrics": {
-            sections.metric_label(name): round(value, 3)
-            for name, value in (metrics_of(row) | criticality_of(row)).items()
-            if isfinite(value)
-        },
+        "metrics": in_words(metrics_of(row) | criticality_of(row)),
         "drive": drive,
     }
 

@@ -26,6 +26,7 @@ class Drive:
         fill_in: The scene did not collide with the surrogate ego; it was kept because too few did.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         fault: Whose own motion closed the gap at the collision; None without one.
+        by_selection: The scene was kept for what this very ego did in it.
     """
 
     generator: str
@@ -38,6 +39,7 @@ class Drive:
     fill_in: bool
     avoidable: bool | None
     fault: str | None
+    by_selection: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,11 +71,13 @@ class Cell:
         value: The number; None where there is nothing to compute it from.
         low: Lower end of the interval; None where none can be given.
         high: Upper end of the interval; None where none can be given.
+        by_selection: What was selected for; it has no interval, as it estimates nothing.
     """
 
     value: float | None
     low: float | None = None
     high: float | None = None
+    by_selection: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,70 @@
+"""The numbers of a scene in words: what each is, its unit, and whether more of it is better or worse for the ego."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from chatscene.evaluate.score import (
+    MOST_ACCELERATION,
+    MOST_DISTANCE,
+    MOST_INVASIONS,
+    MOST_OFF_ROAD,
+    MOST_TIME,
+    MOST_YAW_RATE,
+)
+
+GRAVITY = 9.81  # [m/s²]; no tyre on a dry road brakes harder
+TOUCHED = ("time_to_collision", "post_encroachment_time", "distance")  # what a contact makes 0
+
+
+class Measure(NamedTuple):
+    """A number of a scene: its name, its unit or what it is a share of, and what more of it means for the ego."""
+
+    name: str
+    more: str
+    unit: str = ""
+    of: str = ""
+
+
+MEASURES: dict[str, Measure] = {
+    "cr": Measure("collision rate (CR)", "worse", of="1 if it collided"),
+    "rr": Measure("red light (RR)", "worse", of="red lights run"),
+    "ss": Measure("stop sign (SS)", "worse", of="stop signs ignored"),
+    "or": Measure("off road (OR)", "worse", of=f"share of {MOST_OFF_ROAD:g} m"),
+    "rf": Measure("route following (RF)", "better", of=f"1 less the mean distance as a share of {MOST_DISTANCE:g} m"),
+    "comp": Measure("completion (Comp)", "better", of="share of the route"),
+    "ts": Measure("time spent (TS)", "worse", of=f"share of {MOST_TIME:g} s, 0 if it did not arrive"),
+    "acc": Measure("acceleration (ACC)", "worse", of=f"mean, share of {MOST_ACCELERATION:g} m/s²"),
+    "yv": Measure(
+        "yaw velocity (YV)", "worse", of=f"mean, share of {MOST_YAW_RATE:g} rad/s, a step over ±180° taken for a turn"
+    ),
+    "li": Measure("lane invasion (LI)", "worse", of=f"markings crossed, share of {MOST_INVASIONS:g}"),
+    "overall_score": Measure("overall score (OS)", "better", of="at most 1"),
+    "time_to_collision": Measure("least time to collision", "better", "s"),
+    "post_encroachment_time": Measure("post-encroachment time", "better", "s"),
+    "time_headway": Measure("least time headway", "better", "s"),
+    "deceleration_required": Measure("deceleration required", "worse", "m/s²"),
+    "distance": Measure("least distance", "better", "m"),
+}
+
+
+def in_words(values: Mapping[str, float]) -> list[dict[str, str]]:
+    """Each number with its name, its unit, and a note that says how to read it; what is not finite is left out."""
+    return [
+        {"name": one.name, "value": f"{values[column]:.4g} {one.unit}".strip(), "note": _note(column, values[column])}
+        for column, one in MEASURES.items()
+        if math.isfinite(values.get(column, math.nan))
+    ]
+
+
+def _note(column: str, value: float) -> str:
+    measure = MEASURES[column]
+    if column == "deceleration_required" and value > GRAVITY:
+        said = "more than any tyre can do: at that time braking could not avoid it any more"
+    elif column in TOUCHED and value == 0.0:
+        said = "they touched"
+    else:
+        said = measure.of
+    return "; ".join(filter(None, (said, f"more is {measure.more}")))
