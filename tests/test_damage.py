@@ -183,11 +183,15 @@ def test_a_newer_run_is_not_called_damaged(folder: Path) -> None:
     assert "newer chatscene" in check(folder).damaged["run.json"]
 
 
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
 USES: dict[str, Callable[[Path, Path], object]] = {
     "resume": lambda folder, _: pipeline.resume(folder),
     "replay": lambda folder, _: pipeline.replay(folder, "any"),
     "report": lambda folder, _: write_report(folder),
-    "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=lambda *_: None),
+    "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=_silent),
     "finetune": lambda folder, _: kept_scenes([folder]),
 }
 

@@ -36,13 +36,11 @@ from chatscene.runs import (
     Status,
     create,
     metrics_of,
-    read_explanation,
     read_ranges,
     read_record,
     read_scenes,
     update,
     write_block,
-    write_explanation,
 )
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
@@ -189,8 +187,9 @@ def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> N
 def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
     assert "rule-based (what it sees was not recorded)" in _page(run.path)
-    egos = {"rule-based": senses_of(load_ego("rule-based"))}
-    write_explanation(run, {**read_explanation(run), "egos": egos})
+    record = read_record(run)
+    senses = {"rule-based": senses_of(load_ego("rule-based"))}
+    run.file("run.json").write_text(record.model_copy(update={"senses": senses}).model_dump_json())
     page = _page(run.path)
     said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 0.375 of the pedal (3 m/s²)"
     assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')

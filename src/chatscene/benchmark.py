@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene import runs
+from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError, no_such
 from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
 from chatscene.pipeline import Progress, search
@@ -220,6 +221,7 @@ class _Searcher:
                 map_name=setup.map_name,
                 ego=setup.surrogate,
                 generator=setup.generator,
+                senses={setup.surrogate: senses_of(load_ego(setup.surrogate))},
             )
         record = runs.read_record(run)
         if record.status is runs.Status.REFUSED:

@@ -26,7 +26,7 @@ from chatscene.evaluate.tables import (
 )
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, rebuild
-from chatscene.report.egos import ego_in_words
+from chatscene.report.egos import egos_in_words
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
@@ -112,8 +112,10 @@ def evaluate(
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
         if _where(record) != _where(records[0]):
             raise RunError(f"{run.path} and {found[0].path} differ in map or step; evaluate them one by one")
-    told = [_source(run, record, first_route) for run, record in zip(found, records, strict=True)]
-    surrogates = {source.scenario_id: record.ego for source, record in zip(told, records, strict=True)}
+    told = [
+        _source(run, record, first_route, kept_for="" if every_scene else record.ego)
+        for run, record in zip(found, records, strict=True)
+    ]
     with runs.alone(folder):
         kept = runs.create(
             folder,
@@ -122,8 +124,8 @@ def evaluate(
             map_name=records[0].map_name,
             ego=",".join(egos),
             sources=told,
+            senses=senses,
         )
-        runs.write_explanation(kept, {"egos": senses, "kept_for": {} if every_scene else surrogates})
         return _carry_on(kept, jobs, progress, replace(repeated, ego=tuple(egos)))
 
 
@@ -131,7 +133,7 @@ def _where(record: runs.RunRecord) -> tuple[str, SimulationSettings]:
     return record.map_name, runs.settings_of(record).simulation
 
 
-def _source(run: runs.Run, record: runs.RunRecord, first_route: int) -> runs.SourceRecord:
+def _source(run: runs.Run, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
     scenario, _ = runs.read_choice(run)
     if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
@@ -141,6 +143,7 @@ def _source(run: runs.Run, record: runs.RunRecord, first_route: int) -> runs.Sou
         base=scenario.base,
         generator=record.generator,
         first_route=first_route,
+        kept_for=kept_for,
     )
 
 
@@ -302,21 +305,14 @@ def tabulate(run: runs.Run) -> dict[str, ResultTable]:
     tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
     tables["avoidability"] = avoidability_table(drives)
     tables["fault"] = fault_table(drives)
-    egos = egos_in_words(run, record)
+    egos = [f"{ego}." for ego in egos_in_words(record)]
     return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
-
-
-def egos_in_words(run: runs.Run, record: runs.RunRecord) -> tuple[str, ...]:
-    """A note for each ego of an evaluation: what it sees, and how hard it brakes."""
-    explanation = runs.read_explanation(run)
-    return tuple(f"{ego_in_words(ego, explanation)}." for ego in record.ego.split(","))
 
 
 def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
     """Every drive of an evaluation that was not rejected."""
     sources = {source.scenario_id: source for source in record.sources}
     egos = record.ego.split(",")
-    kept_for = runs.read_explanation(run).get("kept_for", {})
     drives: list[Drive] = []
     for row in runs.read_scenes(run):
         source = sources[row["scenario_id"]]
@@ -333,7 +329,7 @@ def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
                     fill_in=row["fill_in"],
                     avoidable=row["avoidable"],
                     fault=row["fault"],
-                    by_selection=kept_for.get(row["scenario_id"]) == egos[row["block"]],
+                    by_selection=source.kept_for == egos[row["block"]],
                 )
             )
     return drives

@@ -30,7 +30,7 @@ from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.report.animation import write_gif
-from chatscene.report.egos import ego_in_words
+from chatscene.report.egos import egos_in_words
 from chatscene.report.viewer import write_report
 from chatscene.search.generator import climb, load_generator
 from chatscene.search.retrieved import Retrieved
@@ -163,10 +163,18 @@ def run(
     settings = settings or Settings()
     load_generator(generator).read(text, settings.retrieval)  # an empty text leaves no folder behind
     resolve_map(map_name)
-    load_ego(ego_name)
+    senses = {ego_name: senses_of(load_ego(ego_name))}
     load_sampler(settings.search.sampler)
     with runs.alone(folder):
-        kept = runs.create(folder, text=text, settings=settings, map_name=map_name, ego=ego_name, generator=generator)
+        kept = runs.create(
+            folder,
+            text=text,
+            settings=settings,
+            map_name=map_name,
+            ego=ego_name,
+            generator=generator,
+            senses=senses,
+        )
         return _carry_on(kept, jobs, progress or _silent)
 
 
@@ -208,8 +216,7 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
         runs.update(run, status=runs.Status.FAILED, reason=str(error))
         raise
     record = clock()
-    ego = ego_in_words(record.ego, runs.read_explanation(run))
-    return Summary(counts=record.counts, seconds=record.timings["total"], ego=ego)
+    return Summary(counts=record.counts, seconds=record.timings["total"], ego=egos_in_words(record)[0])
 
 
 def search(run: runs.Run, jobs: int, progress: Progress) -> None:
@@ -222,8 +229,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     map_path, ego = resolve_map(record.map_name), load_ego(record.ego)
 
     def explain(scenario: Scenario, retrieval: Retrieval | None) -> None:
-        explanation = runs.explain(record.text, [(scenario, retrieval)])
-        runs.write_explanation(run, {**explanation, "egos": {record.ego: senses_of(ego)}})
+        runs.write_explanation(run, runs.explain(record.text, [(scenario, retrieval)]))
 
     progress("understanding the sentence", 0, 0)
     generator = load_generator(record.generator)

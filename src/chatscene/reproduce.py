@@ -19,10 +19,11 @@ from chatscene.benchmark import benchmark
 from chatscene.errors import SettingsError, no_such
 from chatscene.evaluate.score import score
 from chatscene.evaluate.tables import avoidability_table, diagnostic_table, ego_table, generation_table
-from chatscene.evaluation import carry_on, egos_in_words, evaluate, read_displacements, read_drives
+from chatscene.evaluation import carry_on, evaluate, read_displacements, read_drives
 from chatscene.finetune import PRESETS, FinetuneSettings, finetune
 from chatscene.pipeline import Progress
 from chatscene.report.beside_paper import beside_paper
+from chatscene.report.egos import egos_in_words
 from chatscene.report.figures import two_curves
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import read_json, write_json
@@ -162,7 +163,7 @@ def reproduce(
         run = runs.open_run(done.evaluated.folder)
         drives += read_drives(run, runs.read_record(run))
         displacements += read_displacements(run, runs.read_record(run))
-        seen = egos_in_words(run, runs.read_record(run))  # the same egos each time
+        seen = tuple(f"{ego}." for ego in egos_in_words(runs.read_record(run)))  # the same egos each time
     found = {
         "table1": generation_table(drives, displacements, Mode.PAPER),
         "table2": diagnostic_table(drives, Mode.PAPER),

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 from chatscene.ego.policy import in_words
+from chatscene.runs import RunRecord
 
 
-def ego_in_words(name: str, explanation: Mapping[str, Any]) -> str:
-    """An ego by its name, with what it sees and how hard it brakes, as a run's `explanation.json` has them."""
-    return f"{name} {in_words(explanation.get('egos', {}).get(name, {}))}"
+def egos_in_words(record: RunRecord) -> tuple[str, ...]:
+    """Each ego of a run or an evaluation, with what it sees and how hard it brakes."""
+    egos = record.ego.split(",") if record.command == "evaluate" else (record.ego,)
+    return tuple(f"{ego} {in_words(record.senses.get(ego, {}))}" for ego in egos)

@@ -72,7 +72,7 @@ def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> str:
 
     Args:
         scenes: Driven ones and rejected ones.
-        ego: Who drove and what it sees, as `chatscene.report.egos.ego_in_words` says it.
+        ego: Who drove and what it sees, as `chatscene.report.egos.egos_in_words` says it.
         read: Whether anything was read that scenes are held against.
     """
     ran = [row for row in scenes if row["status"] == "ran"]

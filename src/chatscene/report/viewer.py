@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.report import sections
-from chatscene.report.egos import ego_in_words
+from chatscene.report.egos import egos_in_words
 from chatscene.report.measures import in_words
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
@@ -85,9 +85,7 @@ def _page(run: Run) -> str:
             "script": script,
             "content": json.dumps(content, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c"),
             "heading": sections.heading(record, explanation),
-            "verdict": sections.verdict(
-                scenes, ego_in_words(record.ego, explanation), read=bool(sections.facts_of(explanation))
-            ),
+            "verdict": sections.verdict(scenes, egos_in_words(record)[0], read=bool(sections.facts_of(explanation))),
             "left-out": _left_out(len(replays), len(order)),
             "scenes": sections.scene_table(order, units, replays),
             "understanding": sections.understanding(explanation),

@@ -64,6 +64,7 @@ def create(
     ego: str,
     generator: str = "chatscene",
     sources: Sequence[SourceRecord] = (),
+    senses: Mapping[str, dict[str, str]] | None = None,
     given: Mapping[str, Any] | None = None,
 ) -> Run:
     """Start a run in a new or empty folder, with status ``running``.
@@ -76,6 +77,7 @@ def create(
         ego: The ego as the user named it; of an evaluation, the egos, comma between them.
         generator: Who makes the scenes.
         sources: The runs whose scenes are driven, for an evaluation.
+        senses: What each ego sees and brakes with, by ego.
         given: The settings that the user gave, by name.
 
     Raises:
@@ -96,6 +98,7 @@ def create(
             map_name=map_name,
             ego=ego,
             ego_digests={name: digest_of(Path(name)) for name in ego.split(",") if Path(name).suffix in FILES},
+            senses=dict(senses or {}),
             generator=generator,
             command="evaluate" if sources else "run",
             sources=list(sources),

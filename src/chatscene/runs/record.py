@@ -37,6 +37,7 @@ class SourceRecord(_Frozen):
         base: The base scenario it belongs to.
         generator: Who made its scenes.
         first_route: Scenes on earlier routes are left out.
+        kept_for: The ego against which its scenes were selected; empty where every scene is driven.
     """
 
     folder: str
@@ -44,6 +45,7 @@ class SourceRecord(_Frozen):
     base: str
     generator: str
     first_route: int = 0
+    kept_for: str = ""
 
 
 class RunRecord(_Frozen):
@@ -57,6 +59,7 @@ class RunRecord(_Frozen):
         map_name: The map as it was given.
         ego: The ego as it was given; of an evaluation, the egos, comma between them.
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
+        senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
         generator: Who made the scenes.
         command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
         sources: Of an evaluation: the runs whose scenes were driven.
@@ -78,6 +81,7 @@ class RunRecord(_Frozen):
     map_name: str
     ego: str
     ego_digests: dict[str, str] = {}
+    senses: dict[str, dict[str, str]] = {}
     generator: str = "chatscene"
     command: str = "run"
     sources: list[SourceRecord] = []
