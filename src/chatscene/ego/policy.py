@@ -87,6 +87,8 @@ def load_ego(name: str) -> EgoPolicy:
     module, colon, factory = target.partition(":")
     if not colon:
         raise EgoError(f"{no_such('ego', name, EGOS)}; or give a file ({', '.join(FILES)}) or package.module:factory")
+    if not all((*module.split("."), factory)):
+        raise EgoError(f"ego {name!r} is not of the form package.module:factory, such as my_stack.driving:make_ego")
     if (here := str(Path.cwd())) not in sys.path:  # where a user's own module lies, even for an installed command
         sys.path.insert(0, here)
     try:

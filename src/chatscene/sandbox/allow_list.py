@@ -56,12 +56,11 @@ def refused(name: str, refusals: tuple[Refusal, ...]) -> str:
 
 
 def _parse(source: str) -> Any | Refusal:
-    from scenic.core.errors import ScenicError
     from scenic.syntax.parser import parse_string
 
     try:
         return parse_string(source, "exec")
-    except (ScenicError, SyntaxError, ValueError, RecursionError, MemoryError) as error:
+    except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
         message = ascii(str(error).strip().partition("\n")[0])[1:-1]
         return Refusal(getattr(error, "lineno", None) or 0, "no Scenic", message or type(error).__name__)
 
