@@ -70,7 +70,7 @@ def test_a_run_killed_three_times_ends_like_one_that_was_not(
     finished: Path, chatscene: Chatscene, tmp_path: Path
 ) -> None:
     folder = tmp_path / "killed"
-    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1"]
+    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2"]
     for blocks in (0, 1, 3):
         process = subprocess.Popen(
             [sys.executable, "-m", "chatscene", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
