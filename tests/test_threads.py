@@ -49,6 +49,18 @@ def test_a_process_that_drives_has_one_thread_per_library() -> None:
     assert set(json.loads(done.stdout)) == {1}
 
 
+def test_the_explanation_of_a_sentence_does_not_depend_on_the_number_of_threads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    command = [sys.executable, "-m", "chatscene", "explain", "A cyclist rides out from the left.", "--json"]
+    said: set[str] = set()
+    for count in ("1", "4"):
+        for name in MANY:
+            monkeypatch.setenv(name, count)
+        said.add(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert len(said) == 1
+
+
 def _counting(_: None) -> Callable[[int], list[int]]:
     return lambda _task: [library["num_threads"] for library in threadpoolctl.threadpool_info()]
 
