@@ -15,7 +15,7 @@ from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Tra
 
 DT = 0.1
 WEST, NORTH = math.pi, math.pi / 2
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=60)
 
 
 def track(

@@ -206,7 +206,7 @@ def test_a_text_that_is_no_sentence_but_a_book_is_refused() -> None:
 
 
 @given(st.text(max_size=300))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_any_text_is_read_or_refused_and_always_the_same_way(text: str) -> None:
     try:
         first = decompose(text)

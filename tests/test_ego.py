@@ -115,6 +115,17 @@ def test_an_unknown_ego_is_named_with_the_nearest_known_one() -> None:
         load_ego("rule-base")
 
 
+@pytest.mark.parametrize("name", [":", ":make", "my_stack:", ".:make", "my_stack.:make", "..:", "a..b:make"])
+def test_a_name_that_lacks_a_part_is_refused(name: str) -> None:
+    with pytest.raises(EgoError, match=r"is not of the form package\.module:factory"):
+        load_ego(name)
+
+
+def test_no_name_at_all_is_refused() -> None:
+    with pytest.raises(EgoError, match="there is no ego ''"):
+        load_ego("")
+
+
 def test_an_ego_of_the_user_is_a_factory_in_a_module(monkeypatch: pytest.MonkeyPatch) -> None:
     class Still:
         def act(self, observation: object) -> tuple[float, float]:

@@ -60,7 +60,7 @@ CHARACTERS = st.characters(max_codepoint=0x9FA5, categories=("L", "Nd", "P", "S"
 
 
 @given(text=st.text(CHARACTERS, max_size=60))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_any_text_is_cut_into_the_pieces_the_reference_cuts_it_into(reference: Any, text: str) -> None:
     assert tokenize(text, 10_000) == reference.encode(text).ids
 

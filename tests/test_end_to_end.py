@@ -25,7 +25,7 @@ Chatscene = Callable[..., "subprocess.CompletedProcess[str]"]
 def chatscene() -> Chatscene:
     def call(*arguments: str, **options: object) -> "subprocess.CompletedProcess[str]":
         command = [sys.executable, "-m", "chatscene", *arguments]
-        return subprocess.run(command, capture_output=True, text=True, timeout=200, check=False, **options)  # type: ignore[call-overload,no-any-return]
+        return subprocess.run(command, capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload,no-any-return]
 
     return call
 
@@ -71,12 +71,14 @@ def test_a_run_killed_three_times_ends_like_one_that_was_not(
     finished: Path, chatscene: Chatscene, tmp_path: Path
 ) -> None:
     folder = tmp_path / "killed"
-    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1"]
+    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2"]
     for blocks in (0, 1, 3):
         process = subprocess.Popen(
             [sys.executable, "-m", "chatscene", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
-        _wait(lambda n=blocks: (folder / "run.json").exists() and len(list(folder.glob("parts/*.json"))) >= n)
+        while not (folder / "run.json").exists() or len(list(folder.glob("parts/*.json"))) < blocks:
+            assert process.poll() is None, "the run did not come that far"
+            time.sleep(0.002)
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
         arguments = ["resume", str(folder)]
@@ -84,13 +86,6 @@ def test_a_run_killed_three_times_ends_like_one_that_was_not(
     done = chatscene("resume", str(folder))
     assert done.returncode == 0, done.stderr
     assert content(folder) == content(finished)
-
-
-def _wait(ready: Callable[[], bool]) -> None:
-    until = time.monotonic() + 60
-    while not ready():
-        assert time.monotonic() < until, "the run did not come that far"
-        time.sleep(0.002)
 
 
 def test_a_finished_run_is_not_run_again(finished: Path, chatscene: Chatscene) -> None:

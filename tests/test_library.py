@@ -4,10 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.errors import SnippetError
+from chatscene.errors import DoesNotCompile, SnippetError
+from chatscene.maps.network import resolve_map
+from chatscene.sandbox.allow_list import check_foreign
 from chatscene.snippets.library import load_library, load_snippet, names_of
 from chatscene.terms.scenario import Action, AdversaryKind, Component, Place
 from chatscene.terms.snippet import Snippet
+from chatscene.world.compilation import compile_program
 
 SMALL = Path(__file__).parent / "fixtures" / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
@@ -100,6 +103,24 @@ def test_names_inside_a_behavior_are_its_own() -> None:
     found = names_of("behavior AdvBehavior():\n    speed = limit\n    for n in range(3):\n        wait\n", {"range"})
     assert found.requires == ("limit",)
     assert found.provides == ("AdvBehavior",)
+
+
+LOST = {  # each a text at which Scenic's parser raises something other than its own error
+    "KeyError": "x = (y\n\nz)\n",
+    "ValueError": "x@y = 1\n",
+    "TypeError": "f'{' \"r\0ght\"\n",
+}
+
+
+@pytest.mark.parametrize("error", LOST)
+def test_code_in_which_scenics_parser_loses_its_way_is_refused_with_a_remedy(error: str) -> None:
+    with pytest.raises(SnippetError, match=rf"parser breaks off with {error}: .*; look for an unclosed bracket"):
+        names_of(LOST[error], set())
+    with pytest.raises(
+        DoesNotCompile, match=rf"breaks off in <lost> with {error}: .*; look .*; chatscene library lint"
+    ):
+        compile_program(LOST[error], map_path=resolve_map("town"), route=0, filename="<lost>")
+    assert check_foreign(LOST[error], whole=False)
 
 
 def test_code_that_is_not_scenic_is_refused() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from chatscene.errors import MapError
+from chatscene.maps import network
 from chatscene.maps.network import install_network_memo, load_network, resolve_map
 from chatscene.maps.survey import check_map
 
@@ -83,6 +85,56 @@ def test_the_town_cut_in_half_is_refused(tmp_path: Path, cache: Path) -> None:
 def test_what_scenic_cannot_parse_is_a_map_error_that_names_the_road(tmp_path: Path, cache: Path, plan: str) -> None:
     with pytest.raises(MapError, match="road 1"):
         load_network(_map(tmp_path, plan))
+
+
+NOT_A_LENGTH = ("inf", "-inf", "nan", "1e300", "1e400", "-50", "fifty", "")
+
+
+@pytest.mark.parametrize("length", NOT_A_LENGTH)
+@pytest.mark.parametrize("where", ["road", "geometry"])
+def test_a_length_that_no_road_has_is_refused_before_anybody_computes_with_it(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch, length: str, where: str
+) -> None:
+    monkeypatch.setattr(network, "_scenic_from_file", lambda: pytest.fail("Scenic has seen it"))
+    path = _map(tmp_path)
+    path.write_text(re.sub(rf'(<{where} [^>]*length=)"50"', rf'\1"{length}"', path.read_text()))
+    with pytest.raises(MapError, match=rf"road '1' has <{where} length='{re.escape(length)}'>; .* from 0 to 100000"):
+        load_network(path)
+
+
+@pytest.mark.parametrize("number", ["x", "y", "hdg", "s", "a", "c", "sOffset"])
+@pytest.mark.parametrize("value", ["nan", "inf", "1e300"])
+def test_a_number_that_no_road_has_is_refused(tmp_path: Path, cache: Path, number: str, value: str) -> None:
+    path = _map(tmp_path)
+    path.write_text(re.sub(rf' {number}="[^"]*"', f' {number}="{value}"', path.read_text()))
+    with pytest.raises(MapError, match=rf"small\.xodr.*road '1' has .* {number}='{value}'"):
+        load_network(path)
+
+
+def test_what_the_maker_of_a_map_notes_for_himself_is_nobody_elses_business(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path)
+    path.write_text(path.read_text().replace("<planView>", '<userData><own x="inf" a="b"/></userData><planView>'))
+    assert len(load_network(path).roads) == 1
+
+
+def test_more_lanes_than_any_road_has_are_refused(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path)
+    lane = '<lane id="-{}" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>'
+    lanes = "".join(lane.format(number) for number in range(1, 100_000))
+    path.write_text(re.sub("<right>.*</right>", f"<right>{lanes}</right>", path.read_text()))
+    with pytest.raises(MapError, match=r"road '1' has 100000 lanes beside each other; at most 100"):
+        load_network(path)
+
+
+def test_whatever_scenic_raises_for_a_map_is_a_map_error(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise OverflowError("too far")
+
+    monkeypatch.setattr(network, "_scenic_from_file", lambda: fail)
+    with pytest.raises(MapError, match=r"small\.xodr.*cannot be made into lanes: too far"):
+        load_network(_map(tmp_path))
 
 
 def test_the_same_file_gives_the_same_network(tmp_path: Path, cache: Path) -> None:

@@ -128,7 +128,7 @@ STARS = [
 ]
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     angles=st.sampled_from(STARS),
     lanes=st.integers(1, 2),

@@ -369,7 +369,6 @@ def _opened(page: Path, profile: Path, address: str = "") -> str:
         ],
         capture_output=True,
         text=True,
-        timeout=60,
         check=True,
     )
     return done.stdout

@@ -147,7 +147,7 @@ SLOTS = st.builds(
 
 
 @given(slots=SLOTS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_no_joinable_triple_that_contradicts_as_little_as_the_chosen_one_scores_better(slots: Slots) -> None:
     library = load_library(FIXTURES / "library")
     every = RetrievalSettings(refuse_below=0.0, candidates=99)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -221,16 +220,6 @@ def test_crossing_paths_meet_the_route_where_they_say(base: BaseScenario, query:
 def test_an_open_road_has_no_crossing_paths() -> None:
     route = find_routes(NETWORK, "town", RouteQuery(maneuver=Maneuver.STRAIGHT, place=Place.ROAD))[0]
     assert conflicting_paths(NETWORK, route) == ()
-
-
-def test_ten_routes_are_found_in_a_tenth_of_a_second() -> None:
-    for _, query in BASE:
-        spent: list[float] = []
-        for _ in range(3):
-            started = time.perf_counter()
-            find_routes(NETWORK, "town", query)
-            spent.append(time.perf_counter() - started)
-        assert min(spent) < 0.1
 
 
 def test_what_a_map_lacks_is_said() -> None:

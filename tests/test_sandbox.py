@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.ego.observation import Observation
@@ -186,7 +186,7 @@ def test_what_no_scene_needs_is_refused(line: str, what: str) -> None:
     assert what in [refusal.what for refusal in check_foreign(HEAD + line + "\n")]
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow], deadline=None)
+@settings(max_examples=60)
 @given(st.text(max_size=200))
 def test_any_text_is_either_refused_or_fine(text: str) -> None:
     for refusal in check_foreign(text):
@@ -242,9 +242,7 @@ def test_every_layer_that_this_kernel_has_is_in_force(backend: SandboxedBackend)
 def test_the_walls_of_the_kernel_hold_without_the_watchman(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("x")
     script = Path(__file__).parent / "red_team" / "unwatched.py"
-    done = subprocess.run(
-        [sys.executable, str(script), str(tmp_path)], capture_output=True, text=True, timeout=60, check=True
-    )
+    done = subprocess.run([sys.executable, str(script), str(tmp_path)], capture_output=True, text=True, check=True)
     tried: dict[str, str] = json.loads(done.stdout)
     assert len(tried) >= 14
     allowed = {what for what, outcome in tried.items() if outcome == "done"}

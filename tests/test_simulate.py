@@ -296,6 +296,27 @@ def test_a_fault_in_a_behavior_names_the_program(backend: Backend) -> None:
     assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
 
 
+RAISED = r"(ZeroDivision|Key|FileNotFound|Index|Value|Name|Runtime)Error|StopIteration"
+
+
+@pytest.mark.parametrize(
+    "fault", ["1 / 0", "{}['x']", "open('no/such/file')", "next(iter(()))", "[].pop()", "int('x')", "no_such_name"]
+)
+def test_whatever_a_program_s_own_code_raises_is_one_error_that_names_the_program(backend: Backend, fault: str) -> None:
+    compiling = program(HEAD + f"x = {fault}\n" + EGO)
+    placing = program(
+        HEAD
+        + f"def fails(x):\n    return {fault}\nparam OPT_X = Range(0, 1)\n"
+        + EGO
+        + "require fails(globalParameters.OPT_X)\n"
+    )
+    driving = moving(f"x = {fault}\n    take SetThrottleAction(0)")
+    for broken, where in ((compiling, scene()), (placing, scene(OPT_X=0.5)), (driving, scene())):
+        with pytest.raises(ProgramError, match=rf"toy.*({RAISED})"):
+            backend.run(broken, where, RuleBased())
+    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+
+
 @pytest.mark.parametrize("line", ["ego = new Car at (", "x = undefinedName + 1", "import no_such_module_at_all"])
 def test_a_program_that_scenic_refuses_is_named_with_its_line(backend: Backend, line: str) -> None:
     with pytest.raises((DoesNotCompile, ProgramError)):

@@ -36,7 +36,7 @@ def large() -> VectorIndex:
 
 
 @given(seed=st.integers(0, 99), size=st.integers(1, 60), count=st.integers(1, 80))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_a_small_index_finds_what_comparing_with_every_row_finds(seed: int, size: int, count: int) -> None:
     stored, queries = rows(size, seed), rows(3, seed + 100)
     cosines, found = build(stored).search(queries, count)

@@ -11,12 +11,26 @@ import hashlib
 import os
 import shutil
 import warnings
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
+
+LONGEST = 1e5  # [m] of a road
+FARTHEST = 1e8  # [m] from the origin; projected coordinates have it far away
+MOST_LANES = 100  # beside each other; Scenic fails at some three hundred
+
+# What the numbers of a road lie between, by the name of the attribute.
+_MEASURES = (
+    {"length": (0.0, LONGEST)}
+    | dict.fromkeys(("s", "sOffset"), (-LONGEST, LONGEST))
+    | dict.fromkeys(("x", "y", "t"), (-FARTHEST, FARTHEST))
+    | dict.fromkeys(("hdg", "curvature", "curvStart", "curvEnd"), (-1e3, 1e3))
+    | dict.fromkeys(("a", "b", "c", "d", *(f"{k}{axis}" for k in "abcd" for axis in "UV")), (-1e6, 1e6))
+)
 
 PACKAGED = {"town": Path(__file__).with_name("town.xodr")}
 
@@ -63,15 +77,7 @@ def _parse(digest: str, path: Path) -> Any:
     copy = _private_copy(path, digest)
     try:
         network = _parse_quietly(parse, copy or path, cached=copy is not None)
-    except (
-        AssertionError,
-        ValueError,
-        KeyError,
-        IndexError,
-        AttributeError,
-        TypeError,
-        RuntimeError,
-    ) as error:
+    except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
         message = str(error) or type(error).__name__
         raise MapError(
             f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {message} ({path})"
@@ -117,6 +123,30 @@ def _check_xml(path: Path) -> None:
         raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
     if root.find("road") is None:
         raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
+    for road in root.iter("road"):
+        if fault := next(_faults(road), None):
+            raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
+
+
+def _faults(road: Xml.Element) -> Iterator[str]:
+    """What no road has, and what would keep those who compute with it busy for ever."""
+    anything = {element for own in road.iter("userData") for element in own.iter()}  # of a maker's own
+    for element in road.iter():
+        for name, value in () if element in anything else element.items():
+            if name in _MEASURES and not _within(value, *_MEASURES[name]):
+                low, high = _MEASURES[name]
+                yield f"has <{element.tag} {name}={value[:40]!r}>; that is a number from {low:g} to {high:g}"
+    for section in road.iter("laneSection"):
+        lanes = sum(1 for _ in section.iter("lane"))
+        if lanes > MOST_LANES:
+            yield f"has {lanes} lanes beside each other; at most {MOST_LANES} are read"
+
+
+def _within(value: str, low: float, high: float) -> bool:
+    try:
+        return low <= float(value) <= high
+    except ValueError:
+        return False
 
 
 def _private_copy(path: Path, digest: str) -> Path | None:

@@ -60,7 +60,7 @@ def _parse(source: str) -> Any | Refusal:
 
     try:
         return parse_string(source, "exec")
-    except Exception as error:  # noqa: BLE001 - whatever the parser raises for what it cannot read
+    except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
         message = ascii(str(error).strip().partition("\n")[0])[1:-1]
         return Refusal(getattr(error, "lineno", None) or 0, "no Scenic", message or type(error).__name__)
 

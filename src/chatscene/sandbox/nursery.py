@@ -28,7 +28,7 @@ from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
 from chatscene.terms.scene import ScenicProgram
 
 LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
-ENVIRONMENT = {"LC_ALL": "C.UTF-8", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0"}
+ENVIRONMENT = {"LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0"}
 
 _PASSED_ON = {
     name: kind

@@ -223,6 +223,11 @@ def names_of(source: str, known: Collection[str]) -> CodeNames:
         tree = parse_string(source, "exec")
     except ScenicError as error:
         raise SnippetError(f"line {getattr(error, 'lineno', '?')}: {error}") from error
+    except Exception as error:  # a parser that loses its way in a faulty text may raise anything
+        raise SnippetError(
+            f"Scenic's parser breaks off with {type(error).__name__}: {error}; look for an unclosed bracket or quote, "
+            "and for an empty line within brackets"
+        ) from error
     read: set[str] = set()
     bound: set[str] = set()
     for node in ast.walk(tree):

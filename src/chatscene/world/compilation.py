@@ -44,9 +44,16 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     """Scenic text to Python code, its requirements, and the hash by which Scenic tells programs apart."""
     tree: Any
-    tree, requirements = translator.compileScenicAST(
-        translator.parse_string(source, "exec", filename=filename), filename=filename
-    )
+    try:
+        parsed = translator.parse_string(source, "exec", filename=filename)
+    except ScenicError:
+        raise
+    except Exception as error:  # a parser that loses its way in a faulty text may raise anything
+        raise DoesNotCompile(
+            f"Scenic's parser breaks off in {filename} with {type(error).__name__}: {error}; look for an unclosed "
+            "bracket or quote, and for an empty line within brackets; chatscene library lint says which snippet it is"
+        ) from error
+    tree, requirements = translator.compileScenicAST(parsed, filename=filename)
     digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()
     return translator.compileTranslatedTree(tree, filename), requirements, digest
 
@@ -79,14 +86,5 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
         file = getattr(error, "filename", None) or filename
         where = f"line {line} of {file}" if line else filename
         raise DoesNotCompile(f"Scenic refuses {where}: {error}") from error
-    except (
-        ArithmeticError,
-        AttributeError,
-        ImportError,
-        LookupError,
-        NameError,
-        RuntimeError,
-        TypeError,
-        ValueError,
-    ) as error:
+    except Exception as error:  # the program's own code, which may raise anything
         raise DoesNotCompile(f"{filename} fails while it is set up: {type(error).__name__}: {error}") from error

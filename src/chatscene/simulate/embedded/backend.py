@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
-from chatscene.errors import EgoError, ProgramError, StuckBehavior
+from chatscene.errors import ChatSceneError, EgoError, ProgramError, StuckBehavior
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.embedded.driving import FAULTS, EmbeddedDrive
+from chatscene.simulate.embedded.driving import EmbeddedDrive
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
 from chatscene.simulate.embedded.staging import Stage
@@ -76,17 +76,19 @@ class EmbeddedBackend:
         through_collisions: bool = False,
     ) -> EmbeddedDrive | Rejected:
         """Start a drive that is stepped from outside."""
-        placed = self._stage.place(program, scene)
-        if isinstance(placed, Rejected):
-            return placed
-        route: Route = placed.egoObject.route.route
         label = f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}), scene {scene.id!r},"
         try:
+            placed = self._stage.place(program, scene)
+            if isinstance(placed, Rejected):
+                return placed
             setup = Drive(placed, self._settings.dt).__enter__()
         except Drive.REJECTIONS as error:
             return Rejected(scene=scene, reason=f"the program rejects the episode before it begins: {error}")
-        except FAULTS as error:
+        except ChatSceneError:
+            raise
+        except Exception as error:  # the program's own code, which may raise anything
             raise ProgramError(f"{label} fails while it is set up: {type(error).__name__}: {error}") from error
+        route: Route = placed.egoObject.route.route
         try:
             drive = EmbeddedDrive(
                 setup, route, self._around(route), self._settings, observation, pedals, through_collisions, label

@@ -7,11 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from scenic.core.errors import ScenicError
 
 from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
 from chatscene.ego.policy import controls
-from chatscene.errors import ProgramError
+from chatscene.errors import ChatSceneError, ProgramError
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
 from chatscene.simulate.embedded.dynamics import Body, VehicleBody
@@ -22,19 +21,6 @@ from chatscene.terms.route import Route
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
 SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
-
-# What the code of a snippet, or of a program by a stranger, may raise while it runs.
-FAULTS = (
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    NameError,
-    RuntimeError,
-    ScenicError,
-    TypeError,
-    ValueError,
-)
 
 
 class EmbeddedDrive:
@@ -155,7 +141,9 @@ class EmbeddedDrive:
             part()
         except self._drive.REJECTIONS as error:
             self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
-        except FAULTS as error:
+        except ChatSceneError:
+            raise
+        except Exception as error:  # the program's own code, which may raise anything
             raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
         return not self.rejection
 

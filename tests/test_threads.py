@@ -1,0 +1,86 @@
+"""Every process that drives computes on one thread, whatever its environment asks for."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from chatscene.maps.network import resolve_map
+from chatscene.sandbox.nursery import Nursery
+from chatscene.settings import SimulationSettings
+from chatscene.terms.scene import ScenicProgram
+from chatscene.workers import spread
+
+threadpoolctl = pytest.importorskip("threadpoolctl", reason="it tells how many threads a library has")
+
+DRIVE = """
+import json
+from chatscene.ego.policy import load_ego
+from chatscene.maps.network import resolve_map
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import load_backend
+from chatscene.terms.scene import Scene, ScenicProgram
+from threadpoolctl import threadpool_info
+source = '''
+model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with route egoRoute
+'''
+program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=(), digest="x")
+scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
+load_backend("embedded", resolve_map("town"), SimulationSettings()).run(program, scene, load_ego("sac"))
+print(json.dumps([library["num_threads"] for library in threadpool_info()]))
+"""
+MANY = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+@pytest.fixture(autouse=True)
+def many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ask for four threads in every process that is started."""
+    for name in MANY:
+        monkeypatch.setenv(name, "4")
+
+
+def test_a_process_that_drives_has_one_thread_per_library() -> None:
+    done = subprocess.run([sys.executable, "-c", DRIVE], capture_output=True, text=True, check=True)
+    assert set(json.loads(done.stdout)) == {1}
+
+
+def test_the_explanation_of_a_sentence_does_not_depend_on_the_number_of_threads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    command = [sys.executable, "-m", "chatscene", "explain", "A cyclist rides out from the left.", "--json"]
+    said: set[str] = set()
+    for count in ("1", "4"):
+        for name in MANY:
+            monkeypatch.setenv(name, count)
+        said.add(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert len(said) == 1
+
+
+def _counting(_: None) -> Callable[[int], list[int]]:
+    return lambda _task: [library["num_threads"] for library in threadpoolctl.threadpool_info()]
+
+
+def test_the_workers_of_a_run_have_one_thread_per_library() -> None:
+    for counts in spread(_counting, None, (1, 2), jobs=2):
+        assert set(counts) == {1}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="strangers' programs are confined on Linux alone")
+def test_the_process_that_strangers_programs_are_forked_from_has_one_thread() -> None:
+    program = ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=(), digest="x")
+    with Nursery(resolve_map("town"), SimulationSettings()) as nursery:
+        nursery.confine(program).close()
+        (warm,) = (
+            pid for pid in _children() if b"chatscene.sandbox.child" in Path(f"/proc/{pid}/cmdline").read_bytes()
+        )
+        status = Path(f"/proc/{warm}/status").read_text()
+    assert "Threads:\t1\n" in status
+
+
+def _children() -> list[str]:
+    return [pid for task in Path("/proc/self/task").iterdir() for pid in (task / "children").read_text().split()]
