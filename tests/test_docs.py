@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from chatscene.sandbox.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 
 ROOT = Path(__file__).parents[1]
@@ -93,3 +94,9 @@ def test_the_readme_lists_what_there_is() -> None:
     assert all(verb in text for verb in ("run", "resume", "replay", "explain", "library", "map", "doctor"))
     assert len(BaseScenario) == 8
     assert len(Component) == 3
+
+
+def test_the_page_of_the_world_model_lists_the_names_that_it_offers() -> None:
+    names = (ROOT / "docs" / "world.md").read_text().split("## Names", 1)[1].split("\n## ", 1)[0]
+    listed = {name for row in re.findall(r"^\|.*$", names, re.MULTILINE) for name in re.findall(r"`([A-Za-z]\w*)", row)}
+    assert listed - {"param"} == world_words()

@@ -15,13 +15,15 @@ kinds = st.sampled_from([kind for kind, limits in LIMITS.items() if limits.wheel
 
 
 def vehicle(kind: str = "Car", speed: float = 0.0) -> VehicleBody:
-    body = make_body(kind, 0.0, 0.0, 0.0, size=(0.0, 0.0), speed=speed)
+    limits = LIMITS[kind]
+    size, wheels = (limits.length, limits.width), (limits.wheelbase, limits.wheel_angle)
+    body = make_body(kind, 0.0, 0.0, 0.0, size=size, wheels=wheels, speed=speed)
     assert isinstance(body, VehicleBody)
     return body
 
 
 def walker(speed: float = 0.0) -> WalkerBody:
-    body = make_body("Pedestrian", 0.0, 0.0, 0.0, size=(0.0, 0.0), speed=speed)
+    body = make_body("Pedestrian", 0.0, 0.0, 0.0, size=(0.6, 0.6), speed=speed)
     assert isinstance(body, WalkerBody)
     return body
 
@@ -102,7 +104,8 @@ def test_a_walker_needs_time_to_sprint_and_faces_where_it_goes() -> None:
 def test_no_control_makes_a_vehicle_jump(
     kind: str, orders: list[tuple[float, float, float, bool]], speed: float
 ) -> None:
-    body, limits = vehicle(kind, speed), LIMITS[kind]
+    limits = LIMITS[kind]
+    body = vehicle(kind, min(speed, limits.top_speed))
     hardest = limits.throttle + limits.brake + limits.drag + 0.0008 * limits.top_speed**2
     for body.throttle, body.brake, body.steer, body.reverse in orders:
         x, y, v, heading = body.x, body.y, body.speed, body.heading
@@ -174,3 +177,20 @@ def test_approach_speed_is_relative() -> None:
     assert approach_speed(a, b) == pytest.approx(3.0)
     b.cos, b.sin = -1.0, 0.0
     assert approach_speed(a, b) == pytest.approx(13.0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "size", "speed", "message"),
+    [
+        ("Car", (4.9, 0.0), 0.0, "a Car of 4.9 m by 0 m"),
+        ("Car", (math.inf, 2.0), 0.0, "a Car of inf m"),
+        ("Car", (4.9, 2.1), 90.0, "it goes at -6 to 50 m/s"),
+        ("Pedestrian", (0.6, 0.6), -1.0, "it goes at 0 to 8 m/s"),
+        ("Kiosk", (2.0, 2.0), 5.0, "a Kiosk that begins at 5 m/s"),
+    ],
+)
+def test_a_body_that_cannot_be_is_refused_and_not_made_into_another(
+    kind: str, size: tuple[float, float], speed: float, message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        make_body(kind, 0.0, 0.0, 0.0, size=size, wheels=(2.85, 1.22), speed=speed)

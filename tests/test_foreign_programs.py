@@ -66,6 +66,12 @@ def test_the_only_behavior_is_the_adversarys_whatever_it_is_called(tmp_path: Pat
     assert named.program.digest == read.program.digest
 
 
+def test_a_behavior_is_given_with_brackets_or_without(tmp_path: Path) -> None:
+    bare = MINE.replace("PullOut(way)", "PullOut()").replace("with behavior PullOut(egoRoute)", "with behavior PullOut")
+    (read,) = read_foreign(written(tmp_path, bare.replace("DrivePath(way", "DrivePath(egoRoute")))
+    assert read.renamed == "PullOut"
+
+
 def test_a_folder_is_read_in_order_of_names(tmp_path: Path) -> None:
     for name in ("b.scenic", "a.scenic", "note.txt"):
         written(tmp_path, MINE, name)
@@ -99,6 +105,20 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(backend: Sandboxe
         (MINE.replace(", with route egoRoute", ""), "the ego at line 8 has no route"),
         (MINE.replace(",\n    with behavior PullOut(egoRoute)", ""), "which road user is the adversary?"),
         (MINE + "new Car at pointOn(egoRoute, 60), with behavior Park()\n", "found: Park, PullOut"),
+        (
+            MINE.replace("with route", "with behavior FollowLaneBehavior(), with route"),
+            "leave its `with behavior …` away",
+        ),
+        (MINE + "scenario Main():\n    setup:\n        x = 1\n", "line 16: scenario def: modular scenarios are not"),
+        (MINE + "scenario Main():\n    compose:\n        do Sub()\n", "modular scenarios are not supported"),
+        (MINE.replace("do Halt()", "override self with width 3\n    do Halt()"), "override: modular scenarios are not"),
+        (MINE + "record final van.speed as fastest\n", "a program records nothing"),
+        (MINE + "monitor M():\n    wait\nrequire monitor M()\n", "there are no monitors; say it with"),
+        (MINE + "mutate van\n", "make what varies a parameter"),
+        (MINE + "class Van(Truck):\n    length: 6\n", "size and speed are set with `with`"),
+        (MINE + "new Car on road\n", "a thing stands at a place"),
+        (MINE.replace("do Halt()", "do choose Halt(), Park()\n    do Halt()"), "let a parameter decide"),
+        (MINE.replace("do Halt()", "require always 1 < 2\n    do Halt()"), "over time in a behavior"),
         (MINE.replace("Range(10, 30)", "Range(30, 10)"), "the lower first"),
         (MINE.replace("Range(10, 30)", "12"), "Range"),
         (MINE + "import os\n", "line 16: import"),

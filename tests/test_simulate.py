@@ -329,6 +329,110 @@ def test_a_route_that_the_map_has_not_is_refused(backend: Backend) -> None:
     assert backend.routes(program(HEAD + EGO)) == 10
 
 
+def placed(what: str, *, head: str = HEAD, body: str = "do FollowLaneBehavior(6)") -> ScenicProgram:
+    return program(f"{head}behavior AdvBehavior():\n    {body}\n{EGO}AdvAgent = {what}, with behavior AdvBehavior()\n")
+
+
+def test_a_class_of_one_s_own_moves_like_the_one_it_is_made_of(drive: Callable[..., Episode]) -> None:
+    van = "class Van(Truck):\n    length: 6.5\n    width: 2.2\n"
+    track = drive(placed("new Van ahead of ego by 20", head=HEAD + van)).adversaries[0]
+    assert (track.kind, track.length, track.width) == ("Truck", 6.5, 2.2)
+    assert track.speed[-1] == pytest.approx(6.0, abs=0.4)
+
+
+def test_a_size_that_a_program_gives_is_the_size_of_the_body(drive: Callable[..., Episode]) -> None:
+    what = "new {} at pointOn(egoRoute, 60, -3.4), facing directionOn(egoRoute, 60)"
+    for size, met in (("", False), (", with width 5", True)):
+        still = drive(placed(what.format("Car") + size, body="do Park()"), through_collisions=True)
+        assert (still.collision is not None) == met
+    assert still.adversaries[0].width == 5.0
+    walker = drive(placed(what.format("Pedestrian") + ", with length 0.4", body="do Halt()"))
+    assert walker.adversaries[0].length == 0.4
+
+
+def test_a_longer_vehicle_turns_on_a_wider_circle_but_on_the_one_it_is_asked_for(drive: Callable[..., Episode]) -> None:
+    def radius(length: float, body: str) -> float:
+        what = f"new Car at pointOn(egoRoute, 60), facing directionOn(egoRoute, 60), with length {length}"
+        track = drive(placed(what, body=body), Coast()).adversaries[0]
+        driven = slice(60, 80)
+        turned = abs(float(np.unwrap(track.heading[driven])[-1] - np.unwrap(track.heading[driven])[0]))
+        return float(np.hypot(np.diff(track.x[driven]), np.diff(track.y[driven])).sum()) / turned
+
+    steered = "while True:\n        take DriveAction(0.1 if self.speed < 2 else 0, 0, 0.5)"
+    assert radius(9.8, steered) == pytest.approx(2 * radius(4.9, steered), rel=0.01)
+    assert radius(9.8, "do TurnOff(20, 2, 12)") == pytest.approx(radius(4.9, "do TurnOff(20, 2, 12)"), rel=0.1)
+
+
+@pytest.mark.parametrize("given", ["with speed 6", "with velocity Vector(0, 6)", "with speed 6, with velocity (0, 6)"])
+def test_a_speed_that_a_program_gives_is_the_speed_at_the_start(drive: Callable[..., Episode], given: str) -> None:
+    track = drive(placed(f"new Car ahead of ego by 20, facing 0, {given}")).adversaries[0]
+    assert track.speed[0] == pytest.approx(6.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("with velocity (6, 0)", "not along its heading; turn it with `facing`"),
+        ("with velocity (0, 6), with speed 3", "a velocity of 6 m/s and a speed of 3 m/s"),
+        ("with speed 90", "a Car that begins at 90 m/s"),
+        ("with width 0", "a Car of 4.9 m by 0 m"),
+    ],
+)
+def test_what_a_body_cannot_do_is_refused(backend: Backend, given: str, message: str) -> None:
+    with pytest.raises(ProgramError, match=message):
+        backend.run(placed(f"new Car ahead of ego by 20, facing 0, {given}"), scene(), RuleBased())
+
+
+def test_things_that_may_overlap_do(backend: Backend) -> None:
+    tuned = f"{HEAD}param OPT_X = Range(0, 9)\n{EGO}new Kiosk at pointOn(egoRoute, 60, -9), facing 0\n"
+    other = "new Kiosk at pointOn(egoRoute, 60 + globalParameters.OPT_X, -9), facing 0"
+    for given, refused in (("", True), (", with allowCollisions True", False)):
+        outcome = backend.run(program(f"{tuned}{other}{given}\n"), scene(OPT_X=1.0), RuleBased())
+        assert isinstance(outcome, Rejected) == refused
+
+
+def test_a_vehicle_that_is_not_turned_faces_along_its_road(drive: Callable[..., Episode]) -> None:
+    two_way = HEAD.replace('"straight"', '"straight", place="road", opposite=True')
+    ego, other = drive(placed("new Car at pointOn(egoRoute, 40, 3.5)", head=two_way)).tracks
+    assert math.cos(other.heading[0] - ego.heading[0]) == pytest.approx(-1.0, abs=0.01)
+    ego, ahead = drive(placed("new Car ahead of ego by 20", head=two_way)).tracks
+    assert ahead.heading[0] == pytest.approx(ego.heading[0])
+    ego, askew = drive(placed("new Car at pointOn(egoRoute, 40), with roadDeviation 0.5", head=two_way)).tracks
+    assert askew.heading[0] - ego.heading[0] == pytest.approx(0.5, abs=0.01)
+
+
+@pytest.mark.parametrize("kind", ["Car", "Pedestrian", "Kiosk"])
+def test_a_thing_that_is_given_no_place_is_refused(backend: Backend, kind: str) -> None:
+    with pytest.raises(DoesNotCompile, match="no place; say where it stands"):
+        backend.run(program(f"{HEAD}{EGO}new {kind}\n"), scene(), RuleBased())
+
+
+def test_an_ego_that_drives_itself_is_refused(backend: Backend) -> None:
+    own = EGO.replace("with route", "with behavior FollowLaneBehavior(), with route")
+    with pytest.raises(ProgramError, match=r"a behavior of its own, FollowLaneBehavior.*leave its `with behavior"):
+        backend.run(program(HEAD + own), scene(), RuleBased())
+    assert isinstance(backend.run(program(HEAD + EGO), scene(), RuleBased()), Episode)
+
+
+@pytest.mark.parametrize(
+    ("part", "message"),
+    [
+        ("scenario Main():\n    setup:\n        x = 1\n", "line 5 of <toy>: modular scenarios are not supported"),
+        ("scenario Sub():\n    compose:\n        wait\n", "modular scenarios are not supported"),
+        ("behavior B():\n    override ego with behavior Park()\n    wait\n", "modular scenarios are not supported"),
+        ("record final ego.speed as fastest\n", "a program records nothing"),
+    ],
+)
+def test_what_a_drive_here_has_not_is_refused_by_name(backend: Backend, part: str, message: str) -> None:
+    with pytest.raises(DoesNotCompile, match=message):
+        backend.run(program(HEAD + EGO + part), scene(), RuleBased())
+
+
+def test_a_vehicle_on_no_lane_cannot_follow_one_and_is_told_so(backend: Backend) -> None:
+    with pytest.raises(ProgramError, match="stands on no lane that it could follow"):
+        backend.run(placed("new Car at (5000, 5000)"), scene(), RuleBased())
+
+
 JUNCTION = """
 model chatscene.world.model
 egoRoute = selectRoute(maneuver="straight", place="four-way", control="{control}")

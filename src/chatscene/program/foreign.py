@@ -123,6 +123,11 @@ def _adversary_behavior(name: str, source: str) -> str:
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
         raise ForeignCodeRefused(f"program {name!r} has no ego; add: {_EGO_LINE}")
+    if "behavior" in dict(_properties(ego[0].value)):
+        raise ForeignCodeRefused(
+            f"program {name!r}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
+            "to drive it; leave its `with behavior …` away"
+        )
     if "route" not in dict(_properties(ego[0].value)):
         raise ForeignCodeRefused(
             f"program {name!r}: the ego at line {ego[0].lineno} has no route, so nobody knows where it is to go; add a "
@@ -153,4 +158,5 @@ def _behaviors(new: Any) -> Iterator[str]:
     """The names of the behaviors that are given to a thing."""
     for name, value in _properties(new):
         if name == "behavior":
-            yield value.func.id if isinstance(value, ast.Call) and isinstance(value.func, ast.Name) else "?"
+            called = value.func if isinstance(value, ast.Call) else value  # Scenic takes `with behavior Park` too
+            yield called.id if isinstance(called, ast.Name) else "?"

@@ -174,7 +174,7 @@ def world_names() -> frozenset[str]:
     """Every name that a program finds defined: Python's, Scenic's and the world model's."""
     # A program can say itself what it finds.
     scenario = compile_program(
-        "model chatscene.world.model\nparam names = tuple(globals())\nego = new Car\n",
+        "model chatscene.world.model\nparam names = tuple(globals())\nego = new Car at (0, 0)\n",
         map_path=resolve_map("town"),
         route=0,
         filename="<names>",

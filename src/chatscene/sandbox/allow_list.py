@@ -14,7 +14,7 @@ from typing import Any
 
 from chatscene.sandbox.plain_text import REPORTED, Refusal, check_text
 from chatscene.sandbox.rules import MODEL, RULES, TEXTS, Reading, is_parameter
-from chatscene.sandbox.words import syntax
+from chatscene.sandbox.words import INSTEAD, syntax
 
 MAX_NODES = 8_000
 MAX_DEPTH = 60  # of the syntax tree
@@ -91,7 +91,7 @@ def _check_node(node: Any, depth: int, reading: Reading) -> None:
     kind = type(node).__name__
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()  # FunctionDef: a function def
     if type(node) not in syntax():
-        reading.refuse(words, "this is not part of what a stranger's program may use")
+        reading.refuse(words, INSTEAD.get(kind, "this is not part of what a stranger's program may use"))
         return
     if kind in _ONLY_AT_TOP and depth != 1:
         reading.refuse(words, "it stands at the top level of a program")

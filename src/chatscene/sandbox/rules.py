@@ -32,6 +32,7 @@ _TEXT = re.compile(r"[A-Za-z0-9 ,.:_-]{0,60}\Z")
 _YIELDING = frozenset(
     ("Take", "Wait", "WaitFor", "WaitUntil", "Do", "DoFor", "DoUntil", "Abort", "Terminate", "TerminateSimulation")
 )
+_OVER_TIME = frozenset(("Always", "Eventually", "Next", "UntilOp"))
 
 
 @dataclass(slots=True)
@@ -183,6 +184,8 @@ def _interrupts(node: Any, reading: Reading) -> None:
 
 def _behavior(node: Any, reading: Reading) -> None:
     reading.bind(node.name)
+    if any(type(part).__name__ in _OVER_TIME for part in ast.walk(node)):
+        reading.refuse("a requirement over time in a behavior", "always, eventually, next and until stand at the top")
 
 
 def _model(node: Any, reading: Reading) -> None:

@@ -10,6 +10,8 @@ import ast
 from functools import lru_cache
 from importlib.resources import files
 
+from chatscene.world.unsupported import UNSUPPORTED
+
 
 def _set(words: str) -> frozenset[str]:
     return frozenset(words.split())
@@ -30,7 +32,8 @@ _SCENIC_SYNTAX = """
     Model Param parameter TrackedAssign Ego New
     BehaviorDef Precondition Invariant TryInterrupt InterruptWhenHandler Abort
     Take Wait WaitFor WaitUntil Do DoFor DoUntil Seconds Steps
-    Require Always Eventually Terminate TerminateSimulation TerminateWhen TerminateSimulationWhen TerminateAfter
+    Require Always Eventually Next UntilOp ImpliesOp Terminate TerminateSimulation TerminateWhen TerminateSimulationWhen
+    TerminateAfter
     WithSpecifier AtSpecifier OffsetBySpecifier OffsetAlongSpecifier DirectionOfSpecifier LeftOf RightOf AheadOf Behind
     BeyondSpecifier FollowingSpecifier FacingSpecifier FacingTowardSpecifier FacingAwayFromSpecifier
     ApparentlyFacingSpecifier
@@ -38,6 +41,22 @@ _SCENIC_SYNTAX = """
     PositionOfOp Front Back Left Right FrontLeft FrontRight BackLeft BackRight
     DegOp VectorOp FieldAtOp RelativeToOp OffsetAlongOp CanSeeOp
 """
+
+_PLACE = "a thing stands at a place: at, ahead of, behind, left of, right of, beyond, offset by or following"
+INSTEAD = UNSUPPORTED | {
+    "ClassDef": "a program uses the world model's classes; size and speed are set with `with`, when a thing is made",
+    "MonitorDef": "there are no monitors; say it with `require always`, `terminate when` or a behavior",
+    "RequireMonitor": "there are no monitors; say it with `require always`, `terminate when` or a behavior",
+    "Mutate": "nothing is mutated; make what varies a parameter, `param OPT_... = Range(low, high)`",
+    "DoChoose": "a behavior does not choose; let a parameter decide, with `if globalParameters.OPT_... > 0.5:`",
+    "DoShuffle": "a behavior does not choose; do one after the other",
+    "InSpecifier": _PLACE,
+    "OnSpecifier": _PLACE,
+    "ContainedInSpecifier": _PLACE,
+    "VisibleSpecifier": _PLACE,
+    "NotVisibleSpecifier": _PLACE,
+}
+"""By kind of node: what to write in the place of something that is not on the list."""
 
 PYTHON_NAMES = _set("abs bool float int len max min range round sum")
 """Of Python's own functions."""
@@ -56,7 +75,7 @@ ATTRIBUTES = _set(
 METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
-PROPERTIES = _set("allowCollisions behavior heading label length route speed width")
+PROPERTIES = _set("allowCollisions behavior heading label length roadDeviation route speed velocity width")
 """What may follow ``with``."""
 
 RESERVED = _set("globalParameters network simulation workspace model param new require")

@@ -53,3 +53,9 @@ LIMITS: dict[str, Limits] = {
                       wheel_angle=0.8, wheel_rate=2.5, lateral=4.0),
     "Pedestrian": Limits(length=0.6, width=0.6, throttle=4.0, brake=5.0, top_speed=8.0),
 }  # fmt: skip
+
+
+def kind_of(thing: object) -> str:
+    """The kind of road user that a thing is: the nearest of its classes in `LIMITS`; else its own class."""
+    names = [cls.__name__ for cls in type(thing).__mro__]
+    return next((name for name in names if name in LIMITS), names[0])

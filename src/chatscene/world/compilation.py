@@ -17,6 +17,7 @@ from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.maps.network import install_network_memo
+from chatscene.world.unsupported import UNSUPPORTED
 
 MODEL = "chatscene.world.model"
 
@@ -43,7 +44,7 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
 
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     """Scenic text to Python code, its requirements, and the hash by which Scenic tells programs apart."""
-    tree: Any
+    parsed: Any
     try:
         parsed = translator.parse_string(source, "exec", filename=filename)
     except ScenicError:
@@ -53,6 +54,10 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
             f"Scenic's parser breaks off in {filename} with {type(error).__name__}: {error}; look for an unclosed "
             "bracket or quote, and for an empty line within brackets; chatscene library lint says which snippet it is"
         ) from error
+    for node in ast.walk(parsed):
+        if (why := UNSUPPORTED.get(type(node).__name__)) is not None:
+            raise DoesNotCompile(f"line {getattr(node, 'lineno', '?')} of {filename}: {why}")
+    tree: Any
     tree, requirements = translator.compileScenicAST(parsed, filename=filename)
     digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()
     return translator.compileTranslatedTree(tree, filename), requirements, digest

@@ -19,8 +19,10 @@ from chatscene.world.actors import Driven, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, levelOn, maximum, neighbourPath,
-    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom, waitingTraffic, wayOf)
+    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom,
+    unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.limits import LIMITS as _LIMITS
+from scenic.core.vectors import globalOrientation as _NORTH
 
 if 'route' not in globalParameters:
     param route = 0
@@ -43,12 +45,13 @@ def startOf(route):
 
 class Car(Driven, Car):
     regionContainedIn: everywhere
-    position: (0, 0)
-    parentOrientation: 0
+    position: _unplaced()
+    parentOrientation: _NORTH
+    yaw: (roadDirection at self.position).yaw + self.roadDeviation if self.parentOrientation is _NORTH else 0
     color: (0.75, 0.75, 0.78)
     length: _LIMITS['Car'].length
     width: _LIMITS['Car'].width
-    wheelbase: _LIMITS['Car'].wheelbase
+    wheelbase: _wheelbase_of('Car', self.length)
     wheelAngle: _LIMITS['Car'].wheel_angle
     isWalker: False
     label: ''
@@ -57,36 +60,36 @@ class Car(Driven, Car):
 class Truck(Car):
     length: _LIMITS['Truck'].length
     width: _LIMITS['Truck'].width
-    wheelbase: _LIMITS['Truck'].wheelbase
+    wheelbase: _wheelbase_of('Truck', self.length)
     wheelAngle: _LIMITS['Truck'].wheel_angle
 
 class Bus(Car):
     length: _LIMITS['Bus'].length
     width: _LIMITS['Bus'].width
-    wheelbase: _LIMITS['Bus'].wheelbase
+    wheelbase: _wheelbase_of('Bus', self.length)
     wheelAngle: _LIMITS['Bus'].wheel_angle
 
 class EmergencyVehicle(Car):
     length: _LIMITS['EmergencyVehicle'].length
     width: _LIMITS['EmergencyVehicle'].width
-    wheelbase: _LIMITS['EmergencyVehicle'].wheelbase
+    wheelbase: _wheelbase_of('EmergencyVehicle', self.length)
     wheelAngle: _LIMITS['EmergencyVehicle'].wheel_angle
 
 class Motorcycle(Car):
     length: _LIMITS['Motorcycle'].length
     width: _LIMITS['Motorcycle'].width
-    wheelbase: _LIMITS['Motorcycle'].wheelbase
+    wheelbase: _wheelbase_of('Motorcycle', self.length)
     wheelAngle: _LIMITS['Motorcycle'].wheel_angle
 
 class Bicycle(Car):
     length: _LIMITS['Bicycle'].length
     width: _LIMITS['Bicycle'].width
-    wheelbase: _LIMITS['Bicycle'].wheelbase
+    wheelbase: _wheelbase_of('Bicycle', self.length)
     wheelAngle: _LIMITS['Bicycle'].wheel_angle
 
 class Pedestrian(Walking, Pedestrian):
     regionContainedIn: everywhere
-    position: (0, 0)
+    position: _unplaced()
     parentOrientation: 0
     length: _LIMITS['Pedestrian'].length
     width: _LIMITS['Pedestrian'].width
@@ -97,7 +100,7 @@ class Pedestrian(Walking, Pedestrian):
 
 class Prop(Placed, DrivingObject):
     regionContainedIn: everywhere
-    position: (0, 0)
+    position: _unplaced()
     isWalker: False
     label: ''
 

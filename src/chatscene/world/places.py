@@ -20,7 +20,7 @@ from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
-from chatscene.terms.limits import LIMITS
+from chatscene.terms.limits import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place
@@ -286,6 +286,8 @@ def neighbourPath(route: EgoRoute, side: str) -> Polyline:  # noqa: N802
 
 def laneLine(lane: Any, least: float = 200.0) -> Polyline:  # noqa: N802
     """The centre line of a lane and of the straightest lanes after it, at least `least` [m] if the map goes on."""
+    if lane is None:
+        raise ValueError("it stands on no lane that it could follow; place it on one, or give it a path")
     line = centre_line(lane)
     while line.length < least and lane.maneuvers:
         straight = [m for m in lane.maneuvers if m.type.name == "STRAIGHT"]
@@ -351,10 +353,25 @@ def headway(path: Any, a: Any, b: Any) -> float:
     return distanceLeft(path, a, line_of(path).project(b.pose[0], b.pose[1])[0])
 
 
+@_deferred
+def wheelbase_of(kind: str, length: float) -> float:
+    """The wheelbase [m] of a vehicle of a kind that is `length` [m] long: in proportion."""
+    limits = LIMITS[kind]
+    return limits.wheelbase if length == limits.length else limits.wheelbase * length / limits.length
+
+
+def unplaced() -> Vector:
+    """Where a thing stands that is given no place.
+
+    Raises:
+        ValueError: Always; Scenic would draw a place from the whole map, where a scene is its parameter values.
+    """
+    raise ValueError("a thing is given no place; say where it stands, as in `at pointOn(egoRoute, 30)`")
+
+
 def brakingDistance(agent: Any) -> float:  # noqa: N802
     """How far [m] an agent still goes if it brakes now as hard as it can."""
-    brake = next(LIMITS[cls.__name__].brake for cls in type(agent).__mro__ if cls.__name__ in LIMITS)
-    return agent.pose[3] ** 2 / (2 * brake)
+    return agent.pose[3] ** 2 / (2 * LIMITS[kind_of(agent)].brake)
 
 
 def restsWithin(path: Any, agent: Any, distance: float) -> bool:  # noqa: N802

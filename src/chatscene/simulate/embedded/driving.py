@@ -17,6 +17,7 @@ from chatscene.simulate.embedded.dynamics import Body, VehicleBody
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.limits import kind_of
 from chatscene.terms.route import Route
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
@@ -54,9 +55,14 @@ class EmbeddedDrive:
         through: bool,
         label: str,
     ) -> None:
-        body = drive.bodies[0]
+        body, own = drive.bodies[0], drive.objects[0].behavior
         if not isinstance(body, VehicleBody):
-            raise ProgramError(f"the ego must be a vehicle, not a {type(drive.objects[0]).__name__}")
+            raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(drive.objects[0]).__name__}")
+        if own is not None:
+            raise ProgramError(
+                f"{label} fails: the ego has a behavior of its own, {type(own).__name__}, and the ego under test is to "
+                "drive it; leave its `with behavior …` away"
+            )
         self._ego = body
         self._drive = drive
         self._route = route
@@ -78,7 +84,7 @@ class EmbeddedDrive:
         self._touching: set[int] = set()
         self.step_number = 0
         self.ending: Ending | None = None
-        self.rejection = _overlap(drive.bodies, self._names)
+        self.rejection = _overlap(drive.objects, drive.bodies, self._names)
         self.observation: Observation
         if not self.rejection:
             self._look()
@@ -230,7 +236,7 @@ class EmbeddedDrive:
                 Track(
                     actor=name,
                     role=role,
-                    kind=type(obj).__name__,
+                    kind=kind_of(obj),
                     length=body.length,
                     width=body.width,
                     x=state[0],
@@ -261,9 +267,9 @@ def _names(objects: list[Any]) -> list[tuple[str, Role]]:
     return named
 
 
-def _overlap(bodies: list[Body], names: list[tuple[str, Role]]) -> str:
-    """Which two actors stand in each other at the start, in words; empty if none do."""
+def _overlap(objects: list[Any], bodies: list[Body], names: list[tuple[str, Role]]) -> str:
+    """Which two actors stand in each other at the start and may not, in words; empty if none do."""
     for (i, a), (j, b) in itertools.combinations(enumerate(bodies), 2):
-        if touch(a, b):
+        if touch(a, b) and not (objects[i].allowCollisions or objects[j].allowCollisions):
             return f"{names[j][0]} overlaps {names[i][0]} at the start"
     return ""

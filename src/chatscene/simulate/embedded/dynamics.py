@@ -10,6 +10,7 @@ State is kept in plain Python floats: one step of one body costs about a microse
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from chatscene.terms.limits import LIMITS, Limits
 
@@ -18,6 +19,7 @@ TAU = 2.0 * math.pi
 
 AIR_DRAG = 0.0008  # [1/m]; with `drag`, a car coasts from 15 to 10 m/s in about 15 s
 REVERSE_SPEED = 6.0  # [m/s], largest speed backwards
+THING = Limits(length=0.0, width=0.0)  # stays where it is
 LEAST_REVERSAL = 0.05  # [m/s], below which the gear may change
 
 
@@ -82,7 +84,7 @@ class VehicleBody(Body):
     def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
         super().__init__(x, y, heading, limits.length, limits.width)
         self.limits = limits
-        self.speed = min(max(speed, -REVERSE_SPEED), limits.top_speed)
+        self.speed = speed
         self.throttle = 0.0
         self.brake = 0.0
         self.steer = 0.0
@@ -153,7 +155,7 @@ class WalkerBody(Body):
     def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
         super().__init__(x, y, heading, limits.length, limits.width)
         self.limits = limits
-        self.speed = min(max(speed, 0.0), limits.top_speed)
+        self.speed = speed
         self.course = heading
         self.target_speed = self.speed
         self.vx = self.speed * self.cos
@@ -182,20 +184,37 @@ class WalkerBody(Body):
             self.sin = vy / self.speed
 
 
-def make_body(kind: str, x: float, y: float, heading: float, *, size: tuple[float, float], speed: float) -> Body:
-    """The body for a class of the world model.
+def make_body(
+    kind: str,
+    x: float,
+    y: float,
+    heading: float,
+    *,
+    size: tuple[float, float],
+    wheels: tuple[float, float] = (0.0, 0.0),
+    speed: float = 0.0,
+) -> Body:
+    """The body for a thing of the world model.
 
     Args:
-        kind: Class name; one that moves (see `LIMITS`) or any other, which stays in place.
+        kind: One that moves (see `LIMITS`) or any other, which stays in place.
         x: Centre [m].
         y: Centre [m].
         heading: [rad, 0 = +x, counter-clockwise].
-        size: (length, width) [m] of a thing; bodies that move have the size of their kind.
+        size: (length, width) [m].
+        wheels: (wheelbase [m], largest wheel angle [rad]) of a vehicle.
         speed: Initial speed [m/s].
+
+    Raises:
+        ValueError: Nothing can be of that size, or nothing of its kind goes at that speed.
     """
-    limits = LIMITS.get(kind)
-    if limits is None:
+    if not (min(size) > 0.0 and all(map(math.isfinite, (x, y, heading, speed, *size)))):
+        raise ValueError(f"a {kind} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
+    known = LIMITS.get(kind, THING)
+    slowest = -REVERSE_SPEED if known.wheelbase else 0.0
+    if not slowest <= speed <= known.top_speed:
+        raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
+    if known is THING:
         return Body(x, y, heading, *size)
-    if limits.wheelbase == 0.0:
-        return WalkerBody(x, y, heading, limits, speed)
-    return VehicleBody(x, y, heading, limits, speed)
+    limits = replace(known, length=size[0], width=size[1], wheelbase=wheels[0], wheel_angle=wheels[1])
+    return VehicleBody(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)

@@ -8,6 +8,7 @@ moving body when somebody asks, which takes most of the time out of a step.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import scenic.core.dynamics as scenic_dynamics
@@ -24,9 +25,11 @@ from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulato
 from scenic.syntax import veneer
 
 from chatscene.simulate.embedded.dynamics import Body, make_body
+from chatscene.terms.limits import kind_of
 from chatscene.world.actors import QUARTER
 from chatscene.world.control import Pose
 
+SIDEWAYS = 0.01  # share of a velocity across the heading that is put down to rounding
 _ENDINGS = (_EndSimulationAction, _EndScenarioAction)
 _CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
 
@@ -95,6 +98,26 @@ def _live(obj: Any) -> Any:
     return proxy
 
 
+def _speed_at_start(obj: Any, properties: dict[str, Any]) -> float:
+    """The speed [m/s] along its heading that a program gives to a thing, with `with speed` or `with velocity`.
+
+    Raises:
+        ValueError: The two differ, or its velocity is not along its heading.
+    """
+    speed: float = properties["speed"]
+    heading, (vx, vy, _) = properties["heading"] + QUARTER, properties["velocity"]
+    along = vx * math.cos(heading) + vy * math.sin(heading)
+    if abs(vy * math.cos(heading) - vx * math.sin(heading)) > SIDEWAYS * abs(along):
+        raise ValueError(
+            f"the {type(obj).__name__} has a velocity that is not along its heading; turn it with `facing`"
+        )
+    if math.isclose(along, speed, rel_tol=1e-6, abs_tol=1e-9):
+        return speed
+    if speed != 0.0:
+        raise ValueError(f"the {type(obj).__name__} has a velocity of {along:g} m/s and a speed of {speed:g} m/s")
+    return along
+
+
 class EmbeddedSimulation(DrivingSimulation):
     """Scenic's view of one drive; `scenic` itself can run it from start to end."""
 
@@ -113,12 +136,13 @@ class EmbeddedSimulation(DrivingSimulation):
         original = proxy.__dict__
         position = original["position"]
         proxy.body = make_body(
-            type(obj).__name__,
+            kind_of(obj),
             position.x,
             position.y,
             original["heading"] + QUARTER,
             size=(original["length"], original["width"]),
-            speed=original["speed"],
+            wheels=(original.get("wheelbase", 0.0), original.get("wheelAngle", 0.0)),
+            speed=_speed_at_start(obj, original),
         )
         self.bodies.append(proxy.body)
         self._proxies.append((proxy, len(original)))
