@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+from chatscene.errors import MapError
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import conflicting_paths
 from chatscene.program.meaning import maneuver_of
+from chatscene.snippets.compatibility import compatibility, ways_of
 from chatscene.snippets.library import load_library
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Component, Place, includes
+from chatscene.terms.scenario import Component, Maneuver, Place, includes
 from chatscene.terms.snippet import Snippet
-from chatscene.world.places import besideRoad, neighbourPath, routes_for
+from chatscene.world.places import besideRoad, neighbourPath, routes_for, trafficFrom, wayOf
 
 TOWN = resolve_map("town")
 NETWORK: Any = load_network(TOWN)
@@ -101,6 +103,25 @@ def test_traffic_that_a_geometry_names_can_cross_the_ego_on_each_of_its_routes(g
     named = {side for name, side in TRAFFIC.items() if name in geometry.provides}
     for route in _routes(geometry.id):
         assert named <= {path.from_side for path in conflicting_paths(NETWORK, route)}
+
+
+@each
+def test_who_goes_straight_on_has_an_arm_to_go_on_into_on_each_route(geometry: Snippet) -> None:
+    joint = compatibility(load_library())
+    straight = [ways_of(behavior) == ("straight",) for behavior in joint.behaviors]
+    joined = joint.mask[straight, joint.geometries.index(geometry)].any(axis=0)
+    sides = {TRAFFIC[arm] for spawn, ok in zip(joint.spawns, joined, strict=True) if ok for arm in TRAFFIC
+             if arm in spawn.requires}  # fmt: skip
+    for route in _routes(geometry.id):
+        assert sides <= {p.from_side for p in conflicting_paths(NETWORK, route) if p.turn is Maneuver.STRAIGHT}
+
+
+def test_at_a_three_way_junction_nobody_goes_straight_on_out_of_the_side_road() -> None:
+    for route in _routes("geometry/straight-three-way-side-left"):
+        traffic = trafficFrom(_ego(route), "left")
+        assert wayOf(traffic, ("straight", "left-turn")).turn is Maneuver.LEFT_TURN
+        with pytest.raises(MapError, match="no traffic from the left meets the ego's route in a straight"):
+            wayOf(traffic, "straight")
 
 
 @each

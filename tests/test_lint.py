@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.maps.network import resolve_map
-from chatscene.program.lint import check_code, implausible, lint, trials, try_triple, world_names
+from chatscene.program.directions import TURNS, joints
+from chatscene.program.lint import check_code, implausible, lint, trials, try_joint, try_triple, world_names
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.backend import Backend, load_backend
+from chatscene.snippets.compatibility import ARMS, compatibility
 from chatscene.snippets.library import Library, load_library
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.scenario import Action
@@ -22,6 +24,11 @@ from chatscene.terms.snippet import Snippet
 
 SHARDS = 6
 CROSS = ("behavior/cross", "geometry/straight-road", "spawn/roadside-right")
+RIGHT_ON_RED = (
+    "behavior/run-light-turn-right-stop",
+    "geometry/straight-three-way-side-right-signalised",
+    "spawn/crossing-from-right",
+)
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +52,10 @@ def rungs(library: Library, backend: Backend) -> set[tuple[str, str]]:
 def with_code(snippet: Snippet, old: str, new: str) -> Snippet:
     assert old in snippet.source
     return replace(snippet, source=snippet.source.replace(old, new))
+
+
+def arms(spawn: Snippet) -> frozenset[str]:
+    return frozenset(ARMS) & set(spawn.requires)
 
 
 def test_every_header_of_the_packaged_library_equals_its_code() -> None:
@@ -88,7 +99,69 @@ def test_a_behavior_that_claims_what_it_does_not_show_is_found(backend: Backend)
 def test_a_spawn_on_the_wrong_side_is_found(backend: Backend) -> None:
     library = few(*CROSS)
     mislabelled = replace(load_library().get("spawn/roadside-left"), id=CROSS[2], slots=library.get(CROSS[2]).slots)
-    assert rungs(spoilt(library, mislabelled), backend) == {(CROSS[2], "means")}
+    assert rungs(spoilt(library, mislabelled), backend) == {(CROSS[2], "means"), (CROSS[2], "direction")}
+
+
+def test_a_turn_that_begins_to_the_other_side_is_found_on_the_geometry_where_it_does(backend: Backend) -> None:
+    sound = few(*RIGHT_ON_RED)
+    assert [f for joint in joints(sound) for f in try_joint(joint, sound, backend, RuleBased())] == []
+    # The way out of a side road to the left of the one it comes from.
+    behavior = with_code(sound.get(RIGHT_ON_RED[0]), '("straight", "right-turn")', '("straight", "left-turn")')
+    library = spoilt(sound, behavior)
+    (found,) = [f for joint in joints(library) for f in try_joint(joint, library, backend, RuleBased())]
+    assert (found.snippet_id, found.rung) == (RIGHT_ON_RED[0], "direction")
+    assert "said turn-right, it first turns to the other side" in found.message
+
+
+def test_who_turns_though_it_is_said_to_go_straight_on_is_found(backend: Backend) -> None:
+    library = few("behavior/junction-fast", "geometry/straight-unsignalised", "spawn/crossing-from-right")
+    (joint,) = joints(library)
+    assert list(try_joint(joint, library, backend, RuleBased())) == []
+    turning = with_code(library.get("behavior/junction-fast"), '"straight"', '"left-turn"')
+    (found,) = try_joint(joint, spoilt(library, turning), backend, RuleBased())
+    assert found.rung == "direction"
+    assert "said straight on, it turns by" in found.message
+
+
+@pytest.mark.parametrize(
+    ("snippet_id", "renamed", "word"),
+    [
+        ("behavior/junction-turn-left", "behavior/junction-turn-right", "turn-right"),
+        ("behavior/oncoming-drive", "behavior/lead-drive", "lead"),
+        ("spawn/crossing-from-left", "spawn/crossing-from-right", "right"),
+        ("spawn/oncoming-lane", "spawn/ahead-lane", "ahead"),
+        ("geometry/left-turn-three-way", "geometry/right-turn-three-way", "right-turn"),
+        ("geometry/left-turn-three-way", "geometry/left-turn-four-way", "four-way"),
+    ],
+)
+def test_a_name_that_says_another_direction_than_the_facts_is_found(snippet_id: str, renamed: str, word: str) -> None:
+    (found,) = check_code(replace(load_library().get(snippet_id), id=renamed))
+    assert found.rung == "direction"
+    assert f"its name says {word}" in found.message
+
+
+def test_a_behavior_that_says_straight_on_and_would_turn_as_well_is_found() -> None:
+    snippet = load_library().get("behavior/junction-cross")
+    (found,) = check_code(with_code(snippet, '"straight"', '("straight", "left-turn")'))
+    assert found.rung == "direction"
+
+
+def test_every_behavior_that_turns_is_tried_on_every_geometry_and_arm_it_joins() -> None:
+    library = load_library()
+    every = compatibility(library)
+    tried = {(joint.ids[0], joint.ids[1], arms(library.get(joint.ids[2]))) for joint in joints(library) if joint.acts}
+    for b, behavior in enumerate(every.behaviors):
+        if set(TURNS) & set(behavior.slots.actions):
+            for g, s in np.argwhere(every.mask[b]).tolist():
+                assert (behavior.id, every.geometries[g].id, arms(every.spawns[s])) in tried
+
+
+def test_every_spawn_is_looked_at_on_every_geometry_it_joins() -> None:
+    library = load_library()
+    every = compatibility(library)
+    tried = {joint.ids[1:] for joint in joints(library)}
+    for g, s in np.argwhere(every.mask.any(axis=0)).tolist():
+        assert (every.geometries[g].id, every.spawns[s].id) in tried
 
 
 def test_a_behavior_that_fails_while_it_runs_is_found(backend: Backend) -> None:

@@ -10,7 +10,8 @@ from pathlib import Path
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
-from chatscene.program.lint import Finding, alike, sifted, sound_part, trials, try_triple, unpartnered
+from chatscene.program.directions import Joint, joints
+from chatscene.program.lint import Finding, alike, sifted, sound_part, trials, try_joint, try_triple, unpartnered
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.snippets.composing import Labelled, compose, wordings
@@ -27,7 +28,7 @@ FITTING = "fitting"  # the packaged sentences that the reader may learn from
 KEPT_BACK = 8  # … but for those of one behavior in so many, on which the patterns are weighed against it
 MEMBERS = 2  # of the classifier
 OFTENER = 2  # times a sentence written by hand is seen for one composed
-_Trial = tuple[tuple[str, str, str], AdversaryKind] | None  # None: who is alike
+_Trial = tuple[tuple[str, str, str], AdversaryKind] | Joint | None  # None: who is alike
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,8 @@ class _Checker:
     def __call__(self, trial: _Trial) -> set[Finding]:
         if trial is None:
             return alike(self._library, self._backend, self._ego, self._setup.only)
+        if isinstance(trial, Joint):
+            return set(try_joint(trial, self._library, self._backend, self._ego))
         (b, g, s), kind = trial
         triple = (self._library.get(b), self._library.get(g), self._library.get(s))
         return set(try_triple(triple, kind, self._backend, self._ego, self._setup.scenes))
@@ -79,6 +82,7 @@ def lint_library(
         ids = (triple[0].id, triple[1].id, triple[2].id)
         tried |= set(ids)
         tasks.append((ids, kind))
+    tasks += joints(sound, only)
     for done, findings in enumerate(spread(_Checker, _Setup(own, scenes, only), tasks, jobs=jobs), 1):
         found |= findings
         progress("programs", done, len(tasks))

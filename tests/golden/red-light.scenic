@@ -9,7 +9,7 @@ param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(6, 11)
 param OPT_STOP_DISTANCE = Range(0, 4.5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

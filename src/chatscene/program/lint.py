@@ -18,6 +18,7 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
+from chatscene.program.directions import Joint, joints, misnamed, strays
 from chatscene.program.meaning import check_meaning
 from chatscene.program.sample import draw
 from chatscene.program.twins import scenario_of, twins
@@ -51,8 +52,8 @@ class Finding:
 
     Attributes:
         snippet_id: Whose.
-        rung: ``allow-list``, ``names``, ``parameters``, ``randomness``, ``partners``, ``runs``, ``samples``,
-            ``plausible``, ``means`` or ``distinct``.
+        rung: ``allow-list``, ``names``, ``parameters``, ``randomness``, ``direction``, ``partners``, ``runs``,
+            ``samples``, ``plausible``, ``means`` or ``distinct``.
         message: What is wrong.
     """
 
@@ -89,6 +90,8 @@ def lint(
     for triple, kind in trials(sound, only):
         tried |= {snippet.id for snippet in triple}
         found |= set(try_triple(triple, kind, backend, ego, scenes))
+    for joint in joints(sound, only):
+        found |= set(try_joint(joint, sound, backend, ego))
     return sifted(found | unpartnered(sound, tried) | alike(sound, backend, ego, only), only)
 
 
@@ -161,6 +164,8 @@ def check_code(snippet: Snippet) -> Iterator[Finding]:
         yield Finding(snippet.id, "parameters", f"the header has {declared}, the code {names.parameters}")
     if extra := _other_randomness(snippet.source, len(names.parameters)):
         yield Finding(snippet.id, "randomness", f"{extra} outside of a parameter; every random value must be one")
+    for problem in misnamed(snippet):
+        yield Finding(snippet.id, "direction", problem)
 
 
 def _other_randomness(source: str, ranges: int) -> str:
@@ -251,6 +256,18 @@ def try_triple(
             yield Finding(
                 part.id, "means", f"{failures[0]}, in {len(failures)} of {len(driven)} scenes ({behavior.id} {where})"
             )
+
+
+def try_joint(joint: Joint, library: Library, backend: Backend, ego: EgoPolicy) -> Iterator[Finding]:
+    """Join three snippets and see whether they go where their names and facts say."""
+    behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in joint.ids)
+    where = f"{behavior.id} as {joint.kind} with {geometry.id} and {spawn.id}"
+    try:
+        for problem in strays((behavior, geometry, spawn), joint, backend, ego):
+            blamed = behavior if problem.startswith("action") else spawn
+            yield Finding(blamed.id, "direction", f"{problem} ({where})")
+    except ChatSceneError as error:
+        yield Finding(behavior.id, "runs", f"{where}: {type(error).__name__}: {error}")
 
 
 def _drive(

@@ -37,7 +37,8 @@ PARTNERS: dict[str, str] = {
     "advLane": "the way of an adversary in a lane beside the ego's, a line",
     "advMeeting": "where the ways meet: arc length [m] on advTrajectory",
     "advTrajectory": "the way that the adversary drives, a line",
-    "advTurn": 'what the adversary does at a junction: "straight", "left-turn" or "right-turn"',
+    "advTurn": 'what the adversary does at a junction: "straight", "left-turn" or "right-turn"; where '
+    "its sentence says none of them, a tuple of those that will do, best first",
     "blockedLane": "the lane that something parked stands in, a line",
     "crossSignal": "the light of those who cross the ego's way",
     "egoMeeting": "where the ways meet: arc length [m] on egoRoute",

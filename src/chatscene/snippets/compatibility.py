@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,6 +16,13 @@ from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
 WAYS = {"advTrajectory", "advLane", "advKerb"}  # along the road, as spawns give them to adversaries that drive
+# Where others come from at a junction, as geometries name it, with what shows that there is an arm to go straight on
+# into and that the ego's way lies between: traffic out of that arm, or an ego that turns that way.
+ARMS = {
+    "trafficFromLeft": ("trafficFromRight", Maneuver.RIGHT_TURN),
+    "trafficFromRight": ("trafficFromLeft", Maneuver.LEFT_TURN),
+    "oncomingTraffic": (None, Maneuver.LEFT_TURN),
+}
 FACTS = (
     "side",
     "position",
@@ -57,6 +65,25 @@ def _has_cause(geometry: Snippet, spawn: Snippet) -> bool:
     return geometry.slots.maneuver is not Maneuver.BYPASS or spawn.slots.blocker is True
 
 
+def ways_of(behavior: Snippet) -> tuple[str, ...]:
+    """The turns, best first, that a behavior's adversary may do at a junction; empty if it needs no way through one."""
+    said = re.search(r"^advTurn\s*=(.*)$", behavior.source, re.MULTILINE)
+    return tuple(re.findall(r"""["']([a-z-]+)["']""", said[1])) if said else ()
+
+
+def _only_straight(behavior: Snippet) -> bool:
+    return ways_of(behavior) == (Maneuver.STRAIGHT.value,)
+
+
+def _goes_on(geometry: Snippet, spawn: Snippet) -> bool:
+    """Whether who starts there can go straight on across the ego's way, on every route that the geometry has."""
+    return all(
+        opposite in geometry.provides or geometry.slots.maneuver is turn
+        for arm, (opposite, turn) in ARMS.items()
+        if arm in spawn.requires
+    )
+
+
 def incompatibility(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | None:
     """Why three snippets cannot be joined, in words; None if they can."""
     triple = (behavior, geometry, spawn)
@@ -80,6 +107,8 @@ def _mismatch(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | Non
         return f"{geometry.id} goes round something in the ego's lane, and {spawn.id} puts nothing there"
     if not _follows(behavior, spawn):
         return f"{behavior.id} is for somebody beside the road, {spawn.id} puts the adversary on it"
+    if _only_straight(behavior) and not _goes_on(geometry, spawn):
+        return f"{behavior.id} goes straight on, and at {geometry.id} nobody from {spawn.id} can across the ego's way"
     if not set(behavior.adversaries) & set(spawn.adversaries):
         return f"{behavior.id} and {spawn.id} have no kind of adversary in common"
     return None
@@ -132,7 +161,9 @@ def compatibility(library: Library) -> Compatibility:
     ).reshape(len(b), len(s))
     caused = np.array([[_has_cause(x, y) for y in s] for x in g]).reshape(len(g), len(s))
     pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & (_pairwise(g, s) & caused)[None, :, :]
-    return Compatibility(b, g, s, closed & pairs)
+    straight = np.array([_only_straight(x) for x in b])
+    goes_on = np.array([[_goes_on(x, y) for y in s] for x in g]).reshape(len(g), len(s))
+    return Compatibility(b, g, s, closed & pairs & (goes_on[None, :, :] | ~straight[:, None, None]))
 
 
 _Names = tuple[frozenset[str], frozenset[str]]  # what a part requires, what it provides

@@ -379,14 +379,17 @@ class _Shelf:
         return agreement, conflicts
 
     def _opposes(self, said: tuple[Action, ...], likely: Probabilities) -> NDArray[np.bool_]:
-        """(N,) whether a behavior does an action that was not heard, and whose opposite was.
+        """(N,) whether a behavior does an action that was not said, and whose opposite was.
 
-        The likeliest was heard as a whole: who "brakes, then moves off" need not name the throttle.
+        Where nothing is settled yet, what the classifier hears was said, and the likeliest behavior is heard as a
+        whole: who "brakes, then moves off" need not name the throttle.
         """
         heard = said or tuple(action for action in Action if likely.actions[action] >= HEARD)
         unheard = [action not in heard and _opposite(action) in heard for action in Action]
-        p = np.array([likely.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])
-        return (self.actions @ np.array(unheard, float) > 0) & (p < p.max())
+        against = self.actions @ np.array(unheard, float) > 0
+        if not said:
+            against[np.argmax([likely.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
+        return against
 
     def _acted(self, said: tuple[Action, ...]) -> Scores:
         wanted = np.array([action in said for action in Action], float)

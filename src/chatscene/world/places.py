@@ -235,16 +235,21 @@ def trafficFrom(route: EgoRoute, side: str) -> tuple[CrossingPath, ...]:  # noqa
     return found
 
 
-def wayOf(traffic: tuple[CrossingPath, ...], turn: str) -> CrossingPath:  # noqa: N802
-    """Among the ways of crossing traffic, one that does a `turn`; for ``straight``, any if none goes straight on.
+def wayOf(traffic: tuple[CrossingPath, ...], turns: str | tuple[str, ...]) -> CrossingPath:  # noqa: N802
+    """Among the ways of crossing traffic, one that does a turn; of several turns, the first that anybody can do.
+
+    Args:
+        traffic: From one side, as `trafficFrom` gives it.
+        turns: ``straight``, ``left-turn`` or ``right-turn``, or more of them, best first.
 
     Raises:
-        MapError: Nobody from there can make that turn across the ego's way.
+        MapError: Nobody from there can do any of them across the ego's way.
     """
-    ways = [path for path in traffic if path.turn.value == turn]
-    if not ways and turn != "straight":
-        raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in a {turn}")
-    return (ways or traffic)[0]
+    wanted = (turns,) if isinstance(turns, str) else turns
+    way = next((path for turn in wanted for path in traffic if path.turn.value == turn), None)
+    if way is None:
+        raise MapError(f"no traffic from the {traffic[0].from_side} meets the ego's route in a {' or '.join(wanted)}")
+    return way
 
 
 def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802

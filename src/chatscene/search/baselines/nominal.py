@@ -40,7 +40,7 @@ class Nominal:
         speed: How fast it then is [m/s].
         trigger: That distance [m].
         once: What else must hold before it acts, as Scenic; empty for nothing.
-        turn: Where it goes at a junction; empty if it meets none.
+        turns: Where it goes at a junction, best first; empty if it meets none.
     """
 
     adversary: AdversaryKind
@@ -52,7 +52,7 @@ class Nominal:
     speed: float
     trigger: float
     once: str = ""
-    turn: str = ""
+    turns: tuple[str, ...] = ()
 
     def moves(self, speed: str, aside: str = "") -> str:
         """Scenic that lets it move on at a speed; `aside`: to the left of its path [m], or of its course [rad]."""
@@ -67,7 +67,7 @@ class Nominal:
 
 _TO_ADVERSARY = "headway(egoRoute, ego, self)"
 _TO_MEETING = "distanceLeft(egoRoute, ego, egoMeeting)"
-_CROSSING = {"left": _TO_MEETING, "turn": "straight"}
+_CROSSES = ("straight", "left-turn", "right-turn")
 
 NOMINAL: dict[BaseScenario, Nominal] = {
     BaseScenario.STRAIGHT_OBSTACLE: Nominal(
@@ -89,19 +89,19 @@ NOMINAL: dict[BaseScenario, Nominal] = {
     ),
     BaseScenario.RED_LIGHT_RUNNING: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-signalised", spawn="crossing-from-left",
-        speed=10.0, trigger=35.0, once='crossSignal == "red"', **_CROSSING,
+        speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, turns=_CROSSES,
     ),
     BaseScenario.UNPROTECTED_LEFT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="left-turn-junction-unsignalised", spawn="oncoming-at-junction",
-        speed=12.0, trigger=45.0, **_CROSSING,
+        speed=12.0, trigger=45.0, left=_TO_MEETING, turns=_CROSSES,
     ),
     BaseScenario.RIGHT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="right-turn", spawn="crossing-from-left",
-        speed=12.0, trigger=35.0, **_CROSSING,
+        speed=12.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
     ),
     BaseScenario.CROSSING_NEGOTIATION: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-junction-unsignalised", spawn="crossing-from-right",
-        speed=10.0, trigger=35.0, **_CROSSING,
+        speed=10.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
     ),
 }  # fmt: skip
 
@@ -160,7 +160,7 @@ class Baseline:
     def _snippet(self, nominal: Nominal) -> Snippet:
         body, parameters = self.behavior(nominal)
         lines = [f"param {p.name} = Range({p.low:g}, {p.high:g})" for p in parameters]
-        turn = f'advTurn = "{nominal.turn}"\n\n' if nominal.turn else ""
+        turns = f"advTurn = {nominal.turns}\n\n" if nominal.turns else ""
         code = "\n".join(f"    {line}" for line in body.splitlines())
         return Snippet(
             id=f"behavior/{self.name}",
@@ -172,7 +172,7 @@ class Baseline:
             requires=(),
             provides=("AdvBehavior", "advTurn"),
             parameters=parameters,
-            source="\n".join(lines) + f"\n\n{turn}behavior AdvBehavior():\n{code}",
+            source="\n".join(lines) + f"\n\n{turns}behavior AdvBehavior():\n{code}",
         )
 
     def backend(self, map_path: Path, settings: Settings) -> Backend:

@@ -110,7 +110,7 @@ param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_THROTTLE = Range(0.5, 1)
 param OPT_STOP_DISTANCE = Range(0, 4.5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

@@ -112,7 +112,7 @@ param OPT_ADV_SPEED = Range(10, 13)
 param OPT_BRAKE = Range(0.5, 0.8)
 param OPT_STOP_DISTANCE = Range(-1, 2)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do ThrottleOnPath(advTrajectory, 1, 0, globalParameters.OPT_ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < brakingDistance(self) / globalParameters.OPT_BRAKE - globalParameters.OPT_STOP_DISTANCE

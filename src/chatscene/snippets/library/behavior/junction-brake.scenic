@@ -117,7 +117,7 @@ param OPT_ADV_SPEED = Range(6, 11)
 param OPT_BRAKE = Range(0.4, 1)
 param OPT_BRAKE_DISTANCE = Range(0, 8)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

@@ -111,7 +111,7 @@ param OPT_ADV_DISTANCE = Range(5, 28)
 param OPT_ADV_SPEED = Range(6, 9)
 param OPT_STOP_TIME = Range(0.5, 2)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn", "left-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -111,7 +111,7 @@ param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(6, 11)
 param OPT_SLOW_SPEED = Range(1, 5)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn", "left-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

@@ -124,7 +124,7 @@ param OPT_STOP_DISTANCE = Range(0, 4.5)
 param OPT_ADV_BACK = Range(1.5, 4)
 param OPT_ADV_BACK_TIME = Range(1, 4)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -110,7 +110,7 @@ param OPT_ADV_DISTANCE = Range(10, 30)
 param OPT_ADV_SPEED = Range(4.5, 7)
 param OPT_BRAKE = Range(0.08, 0.15)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

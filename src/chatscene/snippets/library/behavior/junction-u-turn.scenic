@@ -110,7 +110,7 @@ param OPT_ADV_DISTANCE = Range(5, 28)
 param OPT_ADV_SPEED = Range(4, 7)
 param OPT_SWERVE_DISTANCE = Range(0, 5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -112,7 +112,7 @@ param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(0.8, 2.5)
 param OPT_THROTTLE = Range(0.5, 1)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

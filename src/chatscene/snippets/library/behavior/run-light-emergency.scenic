@@ -112,7 +112,7 @@ param OPT_ADV_DISTANCE = Range(25, 60)
 param OPT_ADV_SPEED = Range(12, 17)
 param OPT_THROTTLE = Range(0.7, 1)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

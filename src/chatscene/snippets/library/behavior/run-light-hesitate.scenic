@@ -119,7 +119,7 @@ param OPT_ADV_SPEED = Range(5, 8)
 param OPT_STOP_DISTANCE = Range(-5, 0)
 param OPT_STOP_TIME = Range(0.4, 1.5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

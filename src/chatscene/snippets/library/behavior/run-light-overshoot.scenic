@@ -112,7 +112,7 @@ param OPT_ADV_DISTANCE = Range(0, 22)
 param OPT_ADV_SPEED = Range(7, 11)
 param OPT_STOP_DISTANCE = Range(-4.5, -1.5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -126,7 +126,7 @@ param OPT_STOP_DISTANCE = Range(-2.5, 2.5)
 param OPT_ADV_BACK = Range(1.5, 3.5)
 param OPT_ADV_BACK_TIME = Range(1.5, 4)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -112,7 +112,7 @@ param OPT_ADV_DISTANCE = Range(0, 18)
 param OPT_ADV_SPEED = Range(5, 7.5)
 param OPT_BRAKE = Range(0.08, 0.15)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

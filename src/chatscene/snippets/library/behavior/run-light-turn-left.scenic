@@ -112,7 +112,7 @@ param OPT_ADV_DISTANCE = Range(18, 42)
 param OPT_ADV_SPEED = Range(5, 10)
 param OPT_SWERVE_DISTANCE = Range(0, 5)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     # Where no way goes straight on, it leaves its way before that bends.

@@ -107,7 +107,7 @@
 param OPT_ADV_DISTANCE = Range(-5, 15)
 param OPT_SLOW_SPEED = Range(2.5, 3.8)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn")
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, 9) until distanceLeft(advTrajectory, self, advTrajectory.entry) < 3.5 + brakingDistance(self)

@@ -114,7 +114,7 @@ param OPT_ADV_DISTANCE = Range(0, 25)
 param OPT_ADV_SPEED = Range(5, 8)
 param OPT_STOP_TIME = Range(1.2, 2.5)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -105,7 +105,7 @@
 param OPT_ADV_DISTANCE = Range(12, 48)
 param OPT_ADV_SPEED = Range(6, 13)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until crossSignal == "red" and distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE

@@ -111,7 +111,7 @@ param OPT_ADV_DISTANCE = Range(12, 45)
 param OPT_ADV_SPEED = Range(5, 9)
 param OPT_THROTTLE = Range(0.5, 1)
 
-advTurn = "straight"
+advTurn = ("straight", "left-turn", "right-turn")
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, globalParameters.OPT_ADV_SPEED) until self.pose[3] > 1 and distanceLeft(advTrajectory, self, advTrajectory.entry) < 1.5 + brakingDistance(self)

@@ -106,7 +106,7 @@
 param OPT_ADV_DISTANCE = Range(2, 20)
 param OPT_SLOW_SPEED = Range(2.8, 3.9)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn")
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, 9) until distanceLeft(advTrajectory, self, advTrajectory.entry) < 3.5 + brakingDistance(self)

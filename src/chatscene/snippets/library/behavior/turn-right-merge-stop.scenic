@@ -113,7 +113,7 @@ param OPT_ADV_DISTANCE = Range(0, 25)
 param OPT_ADV_SPEED = Range(5, 8)
 param OPT_STOP_TIME = Range(2, 3.5)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn")
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoMeeting) < globalParameters.OPT_ADV_DISTANCE + 7 * distanceLeft(advTrajectory, self, advMeeting) / globalParameters.OPT_ADV_SPEED

@@ -106,7 +106,7 @@
 param OPT_ADV_DISTANCE = Range(12, 40)
 param OPT_THROTTLE = Range(0.4, 0.8)
 
-advTurn = "straight"
+advTurn = ("straight", "right-turn")
 
 behavior AdvBehavior():
     do DrivePath(advTrajectory, 9) until distanceLeft(advTrajectory, self, advTrajectory.entry) < 3.5 + brakingDistance(self)
