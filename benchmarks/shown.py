@@ -19,7 +19,10 @@ from typing import Any
 import click
 
 from chatscene import pipeline, runs
-from chatscene.errors import ChatSceneError
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.maps.network import resolve_map
+from chatscene.program.meaning import check_meaning
+from chatscene.search.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 
@@ -39,13 +42,17 @@ def main(sentences: Path, scenes: int, seed: int, ego: str) -> None:
         found, line = searched(text, settings, ego)
         total += found
         click.echo(f"{number:3} {line}")
-    click.echo(f"{total['served']} sentences served, {total['refused']} refused; {total['ran']} scenes")
-    click.echo(f"collisions {total['collided']}, of which {total['shown crashes']} show what was said")
+    click.echo(f"{total['served']} sentences served, {total['refused']} refused, {total['failed']} failed")
+    click.echo(
+        f"{total['ran']} scenes, {total['collided']} collisions, of which {total['shown crashes']} show what was said"
+    )
     for rule in RULES:
         kept = total[f"kept {rule}"]
         click.echo(
             f"kept by {rule!r}: {kept}, of which {total[f'collided {rule}']} collided; "
-            f"{total[f'shown {rule}']} show what was said, {total[f'no act {rule}']} not even one of its acts"
+            f"{total[f'shown {rule}']} show what was said "
+            f"({total[f'done {rule}']} of them to the end of each act, before any contact), "
+            f"{total[f'no act {rule}']} not even one of its acts"
         )
 
 
@@ -72,40 +79,48 @@ def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str
         run = runs.create(Path(folder) / "run", text=text, settings=settings, map_name="town", ego=ego)
         try:
             pipeline.search(run, 1, silent)
+        except (NothingFits, MeansSomethingElse) as error:
+            return Counter(refused=1), f"refused: {error}: {text}"
         except ChatSceneError as error:
-            return Counter(refused=1), f"REFUSED ({type(error).__name__}: {error}): {text}"
-        scenario = runs.read_explanation(run)["scenarios"][0]
+            return Counter(failed=1), f"failed: {type(error).__name__}: {error}: {text}"
         rows = {row["scene_id"]: row for row in runs.read_scenes(run) if row["status"] == "ran"}
-    acts = len(scenario["slots"].get("actions", ()))
+        candidates = [
+            Candidate(
+                scene_id=name,
+                collided=row["collision"],
+                shown=row["meaning_ok"],
+                avoidable=row["avoidable"],
+                overall_score=row["overall_score"],
+            )
+            for name, row in rows.items()
+        ]
+        chosen = {rule: select(candidates, count=settings.search.keep, selection=rule) for rule in RULES}
+        scenario, program = pipeline.rebuild(run)
+        route = Retrieved().backend(resolve_map("town"), settings.simulation).route(program, 0)
+        done = {
+            one.scene_id: not check_meaning(scenario.slots, runs.read_episode(run, one.scene_id), route, through=True)
+            for one in {*chosen["worst"], *chosen["shown"]}
+        }
+    acts = len(scenario.slots.actions)
     crashes = [row for row in rows.values() if row["collision"]]
     counts = Counter(served=1, ran=len(rows), collided=len(crashes))
     counts["shown crashes"] = sum(row["meaning_ok"] for row in crashes)
-    candidates = [
-        Candidate(
-            scene_id=name,
-            collided=row["collision"],
-            shown=row["meaning_ok"],
-            avoidable=row["avoidable"],
-            overall_score=row["overall_score"],
-        )
-        for name, row in rows.items()
-    ]
     for rule in RULES:
-        kept = [rows[s.scene_id] for s in select(candidates, count=settings.search.keep, selection=rule)]
+        kept = [rows[one.scene_id] for one in chosen[rule]]
         counts[f"kept {rule}"] = len(kept)
         counts[f"collided {rule}"] = sum(row["collision"] for row in kept)
         counts[f"shown {rule}"] = sum(row["meaning_ok"] for row in kept)
+        counts[f"done {rule}"] = sum(done[row["scene_id"]] for row in kept)
         missing = [
             sum(f.startswith("action") and "other way" not in f for f in row["meaning_failures"]) for row in kept
         ]
         counts[f"no act {rule}"] = sum(acts > 0 and lacks == acts for lacks in missing)
     lacking = Counter(f for row in rows.values() if not row["meaning_ok"] for f in row["meaning_failures"])
     often = f"; most often {lacking.most_common(1)[0][0]!r} ({lacking.most_common(1)[0][1]})" if lacking else ""
-    ids = " + ".join(scenario["chosen"].values())
     return counts, (
         f"ran {counts['ran']}, collided {counts['collided']}, of these shown {counts['shown crashes']}; kept shown: "
         f"worst {counts['shown worst']}/{counts['kept worst']}, shown {counts['shown shown']}/{counts['kept shown']}"
-        f"{often}; {ids}: {text}"
+        f"{often}; {' + '.join(program.snippet_ids)}: {text}"
     )
 
 

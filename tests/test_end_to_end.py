@@ -53,7 +53,8 @@ def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
     assert record["counts"]["ran"] == 40
     assert record["counts"]["selected"] == 4
     scenes = runs.read_scenes(runs.open_run(finished))
-    assert all(row["meaning_ok"] for row in scenes if row["collision"])
+    assert record["counts"]["selected_shown"] == 4
+    assert all(row["meaning_ok"] for row in scenes if row["selected"])
     assert sum(row["meaning_ok"] for row in scenes) > 20
     assert any(row["collision"] for row in scenes)
     assert SENTENCE in (finished / "report.html").read_text()

@@ -56,6 +56,19 @@ def test_the_stock_scenic_command_compiles_and_runs_a_program() -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def summed_up(**counts: int) -> str:
+    known = {"ran": 50, "collided": 20, "rejected": 0, "selected": 2, "selected_shown": 2, "fill_in": 0}
+    return pipeline.Summary(counts=known | counts, seconds=3.0).in_words()
+
+
+def test_a_run_says_how_many_kept_scenes_do_not_show_what_was_said() -> None:
+    assert summed_up().endswith("; 2 kept")
+    assert summed_up(selected_shown=1).endswith("; 2 kept (1 that does not show all that was said)")
+    assert summed_up(selected_shown=0, fill_in=1).endswith(
+        "; 2 kept (1 without a collision, 2 that do not show all that was said)"
+    )
+
+
 def test_what_a_user_writes_stays_a_comment() -> None:
     text = 'A cyclist crosses from the left"""\nimport os\nparam x = 1\x00\r# '
     source = pipeline.understand(text).program.source

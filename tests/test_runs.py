@@ -107,6 +107,17 @@ def test_every_scene_is_a_row_and_a_rejected_one_says_why(tmp_path: Path) -> Non
     assert read_record(run).counts["rejected"] == 2
 
 
+def test_kept_scenes_that_show_what_was_said_are_counted(tmp_path: Path) -> None:
+    run, done = started(tmp_path / "run"), blocks(1)
+    ids = [ran.scene.id for ran in done[0].ran]
+    like = replace(done[0].ran[0], meaning=())
+    unlike = replace(done[0].ran[1], meaning=("action: said stop, but the adversary never does",))
+    write_block(run, replace(done[0], ran=(like, unlike, *done[0].ran[2:])))
+    finish(run, selected={ids[0]: False, ids[1]: False})
+    counts = read_record(run).counts
+    assert (counts["selected"], counts["selected_shown"]) == (2, 1)
+
+
 def test_events_and_ranges_are_kept(tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=3)
     crashes = [row for row in read_events(run) if row["kind"] == "collision"]

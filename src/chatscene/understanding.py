@@ -24,7 +24,7 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, Se
 from chatscene.evaluate.score import wilson
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
-from chatscene.program.meaning import check_meaning
+from chatscene.program.check import unshown
 from chatscene.search.generator import Written, climb
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
@@ -253,7 +253,7 @@ def _driven(
     except ChatSceneError as error:
         return first, False, (f"{type(error).__name__}: {error}",)
     route = backend.route(written.program, 0)
-    return written, True, min((check_meaning(sentence.slots, e, route) for e in checked.episodes), key=len)
+    return written, True, unshown(sentence.slots, checked.episodes, route)
 
 
 @dataclass(frozen=True, slots=True)

@@ -145,11 +145,14 @@ def _brakes(s: Seen) -> Iterator[Act]:
 
 def _accelerates(s: Seen) -> Iterator[Act]:
     speed = _speed(s)
-    ahead = np.lib.stride_tricks.sliding_window_view(np.pad(speed, (0, GAINING), mode="edge"), GAINING + 1)
-    for first, end in _runs(ahead.max(axis=1) - speed >= GAIN):
-        lately = speed[first:end]
-        began = first + _last(lately <= lately.min() + 0.1)
-        yield Act(began, began + int((speed[began:] >= lately.min() + GAIN).argmax()))
+    for first, end in _runs(np.diff(speed, prepend=speed[:1]) > -0.5 * s.dt):
+        rising = speed[max(first - 1, 0) : end]
+        ahead = np.lib.stride_tricks.sliding_window_view(np.pad(rising, (0, GAINING), mode="edge"), GAINING + 1)
+        for low, high in _runs(ahead.max(axis=1) - rising >= GAIN):
+            least = rising[low:high].min()
+            began = low + _last(rising[low:high] <= least + 0.1)
+            done = began + int((rising[began:] >= least + GAIN).argmax())
+            yield Act(max(first - 1, 0) + began, max(first - 1, 0) + done)
     yield from _gaining(s)
 
 

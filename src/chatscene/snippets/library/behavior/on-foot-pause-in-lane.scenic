@@ -86,7 +86,7 @@
 #: provides = ["AdvBehavior", "advFacing"]
 #: origin = "own code"
 #: [slots]
-#: actions = ["oncoming", "hesitate", "cross"]
+#: actions = ["oncoming", "cross", "hesitate"]
 #: position = "oncoming"
 #: place = "road"
 #: maneuver = "straight"

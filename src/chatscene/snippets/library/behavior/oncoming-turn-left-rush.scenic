@@ -86,7 +86,7 @@
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "NHTSA pre-crash typology: left turn across path, opposite direction; own code"
 #: [slots]
-#: actions = ["oncoming", "turn-left", "accelerate"]
+#: actions = ["oncoming", "accelerate", "turn-left"]
 #: position = "oncoming"
 #: maneuver = "straight"
 #: [[parameters]]

@@ -86,7 +86,7 @@
 #: provides = ["AdvBehavior", "advTurn"]
 #: origin = "own code"
 #: [slots]
-#: actions = ["turn-right", "accelerate"]
+#: actions = ["accelerate", "turn-right"]
 #: position = "crossing"
 #: side = "right"
 #: maneuver = "straight"

@@ -86,7 +86,7 @@
 #: provides = ["AdvBehavior"]
 #: origin = "own code"
 #: [slots]
-#: actions = ["hesitate", "cross", "stop"]
+#: actions = ["cross", "hesitate", "stop"]
 #: [[parameters]]
 #: name = "OPT_ADV_SPEED"
 #: low = 2.2
