@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import random
@@ -18,6 +19,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from chatscene import pipeline
+from chatscene.benchmark import benchmark
 from chatscene.cli import main
 from chatscene.errors import ChatSceneError, RunError, SettingsError
 from chatscene.evaluation import evaluate
@@ -47,6 +49,7 @@ from chatscene.runs import (
 )
 from chatscene.runs.digests import write_sealed
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.train import TrainSettings, train
 from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started
 
 
@@ -183,11 +186,15 @@ def test_a_newer_run_is_not_called_damaged(folder: Path) -> None:
     assert "newer chatscene" in check(folder).damaged["run.json"]
 
 
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
 USES: dict[str, Callable[[Path, Path], object]] = {
     "resume": lambda folder, _: pipeline.resume(folder),
     "replay": lambda folder, _: pipeline.replay(folder, "any"),
     "report": lambda folder, _: write_report(folder),
-    "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=lambda *_: None),
+    "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=_silent),
     "finetune": lambda folder, _: kept_scenes([folder]),
 }
 
@@ -330,6 +337,31 @@ def test_a_held_folder_holds_no_more_files_than_one_that_is_not(tmp_path: Path) 
         with pytest.raises(RunError, match="another chatscene"), alone(tmp_path / "run"):
             pass
     with alone(tmp_path / "run"):
+        pass
+
+
+HELD: dict[str, Callable[[Path, Path], object]] = {
+    "run": lambda _, held: pipeline.run("A cyclist rides out from the left and stops in front of us.", held),
+    "evaluate": lambda folder, held: evaluate([folder], held, egos=["rule-based"], progress=_silent),
+    "benchmark": lambda _, held: benchmark(held, progress=_silent),
+    "train": lambda _, held: train(held, TrainSettings(), progress=_silent),
+}
+
+
+@pytest.mark.parametrize("what", HELD)
+def test_no_command_works_on_a_folder_that_another_is_at_work_on(folder: Path, tmp_path: Path, what: str) -> None:
+    with alone(tmp_path / "held"), pytest.raises(RunError, match="another chatscene is at work"):
+        HELD[what](folder, tmp_path / "held")
+
+
+def test_a_folder_that_cannot_be_locked_is_said_to_be_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import fcntl
+
+    def refuse(*_: object) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", refuse)
+    with pytest.warns(UserWarning, match="cannot be locked"), alone(tmp_path):
         pass
 
 
