@@ -109,6 +109,14 @@ def test_a_program_without_a_retrieval_is_made_of_its_stored_scenario(tmp_path: 
     assert advsim.write(again, settings).program == advsim.write(scenario, settings).program
 
 
+@pytest.mark.usefixtures("unread")
+def test_a_baseline_is_rebuilt_from_its_stored_scenario(tmp_path: Path) -> None:
+    few = Settings(search=SearchSettings(scenes=1, block=1))
+    text = AdvSim().texts(BaseScenario.RIGHT_TURN)[0]
+    pipeline.run(text, tmp_path / "run", settings=few, ego_name="rule-based", generator="advsim")
+    assert pipeline.replay(tmp_path / "run", _driven(tmp_path / "run")).identical
+
+
 def _forge(folder: Path, name: str, change: dict[str, Any]) -> None:
     path = folder / name
     content = json.loads(path.read_text())
