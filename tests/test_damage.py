@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import random
@@ -13,11 +14,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
 
 from chatscene import pipeline
+from chatscene.benchmark import benchmark
 from chatscene.cli import main
 from chatscene.errors import ChatSceneError, RunError, SettingsError
 from chatscene.evaluation import evaluate
@@ -47,6 +50,7 @@ from chatscene.runs import (
 )
 from chatscene.runs.digests import write_sealed
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.train import TrainSettings, train
 from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started
 
 
@@ -122,18 +126,27 @@ def test_every_bit_of_the_record_is_guarded(folder: Path) -> None:
         _flip(path, bit)
 
 
-def test_a_flipped_bit_in_a_page_is_noticed_even_where_no_digest_is_kept(folder: Path) -> None:
-    run = Run(folder)
+def test_a_bit_that_would_change_values_in_silence_is_noticed_even_where_no_digest_is_kept(folder: Path) -> None:
+    run, path = Run(folder), folder / "scenes.parquet"
     as_by_an_older_version(run)
-    path = folder / "ranges.parquet"
-    column = pq.ParquetFile(path).metadata.row_group(0).column(RANGES_LOW)
+    file = pq.ParquetFile(path)
+    before = file.read()
+    columns = [file.metadata.row_group(0).column(n) for n in range(before.num_columns)]
+    column = next(column for column in columns if column.path_in_schema == "OPT_GEO_Y")
     start = column.dictionary_page_offset or column.data_page_offset
-    _flip(path, 8 * (start + column.total_compressed_size - 2))
-    with pytest.raises(RunError, match=r"ranges\.parquet.*damaged"):
-        read_ranges(run)
-
-
-RANGES_LOW = 4  # column `low`
+    silent = 0
+    for bit in range(8 * start, 8 * (start + column.total_compressed_size), 23):
+        _flip(path, bit)
+        try:
+            unguarded = pq.read_table(path)
+        except (OSError, pa.ArrowException):
+            unguarded = before
+        if unguarded != before:
+            silent += 1
+            with pytest.raises(RunError, match=r"scenes\.parquet.*damaged"):
+                read_scenes(run)
+        _flip(path, bit)
+    assert silent > 3
 
 
 def test_missing_and_added_files_are_named(folder: Path) -> None:
@@ -162,6 +175,13 @@ def test_the_command_says_what_is_wrong_to_people_and_to_scripts(folder: Path) -
     (told,) = json.loads(answer.output)
     assert answer.exit_code == 1
     assert (told["whole"], list(told["damaged"]), told["missing"], told["added"]) == (False, ["map.json"], [], [])
+
+
+def test_the_name_of_an_added_file_tells_the_terminal_nothing(folder: Path) -> None:
+    folder.joinpath("\x1b[2Jgone").write_text("")
+    answer = command("check", str(folder))
+    assert "added    '\\x1b[2Jgone'" in answer.output
+    assert "\x1b" not in answer.output
 
 
 def test_of_a_folder_of_an_older_version_nobody_can_tell(folder: Path) -> None:
@@ -337,6 +357,31 @@ def test_a_held_folder_holds_no_more_files_than_one_that_is_not(tmp_path: Path) 
         pass
 
 
+HELD: dict[str, Callable[[Path, Path], object]] = {
+    "run": lambda _, held: pipeline.run("A cyclist rides out from the left and stops in front of us.", held),
+    "evaluate": lambda folder, held: evaluate([folder], held, egos=["rule-based"], progress=_silent),
+    "benchmark": lambda _, held: benchmark(held, progress=_silent),
+    "train": lambda _, held: train(held, TrainSettings(), progress=_silent),
+}
+
+
+@pytest.mark.parametrize("what", HELD)
+def test_no_command_works_on_a_folder_that_another_is_at_work_on(folder: Path, tmp_path: Path, what: str) -> None:
+    with alone(tmp_path / "held"), pytest.raises(RunError, match="another chatscene is at work"):
+        HELD[what](folder, tmp_path / "held")
+
+
+def test_a_folder_that_cannot_be_locked_is_said_to_be_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import fcntl
+
+    def refuse(*_: object) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", refuse)
+    with pytest.warns(UserWarning, match="cannot be locked"), alone(tmp_path):
+        pass
+
+
 # Values that no run has
 
 
@@ -438,6 +483,11 @@ def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
         answer = command(*arguments, str(bad))
         assert answer.exit_code == 1
         assert "NUL" in answer.output
+
+
+def test_a_text_that_is_no_text_is_one_message_of_our_own(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="no character; write it in UTF-8"):
+        started(tmp_path / "run", text="A cyclist\udcff")
 
 
 def test_what_is_sealed_is_sealed_to_the_byte(tmp_path: Path) -> None:

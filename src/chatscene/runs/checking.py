@@ -52,15 +52,20 @@ class Condition:
 
     def in_words(self) -> str:
         """A line for each file that is not as it was left, and one for the folder."""
-        lines = [f"damaged  {name}: {reason}" for name, reason in self.damaged.items()]
-        lines += [f"missing  {name}{_REMADE if is_drawn(name) else ''}" for name in self.missing]
-        lines += [f"added    {name}" for name in self.added]
+        lines = [f"damaged  {_shown(name)}: {reason}" for name, reason in self.damaged.items()]
+        lines += [f"missing  {_shown(name)}{_REMADE if is_drawn(name) else ''}" for name in self.missing]
+        lines += [f"added    {_shown(name)}" for name in self.added]
         verdict = "whole" if self.whole else self.unknown or "not as it was written"
         return "\n".join([*lines, f"{self.folder}: {verdict}"])
 
 
 _CHANGED = "it is not what was written"
 _REMADE = "; chatscene resume makes it again"
+
+
+def _shown(name: str) -> str:
+    """A name that tells a terminal nothing but itself, whoever gave it."""
+    return name if name.isprintable() else repr(name)
 
 
 def check(folder: Path) -> Condition:

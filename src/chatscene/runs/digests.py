@@ -57,9 +57,17 @@ def is_drawn(name: str) -> bool:
 
 
 def write_sealed(path: Path, content: Mapping[str, Any]) -> None:
-    """Write a JSON object that ends with a digest of itself."""
-    blank = _text(content, "")
-    write_bytes(path, _text(content, hashlib.sha256(blank.encode()).hexdigest()).encode())
+    """Write a JSON object that ends with a digest of itself.
+
+    Raises:
+        RunError: It holds what is no text, or the file system refuses.
+    """
+    try:
+        digest = hashlib.sha256(_text(content, "").encode()).hexdigest()
+    except UnicodeEncodeError as error:
+        wrong = error.object[max(0, error.start - 20) : error.end]
+        raise RunError(f"cannot write {path}: {wrong!r} ends in what is no character; write it in UTF-8") from error
+    write_bytes(path, _text(content, digest).encode())
 
 
 def is_sealed(path: Path, digest: object) -> bool:
