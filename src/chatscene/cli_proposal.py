@@ -161,7 +161,7 @@ def pending(own: Path, as_json: bool) -> None:
 @FOLDER
 @SCENES
 def accept(proposal_id: str, own: Path, scenes: int) -> None:
-    """Check a proposal once more and move it into your library; read it first: from then on it is your code.
+    """Check a proposal once more and move it into your library; read it first: from then on runs choose it.
 
     \b
     chatscene library accept behavior/wave-and-go --library my-snippets
