@@ -25,6 +25,7 @@ from rich.console import Console
 from chatscene import bounded, curation, evaluation, pipeline, runs
 from chatscene.cli import main
 from chatscene.curation import lint_library
+from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, ForeignCodeRefused, RunError, SandboxError, SnippetError
 from chatscene.finetune.scenes import kept_scenes
@@ -416,7 +417,7 @@ def test_an_array_that_claims_ten_trillion_numbers_is_one_message(tmp_path: Path
         for name, content in {"about": about, "w0": claimed, "b0": claimed}.items():
             archive.writestr(f"{name}.npy", content.getvalue())
     with pytest.raises(EgoError, match=r"huge\.npz"):
-        load_ego(str(tmp_path / "huge.npz"))
+        load_network(tmp_path / "huge.npz")
 
 
 def test_a_tensor_that_repeats_one_number_without_end_is_one_message(tmp_path: Path) -> None:
