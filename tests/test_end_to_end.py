@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from chatscene import runs
+from chatscene.sandbox.landlock import landlock_version
 from fake_run import as_by_an_older_version
 
 ROOT = Path(__file__).parents[1]
@@ -197,3 +198,6 @@ def test_explain_speaks_to_people_and_to_scripts(chatscene: Chatscene) -> None:
 def test_doctor_finds_nothing_wrong(chatscene: Chatscene) -> None:
     checks = json.loads(chatscene("doctor", "--json").stdout)
     assert all(check["ok"] for check in checks), checks
+    walls = next(check["found"] for check in checks if check["what"] == "walls around strangers' code")
+    assert walls.startswith("allow-list, limits, ")
+    assert ("landlock" in walls.partition("; missing: ")[0]) == (landlock_version() > 0)

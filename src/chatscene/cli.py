@@ -14,7 +14,18 @@ from typing import TYPE_CHECKING, Any, Unpack
 import click
 
 from chatscene.cli_finetune import finetune
-from chatscene.cli_library import JSON, READING, Reading, console, library, progress
+from chatscene.cli_library import (
+    EGO_AGAIN,
+    JSON,
+    READING,
+    REPEATING,
+    Reading,
+    Repeating,
+    console,
+    library,
+    progress,
+    say,
+)
 from chatscene.cli_proposal import COMMANDS, describe
 from chatscene.cli_reproduce import reproduce
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
@@ -50,12 +61,12 @@ class _Errors(click.Group):
             _complain(error)
             ctx.exit(1)
         except KeyboardInterrupt:
-            click.echo("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
+            say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
             ctx.exit(130)
 
 
 def _complain(error: ChatSceneError) -> None:
-    click.echo(f"{type(error).__name__}: {error}", err=True)
+    say(f"{type(error).__name__}: {error}", err=True)
 
 
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
@@ -148,22 +159,27 @@ def run(
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
+@EGO_AGAIN
+@REPEATING
 @JSON
-def resume(folder: Path, jobs: int | None, as_json: bool) -> None:
+def resume(folder: Path, jobs: int | None, ego: tuple[str, ...], as_json: bool, **repeating: Unpack[Repeating]) -> None:
     """Continue the run or evaluation in DIR after it was killed or failed; the result is that of an uninterrupted one.
 
     Trainings and benchmarks are continued by giving their own command again.
 
     \b
     chatscene resume runs/cyclist
+    chatscene resume runs/my-stack --ego mypackage.stack:make_ego
     """
     from chatscene import evaluation, pipeline, runs
+    from chatscene.trust import Repeated
 
+    repeated = Repeated(ego=ego, **repeating)
     kept = runs.open_run(folder)
     if runs.read_record(kept).command == "evaluate":
-        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=progress()), as_json)
+        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=progress(), repeated=repeated), as_json)
         return
-    summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress())
+    summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress(), repeated=repeated)
     _say_done(folder, summary, as_json)
 
 
@@ -175,9 +191,16 @@ def resume(folder: Path, jobs: int | None, as_json: bool) -> None:
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@REPEATING
 @JSON
 def evaluate(
-    scenes: tuple[Path, ...], egos: tuple[str, ...], every_scene: bool, out: Path | None, jobs: int, as_json: bool
+    scenes: tuple[Path, ...],
+    egos: tuple[str, ...],
+    every_scene: bool,
+    out: Path | None,
+    jobs: int,
+    as_json: bool,
+    **repeating: Unpack[Repeating],
 ) -> None:
     """Measure egos on the kept scenes of the runs in DIR..., and print the paper's tables with intervals.
 
@@ -186,6 +209,7 @@ def evaluate(
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
     from chatscene import evaluation, pipeline
+    from chatscene.trust import Repeated
 
     evaluated = evaluation.evaluate(
         scenes,
@@ -194,6 +218,7 @@ def evaluate(
         every_scene=every_scene,
         jobs=jobs,
         progress=progress(),
+        repeated=Repeated(**repeating),
     )
     _say_evaluated(evaluated, as_json)
 
@@ -252,7 +277,7 @@ def benchmark(
         progress=progress(),
     )
     for text, reason in outcome.refused.items():
-        click.echo(f"refused: {text!r}: {reason}", err=True)
+        say(f"refused: {text!r}: {reason}", err=True)
     _say_evaluated(outcome.evaluated, as_json)
 
 
@@ -274,7 +299,7 @@ def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Pat
     from chatscene.report.tables import as_text
 
     table = driving.drive(egos, folder=out, map_name=map_name, scenes=scenes, seed=seed, jobs=jobs, progress=progress())
-    click.echo(as_text(table))
+    say(as_text(table))
 
 
 @main.command()
@@ -318,32 +343,35 @@ def train(
         map_name=map_name,
     )
     trained = train_ego(out, settings, progress=progress())
-    click.echo(" steps  completion  collisions  mean speed")
+    say(" steps  completion  collisions  mean speed")
     for row in trained.curve:
-        click.echo(
+        say(
             f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
             + ("  kept" if row == trained.best else "")
         )
-    click.echo(f"the best is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
+    say(f"the best is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
 
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("scene_id")
+@EGO_AGAIN
+@REPEATING
 @JSON
-def replay(folder: Path, scene_id: str, as_json: bool) -> None:
+def replay(folder: Path, scene_id: str, ego: tuple[str, ...], as_json: bool, **repeating: Unpack[Repeating]) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
     """
     from chatscene import pipeline
+    from chatscene.trust import Repeated
 
-    outcome = pipeline.replay(folder, scene_id)
+    outcome = pipeline.replay(folder, scene_id, repeated=Repeated(ego=ego, **repeating))
     if as_json:
-        click.echo(json.dumps(outcome.as_dict()))
+        say(json.dumps(outcome.as_dict()))
     else:
-        click.echo(outcome.in_words())
+        say(outcome.in_words())
     if not outcome.identical:
         sys.exit(1)
 
@@ -390,7 +418,7 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Read
 
     understood = pipeline.understand(text, Settings(retrieval=RetrievalSettings(**reading)))
     if as_json:
-        click.echo(json.dumps(understood.as_dict(), indent=1))
+        say(json.dumps(understood.as_dict(), indent=1))
         return
     from chatscene.report.terminal import print_understanding
 
@@ -428,7 +456,7 @@ def show_map(map_name: str, as_json: bool) -> None:
 
     description = describe_map(resolve_map(map_name))
     if as_json:
-        click.echo(json.dumps(asdict(description), indent=1))
+        say(json.dumps(asdict(description), indent=1))
     else:
         print_map(console(), description)
 
@@ -446,10 +474,10 @@ def check_map_file(map_name: str) -> None:
 
     problems = check_map(resolve_map(map_name))
     for problem in problems:
-        click.echo(problem)
+        say(problem)
     if problems:
         sys.exit(1)
-    click.echo("no problems found")
+    say("no problems found")
 
 
 @main.command()
@@ -464,10 +492,10 @@ def doctor(as_json: bool) -> None:
 
     checks = examine()
     if as_json:
-        click.echo(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
+        say(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
     else:
         for check in checks:
-            click.echo(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
+            say(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
     if not all(check.ok for check in checks):
         sys.exit(1)
 
@@ -494,23 +522,21 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
     from chatscene.report.tables import as_text
 
     if as_json:
-        click.echo(
-            json.dumps({"folder": str(evaluated.folder), "seconds": evaluated.seconds, "failures": evaluated.failures})
-        )
+        say(json.dumps({"folder": str(evaluated.folder), "seconds": evaluated.seconds, "failures": evaluated.failures}))
     else:
         for name in ("generation", "collision-rate-by-ego", "avoidability", "fault"):
-            click.echo(as_text(evaluated.tables[name]))
-            click.echo("")
-        click.echo(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+            say(as_text(evaluated.tables[name]))
+            say("")
+        say(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
     for reason in evaluated.failures.values():
-        click.echo(f"EgoError: {reason}; the other egos' results stand", err=True)
+        say(f"EgoError: {reason}; the other egos' results stand", err=True)
     if evaluated.failures:
         sys.exit(1)
 
 
 def _say_done(folder: Path, summary: Summary, as_json: bool) -> None:
     if as_json:
-        click.echo(json.dumps({"folder": str(folder), "seconds": summary.seconds, **summary.counts}))
+        say(json.dumps({"folder": str(folder), "seconds": summary.seconds, **summary.counts}))
     else:
-        click.echo(summary.in_words())
-        click.echo(f"report: {folder / 'report.html'}")
+        say(summary.in_words())
+        say(f"report: {folder / 'report.html'}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.cli_library import JSON, console, progress
+from chatscene.cli_library import JSON, console, progress, say
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -75,22 +75,20 @@ def finetune(
     )
     tuned = finetune_ego(out, sources, settings, progress=progress())
     if as_json:
-        click.echo(
-            json.dumps({"folder": str(out), "chosen": tuned.chosen, "before": tuned.before, "after": tuned.after})
-        )
+        say(json.dumps({"folder": str(out), "chosen": tuned.chosen, "before": tuned.before, "after": tuned.after}))
         return
     console().print(_before_and_after(tuned))
     for row in tuned.curve:
         if "collision_rate" in row:
-            click.echo(
+            say(
                 f"{row['episode']:5} episodes  collision rate {row['collision_rate']:.3f}"
                 f"  completion {row['completion']:.3f}  overall score {row['overall_score']:.3f}"
                 + ("  kept" if row == tuned.chosen else "")
             )
-    click.echo(f"kept: {tuned.reason}")
+    say(f"kept: {tuned.reason}")
     if tuned.skipped:
-        click.echo(f"{len(tuned.skipped)} scenes could not be driven; finetune.json says why")
-    click.echo(f"the ego is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
+        say(f"{len(tuned.skipped)} scenes could not be driven; finetune.json says why")
+    say(f"the ego is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
 
 
 def _before_and_after(tuned: Finetuned) -> Table:

@@ -37,6 +37,26 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
     return own(embedder(model(command)))
 
 
+class Repeating(TypedDict):
+    """What the user says again of what a run names; the names are those of `chatscene.trust.Repeated`."""
+
+    library: tuple[str, ...]
+    embedder: tuple[str, ...]
+    language_model: tuple[str, ...]
+
+
+def REPEATING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
+    """Options that say again what a run names beyond what is packaged."""
+    told = "again, if the run names one: that its files say so is not enough."
+    own = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {told}")
+    embedder = click.option("--embedder", multiple=True, help=f"The embedder {told}")
+    model = click.option("--language-model", multiple=True, help=f"The language model {told}")
+    return own(embedder(model(command)))
+
+
+EGO_AGAIN = click.option(
+    "--ego", multiple=True, help="An ego that may run code of its own again, if the run names one; repeat."
+)
 OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
 
 
@@ -51,7 +71,14 @@ def console() -> Console:
     """Where tables are printed."""
     from rich.console import Console
 
-    return Console(highlight=False)
+    return Console(highlight=False, emoji=False)
+
+
+def say(text: str, *, err: bool = False) -> None:
+    """Print a line; what could steer the terminal is shown as its code."""
+    from chatscene.report.terminal import printable
+
+    click.echo(printable(text), err=err)
 
 
 @click.group()
@@ -73,10 +100,10 @@ def list_snippets(component: str | None, own: str, as_json: bool) -> None:
 
     snippets = [s for s in library_with(own) if component in (None, s.component.value)]
     if as_json:
-        click.echo(json.dumps([{"id": s.id, "description": s.description} for s in snippets], indent=1))
+        say(json.dumps([{"id": s.id, "description": s.description} for s in snippets], indent=1))
         return
     for snippet in snippets:
-        click.echo(f"{snippet.id:<48} {snippet.description}")
+        say(f"{snippet.id:<48} {snippet.description}")
 
 
 @library.command()
@@ -113,10 +140,10 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
 
     found = nearest(text, Component(component), library_with(own), load_embedder(), count=top)
     if as_json:
-        click.echo(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))
+        say(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))
         return
     for snippet, similarity in found:
-        click.echo(f"{similarity:5.2f}  {snippet.id:<44} {snippet.description}")
+        say(f"{similarity:5.2f}  {snippet.id:<44} {snippet.description}")
 
 
 @library.command()
@@ -137,12 +164,12 @@ def lint(own: str, scenes: int, jobs: int, as_json: bool) -> None:
 
     checked, findings = lint_library(own, scenes=scenes, jobs=jobs, progress=progress())
     if as_json:
-        click.echo(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
+        say(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
     else:
         for finding in findings:
-            click.echo(str(finding))
+            say(str(finding))
         counts = ", ".join(f"{count} {component}" for component, count in checked.items())
-        click.echo(f"{sum(checked.values())} snippets ({counts}), {len(findings)} findings")
+        say(f"{sum(checked.values())} snippets ({counts}), {len(findings)} findings")
     if findings:
         sys.exit(1)
 
@@ -174,14 +201,14 @@ def evaluate(
     if ablation:
         tables["ablation"] = understanding.ablation_table(found, settings)
     for table in tables.values():
-        click.echo(as_text(table))
+        say(as_text(table))
     for confusion, times in understanding.confusions(judged):
-        click.echo(f"{times:4d}  {confusion}")
+        say(f"{times:4d}  {confusion}")
     if out is not None:
         write_tables(out, tables)
         lines = (json.dumps(row, ensure_ascii=False) for row in understanding.as_rows(judged))
         (out / "sentences.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
-        click.echo(f"tables and every sentence: {out}")
+        say(f"tables and every sentence: {out}")
 
 
 @library.command()
@@ -200,4 +227,4 @@ def fit(own: str, count: int, epochs: int, seed: int) -> None:
     from chatscene.curation import fit_classifier
 
     path = fit_classifier(own, count=count, epochs=epochs, seed=seed, progress=progress())
-    click.echo(f"trained: {path}")
+    say(f"trained: {path}")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from chatscene.cli_library import COMPONENT, JSON, READING, Reading, progress
+from chatscene.cli_library import COMPONENT, JSON, READING, Reading, progress, say
 from chatscene.settings import OFFLINE
 
 if TYPE_CHECKING:
@@ -97,12 +97,12 @@ def _propose(
         kept = [{"id": k.id, "file": str(k.path), "attempts": k.attempts} for k in summary.kept]
         refused = [asdict(one) for one in summary.refused]
         spent = asdict(summary.spending)
-        click.echo(json.dumps({"kept": kept, "refused": refused, "reasons": summary.reasons, "spending": spent}))
+        say(json.dumps({"kept": kept, "refused": refused, "reasons": summary.reasons, "spending": spent}))
         return
     for one in summary.refused:
-        click.echo(f"refused: {one.name}: {one.reason}: {one.message}")
+        say(f"refused: {one.name}: {one.reason}: {one.message}")
     for one in summary.kept:
-        click.echo(f"waits: {one.id}: {one.path}")
+        say(f"waits: {one.id}: {one.path}")
     _say_counts(len(summary.kept), summary.reasons, summary.spending)
 
 
@@ -113,12 +113,12 @@ def _rephrase(model: LanguageModel, snippet_id: str, count: int, own: Path, as_j
 
     found = ask(model, snippet_id, count, shelf=Shelf(own), embedder=load_embedder())
     if as_json:
-        click.echo(json.dumps(asdict(found)))
+        say(json.dumps(asdict(found)))
         return
     for one in found.refused:
-        click.echo(f"refused: {one.name}: {one.reason}: {one.message}")
+        say(f"refused: {one.name}: {one.reason}: {one.message}")
     for text in found.kept:
-        click.echo(f"waits: {text}")
+        say(f"waits: {text}")
     reasons: dict[str, int] = {}
     for one in found.refused:
         reasons[one.reason] = reasons.get(one.reason, 0) + 1
@@ -127,9 +127,9 @@ def _rephrase(model: LanguageModel, snippet_id: str, count: int, own: Path, as_j
 
 def _say_counts(kept: int, reasons: dict[str, int], spent: Spending) -> None:
     why = f" ({', '.join(f'{count} {reason}' for reason, count in reasons.items())})" if reasons else ""
-    click.echo(f"{kept} wait for review, {sum(reasons.values())} refused{why}")
+    say(f"{kept} wait for review, {sum(reasons.values())} refused{why}")
     dollars = "price not known" if spent.dollars is None else f"{spent.dollars:.4f} dollars"
-    click.echo(f"{spent.calls} calls, {spent.tokens_in} + {spent.tokens_out} tokens, {spent.seconds:.1f} s, {dollars}")
+    say(f"{spent.calls} calls, {spent.tokens_in} + {spent.tokens_out} tokens, {spent.seconds:.1f} s, {dollars}")
 
 
 @click.command()
@@ -146,14 +146,14 @@ def pending(own: Path, as_json: bool) -> None:
 
     found = waiting(Shelf(own))
     if as_json:
-        click.echo(json.dumps([{**asdict(one), "path": str(one.path)} for one in found], indent=1))
+        say(json.dumps([{**asdict(one), "path": str(one.path)} for one in found], indent=1))
         return
     for one in found:
-        click.echo(f"{one.id:<48} {one.says}")
-        click.echo(f"    {one.path}, by {one.model or 'nobody known'} {one.date}".rstrip())
+        say(f"{one.id:<48} {one.says}")
+        say(f"    {one.path}, by {one.model or 'nobody known'} {one.date}".rstrip())
         if one.fault:
-            click.echo(f"    cannot be accepted: {one.fault}")
-    click.echo(f"{len(found)} wait")
+            say(f"    cannot be accepted: {one.fault}")
+    say(f"{len(found)} wait")
 
 
 @click.command()
@@ -161,7 +161,7 @@ def pending(own: Path, as_json: bool) -> None:
 @FOLDER
 @SCENES
 def accept(proposal_id: str, own: Path, scenes: int) -> None:
-    """Check a proposal once more and move it into your library; read it first: from then on it is your code.
+    """Check a proposal once more and move it into your library; read it first: from then on runs choose it.
 
     \b
     chatscene library accept behavior/wave-and-go --library my-snippets
@@ -172,7 +172,7 @@ def accept(proposal_id: str, own: Path, scenes: int) -> None:
 
     with _judges(scenes) as make_judge:
         path = review.accept(Shelf(own), proposal_id, make_judge=make_judge, embedder=load_embedder)
-    click.echo(f"accepted: {path}")
+    say(f"accepted: {path}")
 
 
 @click.command()
@@ -189,7 +189,7 @@ def reject(proposal_id: str, why: str, own: Path) -> None:
     from chatscene.proposing.shelf import Shelf
 
     review.reject(Shelf(own), proposal_id, why)
-    click.echo(f"rejected: {proposal_id}")
+    say(f"rejected: {proposal_id}")
 
 
 @click.command()
@@ -209,15 +209,15 @@ def edit(proposal_id: str, own: Path, scenes: int) -> None:
     shelf = Shelf(own)
     text = click.edit(review.text_of(shelf, proposal_id), extension=".scenic")
     if text is None:
-        click.echo("nothing was changed")
+        say("nothing was changed")
         return
     with _judges(scenes) as make_judge:
         faults = review.edit(shelf, proposal_id, text, make_judge=make_judge, embedder=load_embedder)
     for fault in faults:
-        click.echo(str(fault))
+        say(str(fault))
     if faults:
         sys.exit(1)
-    click.echo(f"passes; accept it with: chatscene library accept {proposal_id} --library {own}")
+    say(f"passes; accept it with: chatscene library accept {proposal_id} --library {own}")
 
 
 @click.command()
@@ -266,12 +266,10 @@ def describe(
     _say_described(told.descriptions, sets, embedder, as_json, topped_up=len(told.topped_up), refused=refused)
     if not as_json:
         for one in told.unserved:
-            click.echo(f"not kept: {one.reason}: {one.text!r}: {one.message}", err=True)
+            say(f"not kept: {one.reason}: {one.text!r}: {one.message}", err=True)
         why = ", ".join(f"{times} {reason}" for reason, times in told.reasons.items())
-        click.echo(
-            f"by {settings.language_model}: {len(told.by_model)} kept, {len(told.unserved)} not ({why or 'none'})"
-        )
-        click.echo(f"written offline for those that were missing: {len(told.topped_up)}")
+        say(f"by {settings.language_model}: {len(told.by_model)} kept, {len(told.unserved)} not ({why or 'none'})")
+        say(f"written offline for those that were missing: {len(told.topped_up)}")
 
 
 def _say_described(
@@ -297,12 +295,12 @@ def _say_described(
             for d in kept
         ]
         spread = {name: asdict(one) for name, one in measured.items()}
-        click.echo(json.dumps({"descriptions": rows, "diversity": spread, **more}, indent=1))
+        say(json.dumps({"descriptions": rows, "diversity": spread, **more}, indent=1))
         return
     for description in kept:
-        click.echo(description.text)
+        say(description.text)
     for name, one in measured.items():
-        click.echo(f"diversity, {name}: {_in_words(one, len(sets[name]))}", err=True)
+        say(f"diversity, {name}: {_in_words(one, len(sets[name]))}", err=True)
 
 
 def _in_words(one: Diversity, count: int) -> str:

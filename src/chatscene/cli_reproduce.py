@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from chatscene.cli_library import JSON, progress
+from chatscene.cli_library import JSON, progress, say
 
 ALL = "all"
 
@@ -63,9 +63,9 @@ def reproduce(
         progress=progress(),
     )
     if as_json:
-        click.echo(json.dumps({"folder": str(done.folder), "tables": sorted(done.tables), "seconds": done.seconds}))
+        say(json.dumps({"folder": str(done.folder), "tables": sorted(done.tables), "seconds": done.seconds}))
         return
     for table in done.tables.values():
-        click.echo(as_text(table))
+        say(as_text(table))
     spent = ", ".join(f"{part} {seconds:.0f} s" for part, seconds in done.seconds.items())
-    click.echo(f"wall time: {spent}\ntables as text, Markdown, CSV and LaTeX: {done.folder / 'tables'}")
+    say(f"wall time: {spent}\ntables as text, Markdown, CSV and LaTeX: {done.folder / 'tables'}")

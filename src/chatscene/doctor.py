@@ -6,11 +6,12 @@ import importlib.metadata
 import platform
 import sys
 import tempfile
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from chatscene.errors import ChatSceneError
+from chatscene.errors import ChatSceneError, SandboxError
 from chatscene.settings import SearchSettings, Settings
 
 
@@ -40,6 +41,7 @@ def examine() -> tuple[Check, ...]:
             ("snippet library", _library),
             ("sentence encoder", _encoder),
             ("one scene, end to end", _scene),
+            ("walls around strangers' code", _walls),
         )
     )
 
@@ -81,6 +83,22 @@ def _encoder() -> str:
     embedder = load_embedder()
     rows, columns = embedder.encode(["the car ahead brakes"]).shape
     return f"{embedder.name}: {rows} text, {columns} numbers"
+
+
+def _walls() -> str:
+    from chatscene.maps.network import resolve_map
+    from chatscene.sandbox.confinement import LAYERS
+    from chatscene.sandbox.nursery import Nursery
+    from chatscene.settings import SimulationSettings
+
+    with warnings.catch_warnings(), Nursery(resolve_map("town"), SimulationSettings()) as nursery:
+        warnings.simplefilter("ignore", RuntimeWarning)  # what is missing is said below
+        try:
+            there = nursery.layers()
+        except SandboxError as error:  # all else works without
+            return f"strangers' programs are not run here: {error}"
+    missing = [layer for layer in LAYERS if layer not in there]
+    return f"allow-list, {', '.join(there)}; missing: {', '.join(missing) or 'none'}"
 
 
 def _scene() -> str:

@@ -176,7 +176,7 @@ def strays(triple: Triple, joint: Joint, backend: Backend, ego: EgoPolicy) -> It
         episode = _first_placed(program, index, backend, ego if joint.acts else None)
         if episode is not None:
             astray = _astray(behavior, episode.adversaries[0]) if joint.acts else ()
-            for problem in (*check_meaning(said, episode, route), *astray):
+            for problem in (*check_meaning(said, episode, route, through=True), *astray):
                 yield f"{problem}, on route {index}"
                 return
 

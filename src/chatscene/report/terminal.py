@@ -15,6 +15,18 @@ if TYPE_CHECKING:
     from chatscene.maps.survey import MapDescription
 
 
+def printable(text: str) -> str:
+    """A text that cannot steer a terminal: what nobody can see is shown as its code, but for ends of lines and tabs."""
+    return "".join(c if c.isprintable() or c in "\n\t" else c.encode("unicode_escape").decode("ascii") for c in text)
+
+
+def _plain(text: object) -> str:
+    """A text as rich shows it: as it is, not as markup."""
+    from rich.markup import escape
+
+    return escape(printable(str(text)))
+
+
 def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
     """What was understood and why: slots, the triple, what else was near, the program."""
     from rich.syntax import Syntax
@@ -23,10 +35,10 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     scenario, retrieval = understood.scenario, understood.retrieval
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
     for name, value in scenario.slots.said().items():
-        slots.add_row(name, ", ".join(value) if isinstance(value, tuple) else str(value))
+        slots.add_row(name, _plain(", ".join(value) if isinstance(value, tuple) else value))
     console.print(slots)
     for note in scenario.notes:
-        console.print(f"[yellow]note[/]  {note}")
+        console.print(f"[yellow]note[/]  {_plain(note)}")
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
     for column in ("component", "snippet", "similarity", "facts"):
@@ -36,27 +48,29 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
         match: Match = getattr(retrieval, component.value)
         chosen.add_row(
             component.value,
-            f"[bold]{match.snippet.id}[/]",
+            f"[bold]{_plain(match.snippet.id)}[/]",
             f"{match.similarity:.2f}",
             f"{match.agreement:.0%}",
-            scenario.parts[component],
+            _plain(scenario.parts[component]),
         )
     console.print(chosen)
     console.print(f"\nadversary: [bold]{retrieval.adversary}[/]   confidence: [bold]{retrieval.confidence:.0%}[/]")
     for out in retrieval.ruled_out:
-        console.print(f"[dim]ruled out {out.snippet_id}: {out.reason}[/]")
+        console.print(f"[dim]ruled out {_plain(out.snippet_id)}: {_plain(out.reason)}[/]")
     if show_program:
         console.print()
-        console.print(Syntax(understood.program.source, "python", theme="ansi_light", background_color="default"))
+        console.print(
+            Syntax(printable(understood.program.source), "python", theme="ansi_light", background_color="default")
+        )
 
 
 def print_snippet(console: Console, snippet: Snippet) -> None:
     """One snippet, whole."""
     from rich.syntax import Syntax
 
-    console.print(f"[bold]{snippet.id}[/]  {snippet.description}")
+    console.print(f"[bold]{_plain(snippet.id)}[/]  {_plain(snippet.description)}")
     for text in snippet.rephrasings:
-        console.print(f"  [dim]“{text}”[/]")
+        console.print(f"  [dim]“{_plain(text)}”[/]")
     facts = {
         **{name: ", ".join(v) if isinstance(v, tuple) else str(v) for name, v in snippet.slots.said().items()},
         "adversaries": ", ".join(snippet.adversaries),
@@ -66,11 +80,11 @@ def print_snippet(console: Console, snippet: Snippet) -> None:
     }
     for name, value in facts.items():
         if value:
-            console.print(f"{name:<12} {value}")
+            console.print(f"{name:<12} {_plain(value)}")
     for p in snippet.parameters:
-        console.print(f"{p.name:<20} {p.low:g} to {p.high:g} {p.unit}   [dim]{p.meaning}[/]")
+        console.print(f"{_plain(p.name):<20} {p.low:g} to {p.high:g} {p.unit}   [dim]{_plain(p.meaning)}[/]")
     console.print()
-    console.print(Syntax(snippet.source.strip(), "python", theme="ansi_light", background_color="default"))
+    console.print(Syntax(printable(snippet.source.strip()), "python", theme="ansi_light", background_color="default"))
 
 
 def print_map(console: Console, description: MapDescription) -> None:
@@ -81,9 +95,9 @@ def print_map(console: Console, description: MapDescription) -> None:
         if isinstance(value, dict):
             console.print(f"[bold]{name.replace('_', ' ')}[/]")
             for key, count in value.items():
-                console.print(f"  {key:<28} {count}")
+                console.print(f"  {_plain(key):<28} {count}")
         else:
-            console.print(f"{name.replace('_', ' '):<20} {value}")
+            console.print(f"{name.replace('_', ' '):<20} {_plain(value)}")
 
 
 def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
@@ -95,6 +109,7 @@ def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
     last = [""]
 
     def show(what: str, done: int, total: int) -> None:
+        what = printable(what)
         if not stream.isatty():
             if what != last[0]:
                 stream.write(f"{what}\n")

@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 import weakref
 from contextlib import suppress
 from dataclasses import asdict
@@ -21,7 +22,7 @@ from typing import Any
 from chatscene import errors
 from chatscene.errors import ChatSceneError, DoesNotCompile, SandboxError, StuckBehavior
 from chatscene.sandbox.child import CHUNK, WATCHMAN
-from chatscene.sandbox.confinement import LAYERS, SECCOMP, Limits
+from chatscene.sandbox.confinement import LANDLOCK, LAYERS, SECCOMP, Limits
 from chatscene.sandbox.wire import Message, decode, encode, nonsense, program_to_json, words
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
@@ -67,6 +68,17 @@ class Nursery:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def layers(self) -> tuple[str, ...]:
+        """The layers of the second wall that this machine has.
+
+        Raises:
+            SandboxError: Too few to run anything of a stranger's.
+        """
+        empty = ScenicProgram(scenario_id="nothing", source="", parameters=(), snippet_ids=(), digest="")
+        confined = self.confine(empty)
+        confined.close()
+        return confined.layers
 
     def confine(self, program: ScenicProgram) -> Confined:
         """A confined process that holds a program, not compiled yet.
@@ -236,6 +248,8 @@ class Confined:
     def greet(self, program: ScenicProgram) -> None:
         """See which layers are in force, and hand the program over.
 
+        Warns where one is missing that can be done without.
+
         Raises:
             SandboxError: The kernel does not confine it.
         """
@@ -245,6 +259,17 @@ class Confined:
             raise SandboxError(
                 "this kernel or machine cannot confine programs by strangers (no seccomp filter on "
                 f"{os.uname().machine}); run chatscene on Linux on x86_64 or aarch64"
+            )
+        if LANDLOCK not in self.layers and os.geteuid() == 0:
+            raise SandboxError(
+                "this kernel has no Landlock, and to root every file is open: programs by strangers are not run; "
+                "run chatscene as another user, or on Linux 5.13 or later"
+            )
+        if missing := [layer for layer in LAYERS if layer not in self.layers]:
+            warnings.warn(
+                f"programs by strangers run without {', '.join(missing)} here; docs/security.md says what that means",
+                RuntimeWarning,
+                stacklevel=2,
             )
         self._label = f"program {program.scenario_id!r}"
         self.ask("load", program=program_to_json(program))

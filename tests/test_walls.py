@@ -1,0 +1,513 @@
+"""Ways round the sandbox: what a stranger's run folder, library, ego or working folder tries, and what stops it."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import socket
+import subprocess
+import sys
+import types
+import zipfile
+from collections.abc import Callable
+from dataclasses import replace
+from operator import itemgetter
+from pathlib import Path
+from typing import Any
+from unittest.mock import Mock
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from rich.console import Console
+
+from chatscene import bounded, curation, evaluation, pipeline, runs
+from chatscene.cli import main
+from chatscene.curation import lint_library
+from chatscene.ego.network import load_network
+from chatscene.ego.policy import load_ego
+from chatscene.errors import EgoError, ForeignCodeRefused, RunError, SandboxError, SnippetError
+from chatscene.finetune.scenes import kept_scenes
+from chatscene.maps.network import resolve_map
+from chatscene.program.assemble import assemble
+from chatscene.program.lint import Finding, Triple
+from chatscene.program.twins import scenario_of
+from chatscene.report.terminal import print_understanding, printable
+from chatscene.runs.atomic import sweep
+from chatscene.sandbox import nursery as nurseries
+from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.sandbox.confinement import LAYERS, Limits
+from chatscene.sandbox.nursery import Confined
+from chatscene.search.generator import GENERATORS, load_generator
+from chatscene.search.own_program import text_of
+from chatscene.search.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings, Settings
+from chatscene.simulate.backend import Backend
+from chatscene.simulate.embedded.backend import EmbeddedBackend
+from chatscene.snippets.library import PACKAGED, Library, library_with, load_snippet
+from chatscene.snippets.slot_classifier import load_classifier, save_classifier
+from chatscene.terms.scenario import AdversaryKind
+from chatscene.terms.scene import ScenicProgram
+from chatscene.trust import Repeated, follow
+from chatscene.workers import spread
+from fake_run import TEXT, finished, started, understanding
+
+TOWN = resolve_map("town")
+CONTROL = "\x1b]0;owned\x07\x1b[2J"
+
+
+def silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
+def told(run: runs.Run, **changes: Any) -> runs.Run:
+    """A run whose record says something else; ``retrieval`` goes into its settings."""
+    path = run.file("run.json")
+    record = json.loads(path.read_text())
+    record["settings"]["retrieval"] |= changes.pop("retrieval", {})
+    path.write_text(json.dumps(record | changes))
+    return run
+
+
+@pytest.fixture
+def canary(tmp_path: Path) -> Path:
+    """A file that is there if a stranger's code ran."""
+    return tmp_path / "canary"
+
+
+@pytest.fixture
+def hostile(tmp_path: Path, canary: Path) -> Path:
+    """A library with one snippet, sound but for a line that makes a file."""
+    folder = tmp_path / "library"
+    text = (PACKAGED / "behavior" / "cross.scenic").read_text()
+    evil = text + f'\nopened = open("{canary}", "w")\n'
+    (folder / "behavior").mkdir(parents=True)
+    (folder / "behavior" / "evil.scenic").write_text(evil)
+    return folder
+
+
+FOLLOWERS: dict[str, Callable[[Path], object]] = {
+    "resume": pipeline.resume,
+    "replay": lambda folder: pipeline.replay(folder, "x"),
+    "evaluate": lambda folder: evaluation.evaluate([folder], folder / "e", egos=["idm"], progress=silent),
+    "finetune": lambda folder: kept_scenes([folder]),
+}
+
+
+# Libraries
+
+
+@pytest.mark.parametrize("command", FOLLOWERS)
+@pytest.mark.parametrize(
+    ("option", "value"),
+    [("library", "snippets"), ("embedder", "sentence-t5:weights"), ("language_model", "gguf:weights.gguf")],
+)
+def test_a_record_that_names_what_is_not_packaged_is_not_followed(
+    command: str, option: str, value: str, tmp_path: Path
+) -> None:
+    run = told(finished(tmp_path / "run", count=1), retrieval={option: value})
+    with pytest.raises(RunError, match=rf"names the .* '{value}'.*--{option.replace('_', '-')} {value}"):
+        FOLLOWERS[command](run.path)
+
+
+def test_what_is_repeated_is_followed_and_must_be_what_the_record_names(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), retrieval={"library": "snippets"}, ego="mine:make")
+    repeated = Repeated(library=("snippets",), ego=("mine:make",))
+    follow(repeated, egos_of=[run], reading_of=[run])
+    with pytest.raises(RunError, match=r"does not name the library 'other'; it names 'snippets'"):
+        follow(replace(repeated, library=("snippets", "other")), egos_of=[run], reading_of=[run])
+    with pytest.raises(RunError, match=r"does not name the language model 'gguf:x'"):
+        follow(replace(repeated, language_model=("gguf:x",)), egos_of=[run], reading_of=[run])
+
+
+def test_the_commands_hand_on_what_is_repeated(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), retrieval={"library": "none"})
+    for command in (["resume", str(run.path)], ["replay", str(run.path), "x"], ["evaluate", str(run.path)]):
+        assert "say so: --library none" in CliRunner().invoke(main, command).output
+        said = CliRunner().invoke(main, [*command, "--library", "other"]).output
+        assert "say so: --library none" in said
+        assert "say so" not in CliRunner().invoke(main, [*command, "--library", "none"]).output
+
+
+def test_programs_with_a_folders_snippets_run_in_the_confined_process(hostile: Path, canary: Path) -> None:
+    settings = Settings(retrieval=RetrievalSettings(library=str(hostile)))
+    assert isinstance(Retrieved().backend(TOWN, Settings()), EmbeddedBackend)
+    backend = Retrieved().backend(TOWN, settings)
+    assert isinstance(backend, SandboxedBackend)
+    library = library_with(str(hostile))
+    parts = [library.get(i) for i in ("behavior/evil", "geometry/straight-road", "spawn/roadside-right")]
+    triple = (parts[0], parts[1], parts[2])
+    program = assemble(scenario_of(triple), triple, AdversaryKind.PEDESTRIAN)
+    with pytest.raises(ForeignCodeRefused, match="open"):
+        backend.routes(program)
+    assert not canary.exists()
+
+
+def test_a_folders_snippets_pass_the_allow_list_and_run_confined_in_lint(
+    hostile: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (hostile / "behavior" / "mine.scenic").write_text((PACKAGED / "behavior" / "cross.scenic").read_text())
+    library = library_with(str(hostile))
+    ids = ("behavior/evil", "behavior/mine", "geometry/straight-road", "spawn/roadside-right")
+    few = Library(tuple(library.get(i) for i in ids))
+    tried: list[tuple[str, type[Backend]]] = []
+
+    def try_triple(triple: Triple, _kind: AdversaryKind, backend: Backend, *_: object) -> tuple[Finding, ...]:
+        tried.append((triple[0].id, type(backend)))
+        return ()
+
+    monkeypatch.setattr(curation, "library_with", Mock(return_value=few))
+    monkeypatch.setattr(curation, "try_triple", try_triple)
+    monkeypatch.setattr(curation, "alike", Mock(return_value=set[Finding]()))
+    _, findings = lint_library(str(hostile), scenes=1, progress=silent)
+    assert {(f.snippet_id, f.rung) for f in findings} == {("behavior/evil", "allow-list")}
+    assert set(tried) == {("behavior/mine", SandboxedBackend)}
+    assert not canary.exists()
+
+
+def test_a_folders_classifier_changes_only_weights_of_the_encoder(tmp_path: Path) -> None:
+    packaged = load_classifier()
+    members = tuple(
+        replace(member, changes={at + 1: new for at, new in member.changes.items()}) for member in packaged.members
+    )
+    save_classifier(replace(packaged, members=members), tmp_path / "moved.npz")
+    with pytest.raises(SnippetError, match="change the encoder elsewhere"):
+        load_classifier(tmp_path / "moved.npz")
+
+
+# Egos that a record names
+
+
+def forged(tmp_path: Path, ego: str, digests: dict[str, str] | None = None) -> runs.Run:
+    return told(finished(tmp_path / "run", count=1), ego=ego, ego_digests=digests or {})
+
+
+@pytest.mark.parametrize("command", ["resume", "replay"])
+def test_a_record_does_not_have_a_module_of_the_working_folder_imported(
+    command: str, tmp_path: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "evil_stack.py").write_text(f"open({str(canary)!r}, 'w')\n")
+    monkeypatch.chdir(tmp_path)
+    run = forged(tmp_path, "evil_stack:make")
+    with pytest.raises(RunError, match=r"may run code of its own.*--ego evil_stack:make"):
+        FOLLOWERS[command](run.path)
+    assert not canary.exists()
+
+
+def test_an_evaluation_that_names_an_ego_is_followed_no_further(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), command="evaluate", ego="sac,sys:exit")
+    with pytest.raises(RunError, match=r"--ego sys:exit"):
+        evaluation.carry_on(run, jobs=1, progress=silent)
+
+
+def test_replay_does_not_end_well_because_a_record_says_sys_exit(tmp_path: Path) -> None:
+    run = forged(tmp_path, "sys:exit")
+    done = CliRunner().invoke(main, ["replay", str(run.path), "x"])
+    assert done.exit_code == 1
+    assert "--ego sys:exit" in done.output
+
+
+@pytest.mark.parametrize("name", ["sys:exit", "antigravity_:x", ".:x", ":", "os:abort_", "operator:truediv"])
+def test_whatever_the_code_of_an_ego_raises_is_an_error_of_the_ego(name: str) -> None:
+    with pytest.raises(EgoError):
+        load_ego(name)
+
+
+def weights(path: Path) -> Path:
+    path.write_bytes((Path(runs.__file__).parents[1] / "ego" / "weights" / "sac.npz").read_bytes())
+    return path
+
+
+def test_plain_weights_are_followed_while_they_are_those_of_the_record(tmp_path: Path) -> None:
+    path = weights(tmp_path / "mine.npz")
+    run = runs.create(tmp_path / "run", text=TEXT, settings=Settings(), map_name="town", ego=str(path))
+    follow(Repeated(), egos_of=[run])
+    path.write_bytes(path.read_bytes() + b" ")
+    with pytest.raises(RunError, match="SHA-256 differs"):
+        follow(Repeated(ego=(str(path),)), egos_of=[run])
+
+
+def test_weights_without_a_digest_must_be_repeated(tmp_path: Path) -> None:
+    path = str(weights(tmp_path / "mine.npz"))
+    with pytest.raises(RunError, match="no SHA-256"):
+        follow(Repeated(), egos_of=[forged(tmp_path, path)])
+
+
+@pytest.mark.parametrize("suffix", [".pt", ".onnx"])
+def test_a_model_that_carries_code_is_not_followed_though_its_digest_is_right(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"model{suffix}"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("model/code/__torch__.py", "")
+    run = runs.create(tmp_path / "run", text=TEXT, settings=Settings(), map_name="town", ego=str(path))
+    assert runs.read_record(run).ego_digests
+    with pytest.raises(RunError, match="may run code of its own"):
+        follow(Repeated(), egos_of=[run])
+
+
+@pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")
+def test_torchscript_in_a_file_of_weights_is_not_run(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    inner = io.BytesIO()
+    torch.jit.save(torch.jit.script(torch.nn.Linear(4, 2)), inner)
+    with zipfile.ZipFile(tmp_path / "model.zip", "w") as archive:
+        archive.writestr("data", "{}")
+        archive.writestr("policy.pth", inner.getvalue())
+    with pytest.raises(EgoError, match="TorchScript, which is code"):
+        load_ego(str(tmp_path / "model.zip"))
+
+
+# The working folder
+
+
+def test_the_working_folder_is_looked_at_last_and_only_while_an_ego_of_the_user_is_loaded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a_stack_of_mine.py").write_text(
+        "import sys\nPLACES = list(sys.path)\nclass Still:\n    def act(self, observation):\n        return 0.0, 0.0\n"
+    )
+    (tmp_path / "intelligent_driver.py").write_text("")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [place for place in sys.path if place not in ("", str(tmp_path))])
+    before = list(sys.path)
+    seen: list[list[str]] = []
+    imported = __import__("importlib").import_module
+
+    def spy(name: str) -> types.ModuleType:
+        seen.append(list(sys.path))
+        return imported(name)
+
+    monkeypatch.setattr("importlib.import_module", spy)
+    load_ego("idm")
+    assert str(tmp_path) not in seen[-1]
+    load_ego("a_stack_of_mine:Still")
+    assert seen[-1] == [*before, str(tmp_path)]
+    assert sys.path == before
+    del sys.modules["a_stack_of_mine"]
+
+
+def test_python_m_chatscene_imports_nothing_from_the_working_folder(tmp_path: Path, canary: Path) -> None:
+    (tmp_path / "click.py").write_text(f"open({str(canary)!r}, 'w')\n")
+    done = subprocess.run(
+        [sys.executable, "-m", "chatscene", "--version"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert not canary.exists()
+    assert done.returncode == 0, done.stderr
+
+
+def test_processes_that_are_started_import_nothing_from_the_working_folder(
+    tmp_path: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "pickle.py").write_text(f"open({str(canary)!r}, 'w')\n")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("PYTHONSAFEPATH", raising=False)
+    assert sorted(spread(itemgetter, 0, ["ab", "cd"], jobs=2)) == ["a", "c"]
+    assert not canary.exists()
+    assert "PYTHONSAFEPATH" not in os.environ
+
+
+# Evaluations
+
+
+FOREIGN = """model chatscene.world.model
+param OPT_GEO_Y = Range(30, 55)
+behavior AdvBehavior():
+    do Halt()
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute
+AdvAgent = new Pedestrian at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "right", 1), with behavior AdvBehavior()
+"""
+
+
+class Seen(Exception):  # noqa: N818
+    """Raised in the place of a drive."""
+
+
+def test_an_evaluation_drives_a_strangers_program_in_the_confined_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = finished(tmp_path / "run", program=FOREIGN)
+    scenario = runs.read_explanation(run)["scenarios"][0]
+    assert scenario["base"] is not None
+    own = Mock(program=Mock(scenario_id=scenario["scenario_id"], source=FOREIGN))
+    told(run, generator="program", text=text_of(own))
+    backends: list[Backend] = []
+
+    def drive(_program: ScenicProgram, *_: Any, backend: Backend, **__: Any) -> None:
+        backends.append(backend)
+        raise Seen
+
+    monkeypatch.setattr(evaluation, "drive", drive)
+    with pytest.raises(Seen):
+        evaluation.evaluate([run.path], tmp_path / "e", egos=["idm"], progress=silent)
+    assert [type(backend) for backend in backends] == [SandboxedBackend]
+
+
+def test_only_what_is_packaged_is_run_in_the_process_of_the_command() -> None:
+    trusted = {
+        name for name in GENERATORS if isinstance(load_generator(name).backend(TOWN, Settings()), EmbeddedBackend)
+    }
+    assert trusted == set(GENERATORS) - {"program"}
+
+
+# Layers of the second wall
+
+
+def greeted(monkeypatch: pytest.MonkeyPatch, missing: str, user: int) -> tuple[str, ...]:
+    """What a process finds that is confined by all layers but one."""
+    ours, theirs = socket.socketpair()
+    layers = [layer for layer in LAYERS if layer != missing]
+    theirs.sendall(json.dumps({"layers": layers}).encode() + b"\n{}\n")
+    monkeypatch.setattr(nurseries.os, "geteuid", lambda: user)
+    confined = Confined(Mock(limits=Limits()), 0, ours)
+    with theirs:
+        confined.greet(ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=(), digest=""))
+    return confined.layers
+
+
+@pytest.mark.parametrize("missing", ["landlock", "namespaces"])
+def test_a_strangers_program_that_lacks_a_layer_runs_with_a_warning(
+    missing: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.warns(RuntimeWarning, match=f"run without {missing} here"):
+        assert missing not in greeted(monkeypatch, missing, user=1000)
+
+
+def test_root_runs_nothing_of_a_strangers_where_files_stay_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(SandboxError, match="no Landlock, and to root every file is open"):
+        greeted(monkeypatch, "landlock", user=0)
+
+
+# Bounds
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bounded, "MOST_BYTES", 1_000_000)
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("suffix", [".npz", ".zip", ".pt"])
+def test_an_ego_that_unpacks_to_too_much_is_one_message(suffix: str, tmp_path: Path) -> None:
+    if suffix != ".npz":
+        pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    path = tmp_path / f"bomb{suffix}"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("model/data.pkl" if suffix == ".pt" else "data", b"0" * 2_000_000)
+    assert path.stat().st_size < 10_000
+    with pytest.raises(EgoError, match=r"unpack to 2 MB, and at most"):
+        load_ego(str(path))
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".zip", ".pt", ".onnx"])
+def test_a_huge_ego_is_not_read(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"huge{suffix}"
+    with path.open("wb") as file:
+        file.truncate(2 * bounded.MOST_BYTES)  # takes no room
+    with pytest.raises(EgoError, match=r"has 512 MB, and at most 256 MB"):
+        load_ego(str(path))
+
+
+def test_an_array_that_claims_ten_trillion_numbers_is_one_message(tmp_path: Path) -> None:
+    claimed = io.BytesIO()
+    np.lib.format.write_array_header_1_0(claimed, {"descr": "<f4", "fortran_order": False, "shape": (10**13,)})
+    about = io.BytesIO()
+    np.save(about, np.array('{"hidden": "relu", "output": "tanh"}'))
+    with zipfile.ZipFile(tmp_path / "huge.npz", "w") as archive:
+        for name, content in {"about": about, "w0": claimed, "b0": claimed}.items():
+            archive.writestr(f"{name}.npy", content.getvalue())
+    with pytest.raises(EgoError, match=r"huge\.npz"):
+        load_network(tmp_path / "huge.npz")
+
+
+def test_a_tensor_that_repeats_one_number_without_end_is_one_message(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    huge = torch.zeros(1).expand(10**12).reshape(10**6, 10**6)
+    state = {f"pi.{i}.{kind}": huge for i in (0, 2, 4) for kind in ("weight", "bias")}
+    torch.save((state, {}), tmp_path / "huge.pt")
+    with pytest.raises(EgoError, match="weights, and at most"):
+        load_ego(str(tmp_path / "huge.pt"))
+
+
+DEEP = "[" * 100_000
+
+
+def test_a_hundred_thousand_brackets_are_one_message_wherever_json_is_read(tmp_path: Path) -> None:
+    run = started(tmp_path / "run")
+    run.file("explanation.json").write_text(DEEP)
+    with pytest.raises(RunError, match=r"explanation\.json is not valid JSON.*nested too deeply"):
+        runs.read_explanation(run)
+    run.file("run.json").write_text(DEEP)
+    with pytest.raises(RunError, match=r"run\.json is not valid JSON.*nested too deeply"):
+        runs.open_run(run.path)
+    np.savez(tmp_path / "deep.npz", about=np.array(DEEP))
+    with zipfile.ZipFile(tmp_path / "deep.zip", "w") as archive:
+        archive.writestr("data", DEEP)
+        archive.writestr("policy.pth", "")
+    for name in ("deep.npz", "deep.zip"):
+        with pytest.raises(EgoError, match="nested too deeply"):
+            load_ego(str(tmp_path / name))
+
+
+def test_a_header_of_a_hundred_thousand_brackets_is_one_message(tmp_path: Path) -> None:
+    path = tmp_path / "behavior" / "deep.scenic"
+    path.parent.mkdir()
+    path.write_text(f"#: description = {DEEP}\n")
+    with pytest.raises(SnippetError, match=r"deep\.scenic"):
+        load_snippet(path)
+
+
+# The terminal
+
+
+def test_brackets_in_a_text_are_shown_and_not_obeyed() -> None:
+    scenario, retrieval = understanding("x [/] y")
+    scenario = replace(
+        scenario, parts=replace(scenario.parts, behavior=f"[/] {CONTROL}"), notes=("[/bold] [red]", CONTROL)
+    )
+    stream = io.StringIO()
+    source = f"# [/] {CONTROL}"
+    understood = Mock(scenario=scenario, retrieval=retrieval, program=Mock(source=source))
+    print_understanding(Console(file=stream, width=200, force_terminal=False), understood, show_program=True)
+    shown = stream.getvalue()
+    assert "[/bold] [red]" in shown
+    assert "\x1b" not in shown
+    assert "\x07" not in shown
+
+
+def test_what_steers_a_terminal_is_shown_as_its_code() -> None:
+    assert printable("ä \x1b[2J\x07\u202e\ud800\n\tend") == "ä \\x1b[2J\\x07\\u202e\\ud800\n\tend"
+
+
+@pytest.mark.parametrize("command", [["list"], ["search", "a pedestrian"], ["show", "behavior/loud"]])
+def test_descriptions_of_a_strangers_library_do_not_steer_the_terminal(command: list[str], tmp_path: Path) -> None:
+    text = (PACKAGED / "behavior" / "cross.scenic").read_text()
+    loud = text.replace('description = "', 'description = "A pedestrian [/] \\u001b]0;owned\\u0007', 1)
+    (tmp_path / "behavior").mkdir()
+    (tmp_path / "behavior" / "loud.scenic").write_text(loud)
+    done = CliRunner().invoke(main, ["library", *command, "--library", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    assert "\\x1b]0;owned" in done.output
+    assert "\x1b" not in done.output
+
+
+def test_an_error_message_does_not_steer_the_terminal(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), ego=f"{CONTROL}:x")
+    done = CliRunner().invoke(main, ["resume", str(run.path)])
+    assert done.exit_code == 1
+    assert "\x1b" not in done.output
+
+
+# What is swept away
+
+
+def test_a_new_run_deletes_nothing_of_the_users(tmp_path: Path) -> None:
+    names = ("thesis.tmp", ".thesis.tmp", ".run.json.tmp", "run.json.41.tmp")
+    for number, name in enumerate(names):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        (folder / name).write_text("precious")
+        with pytest.raises(RunError, match="not empty"):
+            started(folder)
+        sweep(folder)
+        assert (folder / name).read_text() == "precious"
