@@ -1,6 +1,7 @@
 """The documents say what is true: commands run, links lead somewhere, the glossary knows the words."""
 
 import re
+import runpy
 import shlex
 import subprocess
 import sys
@@ -10,7 +11,13 @@ from pathlib import Path
 import pytest
 
 from chatscene.sandbox.words import world_words
-from chatscene.terms.scenario import BaseScenario, Component
+from chatscene.search.baselines.adversarial_trajectory import LIMITS
+from chatscene.search.baselines.learning_to_collide import LearningToCollide
+from chatscene.search.baselines.nominal import NOMINAL
+from chatscene.search.baselines.scenario_runner import AROUND, EARLIER_OR_LATER
+from chatscene.snippets.library import load_library
+from chatscene.terms.scenario import AdversaryKind, BaseScenario, Component
+from fake_run import finished
 
 ROOT = Path(__file__).parents[1]
 PAGES = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md")])
@@ -100,3 +107,63 @@ def test_the_page_of_the_world_model_lists_the_names_that_it_offers() -> None:
     names = (ROOT / "docs" / "world.md").read_text().split("## Names", 1)[1].split("\n## ", 1)[0]
     listed = {name for row in re.findall(r"^\|.*$", names, re.MULTILINE) for name in re.findall(r"`([A-Za-z]\w*)", row)}
     assert listed - {"param"} == world_words()
+
+
+DECISIONS = {path.name[:4]: path for path in sorted((ROOT / "docs" / "decisions").glob("*.md"))}
+STATUS = re.compile(r"Status: (?:accepted|superseded by (\d{4})), \d{4}-\d\d-\d\d(?:; amended by (\d{4}(?:, \d{4})*))?")
+
+
+@pytest.mark.parametrize("number", DECISIONS)
+def test_a_decision_says_what_became_of_it(number: str) -> None:
+    title, empty, status = DECISIONS[number].read_text().splitlines()[:3]
+    assert title.startswith(f"# {number} ")
+    assert not empty
+    found = STATUS.fullmatch(status)
+    assert found, status
+    others = [other for group in found.groups() if group for other in group.split(", ")]
+    assert all(other in DECISIONS and other != number for other in others)
+
+
+def test_the_figures_about_the_printed_tables_follow_from_them() -> None:
+    text = (ROOT / "docs" / "results.md").read_text()
+    printed = runpy.run_path(str(ROOT / "benchmarks" / "printed_tables.py"))
+    start, slope, share, cells = printed["score_from_collisions"]()
+    assert f"over the {cells} cells of tables 4 and 5 it is {start:.3f} \N{MINUS SIGN} {-slope:.3f} CR" in text
+    assert f"R² = {share:.3f}" in text
+    deviation, average, cells = printed["between_protocols"]()
+    assert f"a standard deviation of {deviation:.2f} ({cells} cells" in text
+    assert f"a standard deviation of {average:.2f} from one training to another, that is ±{1.96 * average:.2f}" in text
+    for rate in printed["transfer"]().values():
+        assert f"{rate + 1e-9:.3f} " in text
+
+
+def test_the_surrogates_rows_have_no_interval_in_the_documents() -> None:
+    for page in ("results.md", "evaluation.md"):
+        rows = re.findall(r"^\| (?:sac, |(?:CR|OS|Comp), before).*$", (ROOT / "docs" / page).read_text(), re.MULTILINE)
+        assert rows
+        for row in rows:
+            assert row.endswith("(by selection) |"), row
+            assert "\N{EN DASH}" not in row, row
+
+
+def test_the_limits_of_the_baselines_stand_in_the_documents() -> None:
+    page = (ROOT / "docs" / "baselines.md").read_text()
+    junctions = [base for base in BaseScenario if NOMINAL[base].turns]
+    assert len(junctions) == 4
+    for base in junctions:
+        nominal = NOMINAL[base]
+        _, (trigger, speed) = LearningToCollide().behavior(nominal)
+        (start,) = load_library().get(f"spawn/{nominal.spawn}").parameters
+        assert f"trigger ±{(trigger.high - trigger.low) / 2:g} m, start over {start.high - start.low:g} m" in page
+        assert f"speed ±{(speed.high / nominal.speed - 1):.0%}".replace("%", " %") in page
+    assert f"±{LIMITS[AdversaryKind.BICYCLE]:g} m on foot or bicycle, ±{LIMITS[AdversaryKind.CAR]:g} m in a car" in page
+    assert f"trigger ±{EARLIER_OR_LATER:g} m, speed ±{AROUND:.0%}".replace("%", " %") in page
+
+
+def test_the_example_that_reads_a_table_runs_with_what_is_installed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    finished(tmp_path / "run", count=1)
+    (code,) = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "run-folder.md").read_text(), re.DOTALL)
+    exec(code.replace("DIR", str(tmp_path / "run")), {})
+    assert len(capsys.readouterr().out.splitlines()) == 2  # the kept scenes

@@ -58,7 +58,9 @@ def test_the_stock_scenic_command_compiles_and_runs_a_program() -> None:
 
 def summed_up(**counts: int) -> str:
     known = {"ran": 50, "collided": 20, "rejected": 0, "selected": 2, "selected_shown": 2, "fill_in": 0}
-    return pipeline.Summary(counts=known | counts, seconds=3.0).in_words()
+    scenes, ego = pipeline.Summary(counts=known | counts, seconds=3.0, ego="sac sees little").in_words().splitlines()
+    assert ego == "sac sees little"
+    return scenes
 
 
 def test_a_run_says_how_many_kept_scenes_do_not_show_what_was_said() -> None:
@@ -110,19 +112,22 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
     monkeypatch.setattr(pipeline.time, "monotonic", lambda: next(seconds))
     small = Settings(search=SearchSettings(scenes=2, block=1, keep=1))
 
+    told: list[str] = []
+
     def cut(what: str, done: int, _total: int) -> None:
+        told.append(what)
         if what.startswith("searching") and done == 1:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         pipeline.run(SENTENCES["bus-stop"], tmp_path / "run", settings=small, progress=cut)
     first = runs.read_record(runs.open_run(tmp_path / "run")).timings["total"]
-    assert first == 6.0  # three times told what is being done, two seconds each
+    assert first == 2.0 * len(told)  # two seconds from each telling to the next
     summary = pipeline.resume(tmp_path / "run")
     page = (tmp_path / "run" / "report.html").read_text()
-    told = re.search(r"<dt>Time</dt><dd>([\d.]+) s, until this page was written</dd>", page)
-    assert told
-    assert first < float(told[1]) < summary.seconds
+    said = re.search(r"<dt>Time</dt><dd>([\d.]+) s, until this page was written</dd>", page)
+    assert said
+    assert first < float(said[1]) < summary.seconds
     assert "sac sees its route" in summary.in_words()
 
 

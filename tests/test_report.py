@@ -149,6 +149,13 @@ def test_the_verdict_carries_an_interval() -> None:
     assert "82%, 95 % interval 69% to 90%" in verdict(rows, "sac", read=True)
 
 
+def test_where_nothing_collided_there_is_no_hardest_impact() -> None:
+    row = {"status": "ran", "selected": True, "fill_in": True, "meaning_ok": True, "impact_speed": None}
+    page = verdict([row | {"collision": False, "avoidable": None}] * 3, "sac", read=True)
+    assert "m/s</dd>" not in page
+    assert page.count("nothing collided") == 2
+
+
 def test_the_command_can_be_pasted_into_a_shell(tmp_path: Path) -> None:
     run = started(tmp_path / "run", text='don\'t $(rm -rf) `this`; "please"')
     words = command(read_record(run)).replace("chatscene", "printf '%s\\n'", 1)
@@ -191,7 +198,7 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     senses = {"rule-based": senses_of(load_ego("rule-based"))}
     run.file("run.json").write_text(record.model_copy(update={"senses": senses}).model_dump_json())
     page = _page(run.path)
-    said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 0.375 of the pedal (3 m/s²)"
+    said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 3 m/s² (0.375 of the pedal)"
     assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')
 
 
@@ -200,7 +207,7 @@ def test_every_packaged_ego_has_its_senses_in_words(name: str) -> None:
     said = in_words(senses_of(load_ego(name)))
     assert said.startswith("sees its route and")
     assert ("hidden ones too" in said) == (observation_of(load_ego(name)) == "actors")
-    assert re.search(r"brakes with at most (0\.375 of the pedal \(3|1 of the pedal \(8) m/s²\)", said)
+    assert re.search(r"brakes with at most (3 m/s² \(0\.375 of the pedal|8 m/s² \(the whole pedal)\)$", said)
 
 
 def test_every_preset_has_words() -> None:

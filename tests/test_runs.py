@@ -113,7 +113,7 @@ def test_kept_scenes_that_show_what_was_said_are_counted(tmp_path: Path) -> None
     like = replace(done[0].ran[0], meaning=())
     unlike = replace(done[0].ran[1], meaning=("action: said stop, but the adversary never does",))
     write_block(run, replace(done[0], ran=(like, unlike, *done[0].ran[2:])))
-    finish(run, selected={ids[0]: False, ids[1]: False})
+    finish(run, selected={ids[0]: False, ids[1]: False}, expected=[(SCENARIO, 0, 0)])
     counts = read_record(run).counts
     assert (counts["selected"], counts["selected_shown"]) == (2, 1)
 

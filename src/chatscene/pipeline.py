@@ -239,7 +239,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     explain(scenario, written.retrieval)
     runs.write_program(run, scenario.id, written.program.source)
 
-    progress("checking that the program means it", 0, 0)
+    progress("checking that drives show what was read", 0, 0)
     backend = generator.backend(map_path, settings)
     written, _ = climb(generator, scenario, written, settings=settings.retrieval, backend=backend, ego=ego)
     program = written.program

@@ -77,7 +77,8 @@ def in_words(senses: Mapping[str, str]) -> str:
     if seen not in IN_WORDS or pedals not in PEDALS:
         return "(what it sees was not recorded)"
     share = PEDALS[pedals]
-    return f"{IN_WORDS[seen]}; brakes with at most {share:.4g} of the pedal ({share * LIMITS['Car'].brake:g} m/s²)"
+    part = "the whole pedal" if share == 1.0 else f"{share:g} of the pedal"
+    return f"{IN_WORDS[seen]}; brakes with at most {share * LIMITS['Car'].brake:g} m/s² ({part})"
 
 
 FILES = (".npz", ".zip", ".pt", ".onnx")

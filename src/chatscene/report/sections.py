@@ -86,7 +86,7 @@ def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> str:
     tiles = [
         (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
         (
-            f"{fastest:.1f} m/s",
+            f"{fastest:.1f} m/s" if hits else "none",
             "hardest impact",
             "speed of approach at contact" if hits else "nothing collided",
         ),
@@ -100,7 +100,11 @@ def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> str:
             "of the crashes avoidable",
             "by the careful driver of UN R157" if hits else "nothing collided",
         ),
-        (f"{len(scenes) - len(ran)}", "draws rejected", f"of {len(scenes)}; the reasons are below"),
+        (
+            f"{len(scenes) - len(ran)}",
+            "draws rejected",
+            f"of {len(scenes)}" + "; the reasons are below" * (len(ran) < len(scenes)),
+        ),
     ]
     cells = "".join(
         f'<div class="tile"><dt>{escape(label)}</dt><dd>{value}</dd><dd class="note">{escape(note)}</dd></div>'

@@ -1,7 +1,8 @@
 """Adversarial trajectory optimisation: black-box search over how far the adversary strays from its nominal path.
 
 Source: Q. Zhang, S. Hu, J. Sun, Q. A. Chen, Z. M. Mao, "On Adversarial Robustness of Trajectory Prediction for
-Autonomous Vehicles", CVPR 2022; offsets and their limits as SafeBench has them.
+Autonomous Vehicles", CVPR 2022; offsets as SafeBench has them, whose limits are narrower for cars that no junction
+is near (decision 0022).
 """
 
 from __future__ import annotations

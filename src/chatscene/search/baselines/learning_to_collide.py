@@ -1,7 +1,7 @@
 """Learning-to-Collide: policy-gradient search over how the adversary starts.
 
 Source: W. Ding, B. Chen, M. Xu, D. Zhao, "Learning to Collide: An Adaptive Safety-Critical Scenarios Generating
-Method", IROS 2020. Ranges: SafeBench, as far as they make sense on our routes.
+Method", IROS 2020. Ranges are wider than SafeBench's at junctions; decision 0022 says which and why.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """What the baselines start from: one adversary per base scenario, and what it does if nobody disturbs it.
 
 A baseline changes how that adversary starts or moves; who it is, where the ego drives and how scenes are driven,
-selected and measured is the same for all, and the same as for ChatScene (decision 0022). Speeds and triggers are
-those of SafeBench's scenarios.
+selected and measured is the same for all, and the same as for ChatScene (decision 0022). So are the routes among the
+baselines; a scenario of ChatScene's may ask for another geometry. Speeds and triggers are those of SafeBench's
+scenarios, but for the cyclist's speed and the lane-changing car's.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class Nominal:
 
     Attributes:
         adversary: Its kind.
-        geometry: Snippet of the ego's route, one that ChatScene's benchmark uses too, so that the routes are the same.
+        geometry: Snippet of the ego's route, one that most of ChatScene's scenarios of the base scenario use too.
         spawn: Snippet of its start.
         path: Name of the way it drives; empty if it goes straight ahead from where it stands at the roadside.
         waits: What it does until it acts, as Scenic.
