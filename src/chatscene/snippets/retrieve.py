@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.agent.base import ALONG
 from chatscene.agent.decompose import UNKNOWN
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
@@ -160,7 +161,9 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
     for kind in kinds or [who]:
         slots = replace(scenario.slots, adversary=kind)
         try:
-            _, triple = _best(replace(scenario, slots=replace(slots, actions=())), library, embedder, likely)
+            # What is done is part of the doubt, unless words say it.
+            heard = slots if scenario.plain else replace(slots, actions=())
+            _, triple = _best(replace(scenario, slots=heard), library, embedder, likely)
         except NothingFits:
             continue
         doubt = math.log(possible.get(as_class(kind), 0.0) + UNLIKELY)
@@ -172,6 +175,8 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
         does = match.snippet.slots
         for name in OF_COMPONENT[component]:
             said, value = getattr(slots, name), getattr(does, name)
+            if name == "actions" and scenario.plain:
+                continue
             if name == "actions":
                 known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
                 heard = bool(rules.actions) and set(rules.actions) <= set(value)
@@ -286,7 +291,12 @@ def _rank(
     score = PLACE_WORDING * lexical - PARAMETER * shelf.parameters
     if not places:
         similarity, texts = shelf.dense(_query(text, embedder))
-        score = WORDING @ np.array([similarity, lexical, shelf.meant(likely, similarity)])
+        p = (
+            shelf.said(likely, similarity, scenario.slots.actions)
+            if scenario.plain
+            else shelf.meant(likely, similarity)
+        )
+        score = WORDING @ np.array([similarity, lexical, np.log(p + FAINTEST)])
     agreement, conflicts = shelf.facts(scenario.slots, component)
     if places:
         score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
@@ -331,17 +341,35 @@ class _Shelf:
         return best.astype(float), [self.wordings[row] for row in rows]
 
     def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
-        """(N,) log-likelihood that each behavior is meant.
+        """(N,) how likely each behavior is to be meant.
 
         One that the classifier was not trained on, such as a user's own, is as likely as its wording is near. Where
         the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who "steps out
         and freezes" is not said to sprint.
         """
-        near = _near(similarity).tolist()
-        p = np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
+        p = self._told(likely, similarity)
         heard = self.actions @ np.array([likely.actions[action] >= HEARD for action in Action])
         best = int(np.argmax(p))
-        return np.log(p + p[best] * (self.hastier[:, best] & (heard == heard[best])) + FAINTEST)
+        return p + p[best] * (self.hastier[:, best] & (heard == heard[best]))
+
+    def said(self, likely: Probabilities, similarity: Scores, actions: tuple[Action, ...]) -> Scores:
+        """(N,) how likely each behavior is to be meant where words say all that is done.
+
+        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for.
+        """
+        more = [_more(s, actions) for s in self.snippets]
+        p = self._told(likely, similarity)
+        lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
+        return np.array(
+            [
+                one if extra is None else one * UNASKED ** len(extra) if extra else one + lent
+                for one, extra in zip(p.tolist(), more, strict=True)
+            ]
+        )
+
+    def _told(self, likely: Probabilities, similarity: Scores) -> Scores:
+        near = _near(similarity).tolist()
+        return np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
 
     def likelihood(self, beliefs: Beliefs, component: Component) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
@@ -388,6 +416,14 @@ class _Shelf:
         both = self.actions @ wanted
         either = self.actions.sum(axis=1) + wanted.sum() - both
         return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
+
+
+def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
+    """What a behavior does beyond what was said and what that brings along; None if it does not do all of that."""
+    does = set(behavior.slots.actions)
+    if not set(said) <= does.union(*(ALONG.get(action, set()) for action in does)):
+        return None
+    return frozenset(does.difference(said, *(ALONG.get(action, set()) for action in said)))
 
 
 def _near(similarity: Scores) -> Scores:
@@ -496,6 +532,8 @@ def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probab
     kind = scenario.slots.adversary
     able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
     meant = likely.behaviors.get(behavior.snippet.id, float(_near(np.array(behavior.similarity))))
+    if scenario.plain and _more(behavior.snippet, scenario.slots.actions) == frozenset():
+        meant += sum(likely.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
     meant /= max(meant, sum(likely.behaviors.get(s.id, 0.0) for s in able))
     return {
         "base": 1.0,
