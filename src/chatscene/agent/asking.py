@@ -151,6 +151,6 @@ def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
         ),
         notes=(f"read by {model.name}", *differ),
         guessed=(),
-        unused=tuple(one for one in offline.unused if one.why is not Why.WORDS),  # a model knows more of them
+        unused=tuple(one for one in offline.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
         plain=False,
     )

@@ -558,6 +558,31 @@ _DEED_WORDS = """
 _DEEDS = frozenset(_DEED_WORDS.split())
 
 
+_ENGLISH_WORDS = """
+    the and of on at to from by with as while when where who which that this it its he she his her we us our is are was
+    were be been has have had then just after before into onto over out off up down through along across behind front
+"""
+_ENGLISH = frozenset(_ENGLISH_WORDS.split())
+_OTHER_WORDS = """
+    der die das den dem des ein eine einen einem einer und ist wir uns von vor nach mit auf aus im bei zu rechts links
+    el la los las un una uno y que del con por para desde hacia nos se en su derecha izquierda delante
+    le les une et est nous du de des qui dans avec sur depuis devant vers notre gauche droite au
+    il lo gli i che di da dal dalla nel nella con per noi davanti sinistra destra verso
+    het een van naar voor wij ons onze os um uma
+"""
+_OTHER = frozenset(_OTHER_WORDS.split()) - {"die", "per", "i", "van", "no"}  # English has these as well
+
+
+def is_english(text: str) -> bool:
+    """Whether a text looks English: by its letters, and by the small words that every language has its own of."""
+    letters = [c for c in text if c.isalpha()]
+    if sum(c > "\u024f" for c in letters) * 2 > len(letters):
+        return False
+    small = re.findall(r"[^\W\d_]+", text)
+    other = sum(word in _OTHER for word in small)
+    return other < 2 or other <= sum(word in _ENGLISH for word in small)
+
+
 @lru_cache(maxsize=1)
 def _rules() -> tuple[re.Pattern[str], ...]:
     """Every pattern that reads something."""

@@ -16,6 +16,7 @@ _NUMBER = re.compile(
     r"secs?|s|%|percent|degrees?|°c?|g|car lengths?|years?)(?!\w))?"
 )
 _ANOTHER = r"(?:another|a second|a third|a different|yet another)"
+_SHORT = 60  # characters of a text that is not English
 _A = rf"(?:{_ANOTHER}|an?|two|three|several|some)"
 
 
@@ -27,6 +28,8 @@ def unused_of(text: str, slots: Slots, quantities: Sequence[Quantity]) -> tuple[
         slots: What was read in it.
         quantities: The numbers that were read in it.
     """
+    if not words.is_english(text):
+        return (Unused(said=text[:_SHORT], why=Why.LANGUAGE),)
     found = [Unused(said=m[0], why=Why.WEATHER) for m in words.WEATHER.finditer(text)]
     found += [Unused(said=m[0], why=Why.LIGHT) for m in words.LIGHT.finditer(text)]
     found += [Unused(said=m[0].strip(" ,"), why=Why.REACTION) for m in words.REACTION.finditer(text)]
@@ -52,8 +55,8 @@ def _without(text: str, quantities: Sequence[Quantity]) -> str:
 
 def _numbers(text: str) -> list[str]:
     """The numbers that are no part of a road or a road user."""
-    for rule in (*words.KINDS.values(), *words.PLACES.values(), words.MANY_LANES, words.ONE_LANE, words.EACH_WAY,
-                 words.GROUP, words.NEAR, words.FAR_AWAY):  # fmt: skip
+    lanes = (words.MANY_LANES, words.ONE_LANE, words.EACH_WAY)
+    for rule in (*lanes, *words.KINDS.values(), *words.PLACES.values(), words.GROUP, words.NEAR, words.FAR_AWAY):
         text = rule.sub(" ", text)
     return [m[0].strip(" .,:") for m in _NUMBER.finditer(text)]
 

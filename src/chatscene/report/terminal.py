@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
     """What was understood and why: slots, the triple, what else was near, the program."""
+    from rich.markup import escape
     from rich.syntax import Syntax
     from rich.table import Table
 
@@ -25,8 +26,10 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     for name, value in scenario.slots.said().items():
         slots.add_row(name, ", ".join(value) if isinstance(value, tuple) else str(value))
     console.print(slots)
-    for note in scenario.notes:
+    for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {note}")
+    for one in (*scenario.unused, *retrieval.unused):
+        console.print(f"[yellow]not used[/]  {escape(one.said)}: {one.why}")
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
     for column in ("component", "snippet", "similarity", "facts"):

@@ -17,7 +17,7 @@ from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
 from chatscene.snippets.retrieve import settled
 from chatscene.snippets.slot_classifier import LIKELY, VALUES, Probabilities, likelihoods, said
-from chatscene.terms.scenario import Component, Scenario
+from chatscene.terms.scenario import Action, Component, Position, Scenario
 
 
 def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
@@ -74,4 +74,6 @@ def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
 def _missed(rules: Scenario, likely: Probabilities) -> bool:
     """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
     named = {action for action, pattern in ACTIONS.items() if pattern.search(told(rules.text))}
-    return any(likely.actions[action] >= LIKELY for action in named - set(rules.slots.actions))
+    if rules.slots.position is Position.ONCOMING:
+        named.discard(Action.ONCOMING)  # at a junction that is where it comes from
+    return any(likely.actions[action] >= LIKELY for action in named.difference(rules.slots.actions))

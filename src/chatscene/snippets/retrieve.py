@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.agent.base import ALONG
-from chatscene.agent.decompose import UNKNOWN
+from chatscene.agent.decompose import UNKNOWN, WHAT, WHO
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.bind import distances, out_of_reach
@@ -29,6 +29,7 @@ from chatscene.snippets.vector_index import VectorIndex, build_cached
 from chatscene.snippets.wording_index import WordingIndex, best_of_each, word_index
 from chatscene.snippets.wording_vectors import vectors_of
 from chatscene.terms.scenario import (
+    REFUSED,
     Action,
     AdversaryKind,
     Component,
@@ -38,6 +39,7 @@ from chatscene.terms.scenario import (
     Scenario,
     Side,
     Slots,
+    Why,
     includes,
 )
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
@@ -129,7 +131,13 @@ def retrieve(
     ranked, triple = _best(scenario, library, embedder, likely, agreeing=True, tried=tried)
     confidence = _confidence(scenario, triple, library, likely)
     if confidence < settings.refuse_below:
-        raise NothingFits(_refusal(scenario, triple, confidence))
+        reasons = _reasons(scenario, triple)
+        raise NothingFits(
+            f"nothing in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
+            reasons=reasons,
+            confidence=confidence,
+            nearest={match.snippet.id: match.snippet.description for match in triple},
+        )
     return Retrieval(
         behavior=triple[0],
         geometry=triple[1],
@@ -546,16 +554,31 @@ def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probab
 
 
 def _confidence(scenario: Scenario, triple: tuple[Match, ...], library: Library, likely: Probabilities) -> float:
-    """The probability that the library can serve a sentence, less for every fact that the triple contradicts."""
+    """The probability that the library can serve a sentence, less for every fact that the triple contradicts.
+
+    Nothing is left of it by another language, by weather and by light.
+    """
+    if any(one.why in REFUSED for one in scenario.unused):
+        return 0.0
     odds = sum(CONFIDENCE[name] * value for name, value in doubts(scenario, triple[0], library, likely).items())
     return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
 
 
-def _refusal(scenario: Scenario, triple: tuple[Match, ...], confidence: float) -> str:
-    near = "; ".join(f"{m.snippet.id} ({m.similarity:.2f}): {m.snippet.description}" for m in triple)
-    doubts = [*scenario.notes, *(conflict for match in triple for conflict in match.conflicts)]
-    because = f" What is in doubt: {'; '.join(doubts)}." if doubts else ""
-    return f"nothing in the library does this (confidence {confidence:.0%}).{because} Nearest are: {near}"
+def _reasons(scenario: Scenario, triple: tuple[Match, ...]) -> tuple[str, ...]:
+    """Why a sentence is refused, in a user's words, what decides alone first."""
+    unused: dict[Why, list[str]] = {}
+    for one in scenario.unused:
+        unused.setdefault(one.why, []).append(repr(one.said))
+    told = {why: f"{', '.join(said)}: {why}" for why, said in unused.items()}
+    if Why.LANGUAGE in told:
+        return (told[Why.LANGUAGE],)  # all else follows from it
+    said = [told[why] for why in REFUSED if why in told]
+    said += [note for note in scenario.notes if note.startswith(UNKNOWN)]
+    said += [note for slot, note in (("adversary", WHO), ("actions", WHAT)) if slot in scenario.guessed]
+    said += [note for note in scenario.notes if note.startswith((WHO, WHAT))]
+    said += [conflict for match in triple for conflict in match.conflicts]
+    said += [reason for why, reason in told.items() if why not in REFUSED]
+    return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
 
 
 def _ruled_out(

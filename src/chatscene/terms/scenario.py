@@ -225,6 +225,7 @@ class Quantity:
 class Why(StrEnum):
     """Why something that was said is not in the program."""
 
+    LANGUAGE = "only English is read"
     WEATHER = "weather: every scene is dry and clear"
     LIGHT = "light: every scene is in daylight"
     NUMBER = "nothing in the program can be set to it"
@@ -233,7 +234,7 @@ class Why(StrEnum):
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 
 
-REFUSED = (Why.WEATHER, Why.LIGHT)  # without these a scene is another one than was asked for
+REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT)  # without these a scene is another one than was asked for
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
