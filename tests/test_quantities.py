@@ -40,7 +40,9 @@ def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value
     assert found == {measure: pytest.approx(value)}
 
 
-@pytest.mark.parametrize("text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes."])
+@pytest.mark.parametrize(
+    "text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes.", "It brakes at 4 m/s²."]
+)
 def test_other_numbers_are_no_quantity_of_the_adversary(text: str) -> None:
     assert decompose(text).quantities == ()
 

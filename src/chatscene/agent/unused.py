@@ -12,7 +12,7 @@ from chatscene.agent import lexicon as words
 from chatscene.terms.scenario import AdversaryKind, Quantity, Slots, Unused, Why
 
 _NUMBER = re.compile(
-    r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|mph|m/s(?:²|\^?2)?|metres?|meters?|m|yards?|feet|ft|seconds?|"
+    r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|mph|m/s ?(?:²|\^?2)|m/s|metres?|meters?|m|yards?|feet|ft|seconds?|"
     r"secs?|s|%|percent|degrees?|°c?|g|car lengths?|years?)(?!\w))?"
 )
 _ANOTHER = r"(?:another|a second|a third|a different|yet another)"
