@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TextIO
 
-from chatscene.terms.scenario import Component
+from chatscene.terms.scenario import Component, grouped
 from chatscene.terms.snippet import Match, Snippet
 
 if TYPE_CHECKING:
@@ -28,8 +28,8 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     console.print(slots)
     for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {note}")
-    for one in (*scenario.unused, *retrieval.unused):
-        console.print(f"[yellow]not used[/]  {escape(one.said)}: {one.why}")
+    for line in grouped((*scenario.unused, *retrieval.unused)).values():
+        console.print(f"[yellow]not used[/]  {escape(line)}")
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
     for column in ("component", "snippet", "similarity", "facts"):

@@ -40,6 +40,7 @@ from chatscene.terms.scenario import (
     Side,
     Slots,
     Why,
+    grouped,
     includes,
 )
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
@@ -566,10 +567,7 @@ def _confidence(scenario: Scenario, triple: tuple[Match, ...], library: Library,
 
 def _reasons(scenario: Scenario, triple: tuple[Match, ...]) -> tuple[str, ...]:
     """Why a sentence is refused, in a user's words, what decides alone first."""
-    unused: dict[Why, list[str]] = {}
-    for one in scenario.unused:
-        unused.setdefault(one.why, []).append(repr(one.said))
-    told = {why: f"{', '.join(said)}: {why}" for why, said in unused.items()}
+    told = grouped(scenario.unused)
     if Why.LANGUAGE in told:
         return (told[Why.LANGUAGE],)  # all else follows from it
     said = [told[why] for why in REFUSED if why in told]

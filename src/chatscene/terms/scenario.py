@@ -6,6 +6,7 @@ Paper: section 3.1 (notations), appendix A (components).
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from enum import StrEnum
 
@@ -248,6 +249,14 @@ class Unused:
 
     said: str
     why: Why
+
+
+def grouped(unused: Iterable[Unused]) -> dict[Why, str]:
+    """What was not used, a line for every reason."""
+    said: dict[Why, list[str]] = {}
+    for one in unused:
+        said.setdefault(one.why, []).append(repr(one.said))
+    return {why: f"{', '.join(words)}: {why}" for why, words in said.items()}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
