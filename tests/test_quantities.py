@@ -12,7 +12,7 @@ from chatscene.agent.decompose import decompose
 from chatscene.errors import NothingFits
 from chatscene.snippets.bind import Triple, bound, distances, out_of_reach
 from chatscene.snippets.library import load_library, names_of
-from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots
+from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
 
 LIBRARY = load_library()
 TRIPLE = (
@@ -40,7 +40,9 @@ def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value
     assert found == {measure: pytest.approx(value)}
 
 
-@pytest.mark.parametrize("text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes."])
+@pytest.mark.parametrize(
+    "text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes.", "It brakes at 4 m/s²."]
+)
 def test_other_numbers_are_no_quantity_of_the_adversary(text: str) -> None:
     assert decompose(text).quantities == ()
 
@@ -68,43 +70,72 @@ def start_of(triple: Triple) -> tuple[float, float]:
 def test_a_start_that_was_said_to_be_near_or_far_is_narrowed(
     spawn: str, distance: Distance, begins: float, ends: float
 ) -> None:
-    triple, _ = bound((*TRIPLE[:2], LIBRARY.get(f"spawn/{spawn}")), scenario(distance=distance))
+    triple = bound((*TRIPLE[:2], LIBRARY.get(f"spawn/{spawn}")), scenario(distance=distance)).triple
     assert start_of(triple) == (begins, ends)
 
 
 def test_metres_that_were_said_count_before_near() -> None:
-    triple, _ = bound(TRIPLE, scenario(said(Measure.DISTANCE, 30.0), distance=Distance.FAR))
+    triple = bound(TRIPLE, scenario(said(Measure.DISTANCE, 30.0), distance=Distance.FAR)).triple
     assert start_of(triple) == (27.0, 33.0)
 
 
 def test_whoever_waits_beside_the_road_may_set_out_near_the_ego_from_where_it_is() -> None:
     assert distances(TRIPLE[2]) == {Distance.NEAR, Distance.FAR}
-    assert bound(TRIPLE, scenario(distance=Distance.NEAR))[0] == TRIPLE
+    assert bound(TRIPLE, scenario(distance=Distance.NEAR)).triple == TRIPLE
 
 
 def test_a_start_that_cannot_be_far_is_not_told_to_be() -> None:
     ahead = LIBRARY.get("spawn/ahead-in-lane")
     assert distances(ahead) == {Distance.NEAR}
-    assert bound((*TRIPLE[:2], ahead), scenario(distance=Distance.FAR))[0][2] == ahead
+    assert bound((*TRIPLE[:2], ahead), scenario(distance=Distance.FAR)).triple[2] == ahead
 
 
 def test_a_speed_narrows_header_and_code_alike() -> None:
-    (behavior, *_), notes = bound(TRIPLE, scenario(said(Measure.SPEED, 2.0)))
+    made = bound(TRIPLE, scenario(said(Measure.SPEED, 2.0)))
+    behavior = made.triple[0]
     (speed,) = [p for p in behavior.parameters if p.name == "OPT_ADV_SPEED"]
     assert (speed.low, speed.high) == (1.8, 2.2)
     assert names_of(behavior.source, ()).parameters["OPT_ADV_SPEED"] == (1.8, 2.2)
-    assert notes == ()
+    assert (made.notes, made.unused) == ((), ())
 
 
 def test_a_speed_nobody_on_foot_can_reach_is_refused() -> None:
-    with pytest.raises(NothingFits, match="cannot do 'so much'"):
+    with pytest.raises(NothingFits, match=r"'so much' \(14 m/s \(50 km/h\)\) cannot be done by .* lies between"):
         bound(TRIPLE, scenario(said(Measure.SPEED, 14.0)))
 
 
 def test_a_quantity_that_nothing_can_be_set_to_is_told() -> None:
-    triple, (note,) = bound(TRIPLE, scenario(said(Measure.TIME, 3.0)))
-    assert triple == TRIPLE
-    assert "so much" in note
+    made = bound(TRIPLE, scenario(said(Measure.TIME, 3.0)))
+    assert made.triple == TRIPLE
+    assert made.unused == (Unused(said="so much", why=Why.NUMBER),)
+
+
+def test_a_number_is_met_or_met_nearly_with_a_note_or_refused_with_the_range() -> None:
+    (speed,) = [p for p in TRIPLE[0].parameters if p.name == "OPT_ADV_SPEED"]
+    assert bound(TRIPLE, scenario(said(Measure.SPEED, speed.high))).notes == ()
+    nearly = bound(TRIPLE, scenario(said(Measure.SPEED, speed.high * 1.05)))
+    assert "met only nearly" in nearly.notes[0]
+    assert "km/h" in nearly.notes[0]
+    with pytest.raises(NothingFits, match="lies between"):
+        bound(TRIPLE, scenario(said(Measure.SPEED, speed.high * 1.2)))
+
+
+def test_metres_ahead_never_set_a_distance_behind() -> None:
+    behind = (*TRIPLE[:2], LIBRARY.get("spawn/adjacent-lane-behind"))
+    ahead = Quantity(measure=Measure.DISTANCE, value=10.0, said="10 meters ahead")
+    made = bound(behind, scenario(ahead))
+    assert made.triple == behind
+    assert made.unused == (Unused(said="10 meters ahead", why=Why.NUMBER),)
+    there = Quantity(measure=Measure.DISTANCE, value=10.0, said="10 meters behind")
+    assert start_of(bound(behind, scenario(there)).triple) == (9.0, 11.0)
+
+
+def test_seconds_of_standing_set_no_other_time() -> None:
+    swerving = [s for s in LIBRARY if any("after how long it swerves" in p.meaning for p in s.parameters)]
+    assert swerving
+    for snippet in swerving:
+        made = bound((snippet, *TRIPLE[1:]), scenario(said(Measure.TIME, 2.0)))
+        assert made.unused
 
 
 @given(st.floats(0.1, 60.0), st.sampled_from(list(Measure)))
@@ -114,7 +145,7 @@ def test_what_is_in_reach_stays_within_the_declared_ranges(value: float, measure
         with pytest.raises(NothingFits):
             bound(TRIPLE, scenario(quantity))
         return
-    triple, _ = bound(TRIPLE, scenario(quantity))
+    triple = bound(TRIPLE, scenario(quantity)).triple
     for before, after in zip(TRIPLE, triple, strict=True):
         for old, new in zip(before.parameters, after.parameters, strict=True):
             assert old.low <= new.low <= new.high <= old.high

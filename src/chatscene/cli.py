@@ -7,7 +7,10 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import sys
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -143,16 +146,17 @@ def run(
     for name, one in _texts(text, program).items():
         folder = (out / name if program and program.is_dir() else out) if out else None
         folder = folder or pipeline.free_folder(Path("runs"), name)
-        summary = pipeline.run(
-            one,
-            folder,
-            settings=settings,
-            map_name=map_name,
-            ego_name=ego,
-            jobs=jobs or _jobs(scenes, routes),
-            generator="program" if program else "chatscene",
-            progress=progress(),
-        )
+        with _refusing("" if program else one, reading["embedder"], as_json):
+            summary = pipeline.run(
+                one,
+                folder,
+                settings=settings,
+                map_name=map_name,
+                ego_name=ego,
+                jobs=jobs or _jobs(scenes, routes),
+                generator="program" if program else "chatscene",
+                progress=progress(),
+            )
         _say_done(folder, summary, as_json)
 
 
@@ -416,7 +420,8 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Read
     from chatscene import pipeline
     from chatscene.settings import RetrievalSettings, Settings
 
-    understood = pipeline.understand(text, Settings(retrieval=RetrievalSettings(**reading)))
+    with _refusing(text, reading["embedder"], as_json):
+        understood = pipeline.understand(text, Settings(retrieval=RetrievalSettings(**reading)))
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
         return
@@ -510,6 +515,39 @@ def _texts(text: str | None, program: Path | None) -> dict[str, str]:
     from chatscene.search.own_program import text_of
 
     return {own.path.stem: text_of(own) for own in read_foreign(program)}
+
+
+@contextmanager
+def _refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
+    """Says why a sentence was refused and which one works, and ends with status 3; `text` is empty for a program."""
+    try:
+        yield
+    except (NothingFits, MeansSomethingElse) as error:
+        from chatscene.snippets.embedding import load_embedder
+        from chatscene.snippets.suggesting import suggestion
+
+        try_this = suggestion(text, load_embedder(embedder)) if text else None
+        if as_json:
+            click.echo(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
+        else:
+            _complain(error)
+            for name, does in error.nearest.items() if isinstance(error, NothingFits) else ():
+                click.echo(f"  nearest: {name}: {does}", err=True)
+            if try_this:
+                click.echo(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
+        sys.exit(3)
+
+
+def _refusal(error: NothingFits | MeansSomethingElse) -> dict[str, Any]:
+    """A refusal for a script."""
+    fits = isinstance(error, NothingFits)
+    return {
+        "refused": type(error).__name__,
+        "message": str(error),
+        "reasons": list(error.reasons) if fits else [str(error)],
+        "confidence": error.confidence if fits else None,
+        "candidates": error.nearest if fits else {},
+    }
 
 
 def _jobs(scenes: int, routes: int) -> int:

@@ -28,7 +28,7 @@ A message says what happened, where, and what to do.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 
 class ChatSceneError(Exception):
@@ -47,7 +47,26 @@ class MissingExtra(ChatSceneError):  # noqa: N818
 
 
 class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits
-    """The library holds no compatible triple of snippets that serves the sentence."""
+    """The library holds no compatible triple of snippets that serves the sentence.
+
+    Attributes:
+        reasons: What was not understood or cannot be done, in a user's words, the weightiest first.
+        confidence: How sure it was that the sentence can be served; None where that was not asked.
+        nearest: The snippets that came nearest, by id, with what they do.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        reasons: tuple[str, ...] = (),
+        confidence: float | None = None,
+        nearest: Mapping[str, str] | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.reasons = reasons or (message,)
+        self.confidence = confidence
+        self.nearest = dict(nearest or {})
 
 
 class MapError(ChatSceneError):

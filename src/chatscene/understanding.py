@@ -17,7 +17,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from chatscene.agent.base import concluded
+from chatscene.agent.base import ALONG, concluded
 from chatscene.bounded import parse_json
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
@@ -166,26 +166,12 @@ def essential(slots: Slots) -> frozenset[Action]:
     actions = {Action.STOP if action is Action.BLOCK else action for action in slots.actions}
     if slots.position is Position.ONCOMING or Action.WRONG_WAY in actions:
         actions -= {Action.ONCOMING}
-    for action, along in _ALONG.items():
+    for action, along in ALONG.items():
         if action in actions:
             actions -= along
     if len(actions) > 1 or slots.position is Position.ONCOMING:
         actions -= {Action.FOLLOW}
     return frozenset(actions)
-
-
-_ALONG: dict[Action, set[Action]] = {
-    Action.CUT_IN: {Action.CHANGE_LANE},
-    Action.STOP: {Action.BRAKE},
-    Action.TURN_LEFT: {Action.CROSS},
-    Action.TURN_RIGHT: {Action.CROSS},
-    Action.TURN_BACK: {Action.STOP},
-    Action.PULL_OUT: {Action.CUT_IN, Action.CHANGE_LANE, Action.CROSS},
-    Action.HESITATE: {Action.STOP},
-    Action.CROSS: {Action.FAST},
-    Action.DIAGONAL: {Action.CROSS},
-    Action.U_TURN: {Action.TURN_LEFT, Action.TURN_RIGHT, Action.CROSS, Action.ONCOMING},
-}
 
 
 def flipped(said: Slots, found: Sequence[Snippet]) -> bool:

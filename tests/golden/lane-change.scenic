@@ -20,10 +20,11 @@ leftLane = adjacentLane
 
 ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute
 
-## spawn/ahead-in-lane
-param OPT_GEO_Y = Range(9, 22)
+## spawn/adjacent-lane-ahead
+param OPT_GEO_Y = Range(6, 22)
 
-advTrajectory = egoRoute
+advTrajectory = adjacentLane
+advLane = advTrajectory
 AdvAgent = new AdvClass at pointOn(advTrajectory, globalParameters.OPT_GEO_Y),
     facing directionOn(advTrajectory, globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

@@ -31,6 +31,7 @@ from chatscene.terms.scenario import (
     Side,
     Slots,
     SubDescriptions,
+    Why,
 )
 
 
@@ -150,4 +151,6 @@ def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
         ),
         notes=(f"read by {model.name}", *differ),
         guessed=(),
+        unused=tuple(one for one in offline.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
+        plain=False,
     )

@@ -22,6 +22,20 @@ TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
 LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
+# What an action brings along without a word: whoever cuts in changes lanes
+ALONG: dict[Action, set[Action]] = {
+    Action.CUT_IN: {Action.CHANGE_LANE},
+    Action.STOP: {Action.BRAKE},
+    Action.TURN_LEFT: {Action.CROSS},
+    Action.TURN_RIGHT: {Action.CROSS},
+    Action.TURN_BACK: {Action.STOP},
+    Action.PULL_OUT: {Action.CUT_IN, Action.CHANGE_LANE, Action.CROSS},
+    Action.HESITATE: {Action.STOP},
+    Action.CROSS: {Action.FAST},
+    Action.DIAGONAL: {Action.CROSS},
+    Action.U_TURN: {Action.TURN_LEFT, Action.TURN_RIGHT, Action.CROSS, Action.ONCOMING},
+}
+
 
 def base_of(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
     """The base scenario that a set of slots belongs to."""

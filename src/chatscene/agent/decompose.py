@@ -13,8 +13,10 @@ from dataclasses import dataclass
 
 from chatscene.agent import lexicon as words
 from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, ON_FOOT, TURNS, TWO_WHEELED, base_of
+from chatscene.agent.canonical import canonical
 from chatscene.agent.clauses import Clauses, cut, without_things
 from chatscene.agent.quantities import quantities_of
+from chatscene.agent.unused import known_whole, unused_of
 from chatscene.agent.wording import geometry_in_words, spawn_in_words
 from chatscene.errors import SettingsError
 from chatscene.terms.scenario import (
@@ -51,9 +53,11 @@ def decompose(text: str) -> Scenario:
         SettingsError: The text is empty or longer than `LONGEST`.
     """
     plain, lowered, mended = _mended(text)
-    clauses = cut(_rewritten(mended))
+    rewritten = _rewritten(mended)
+    clauses = cut(rewritten)
     notes = [f"read {a!r} as {b!r}" for a, b in _changes(lowered, mended)]
     slots = _slots(clauses, notes)
+    quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
     return Scenario(
         id=_id(plain),
         text=plain,
@@ -65,13 +69,20 @@ def decompose(text: str) -> Scenario:
         ),
         slots=slots,
         notes=tuple(notes),
-        quantities=quantities_of(clauses.adversary or clauses.whole, clauses.whole),
+        quantities=quantities,
+        unused=unused_of(rewritten, slots, quantities),
+        plain=slots.adversary is not None and bool(slots.actions) and known_whole(rewritten, quantities),
     )
 
 
+def told(text: str) -> str:
+    """A sentence mended and put into the words that the patterns know, as `decompose` reads it."""
+    return _rewritten(_mended(text)[2])
+
+
 def clauses_of(text: str) -> Clauses:
-    """A sentence mended and cut into clauses, as `decompose` reads it."""
-    return cut(_rewritten(_mended(text)[2]))
+    """A sentence cut into clauses, as `decompose` reads it."""
+    return cut(told(text))
 
 
 def _mended(text: str) -> tuple[str, str, str]:
@@ -81,8 +92,8 @@ def _mended(text: str) -> tuple[str, str, str]:
         raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
     if len(plain) > LONGEST:
         raise SettingsError(f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}")
-    lowered = plain.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
-    return plain, lowered, re.sub(r"[a-z]+", lambda m: words.mended(m[0]), lowered)
+    read = canonical(plain)
+    return plain, read, re.sub(r"[a-z]+", lambda m: words.mended(m[0]), read)
 
 
 def _rewritten(text: str) -> str:
@@ -265,7 +276,7 @@ def _at_the_wheel(found: set[Action], text: str) -> set[Action]:
     if words.ERRATIC.search(text):
         found = found | {Action.SWERVE}
     turn = _turn(text)
-    if turn and Action.RUN_LIGHT not in found and "oncoming" not in text:
+    if Action.RUN_LIGHT in found or (turn and "oncoming" not in text):  # either is how somebody is cut off there
         found = found - {Action.CUT_IN}
     return found | turn
 

@@ -196,7 +196,7 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 
 ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.RUN_LIGHT: _p(
-        r"r[ua]n(?:s|ning)? (?:through )?(?:a|the) (?:red|stop ?light|light|signal)\w*",
+        r"r[ua]n(?:s|ning)? (?:through )?(?:a|the|its|his|her|their) (?:red|stop ?light|light|signal)\w*",
         r"red(?:-| )light (?:runner|running)",
         r"(?:jump|ignor|blow|shoot|skip|disregard|violat|disobey|barrel|sail)\w* (?:past |through )?(?:a|the|its|their) (?:red|light|traffic light|signal)s?",
         r"through (?:a|the) red",
@@ -344,7 +344,21 @@ FOREIGN = _p(
     r"trams?|tramways?|trains?|railway|level crossing|helicopters?|aeroplanes?|airplanes?|planes?|drones?|boats?|spaceships?|meteors?|robots?|dragons?",
     r"roundabouts?|rotary|car parks?|parking (?:garage|lot)|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
-    r"fog|hail|flood\w*|sun ?glare|aquaplan\w*|earthquake|wheelchair robot",
+    r"flood\w*|earthquake|wheelchair robot",
+)
+# Every scene is dry, clear and in daylight
+WEATHER = _p(
+    r"fog(?:gy|s)?|mist|misty|haz[ey]|smog|rain(?:s|ing|y|ed|storm|fall)?|drizzl\w*|downpours?|showers|sleet|snow(?:s|ing|y|ed|fall|storm)?|"
+    r"blizzard|hail(?:stones?|storm|ing)?|thunderstorms?|storm(?:y|s)?|gusts?|crosswinds?|(?:strong|high|heavy) winds?|windy",
+    r"(?:wet|icy|frozen|snowy|snow-covered|flooded|slippery|slick|greasy) (?:\w+ )?(?:road|street|roadway|asphalt|surface|tarmac|pavement|conditions?|carriageway|lane|bend|curve)s?",
+    r"(?:road|street|roadway|surface|asphalt|tarmac|lane)s? (?:is|are|was|were|being) (?:\w+ )?(?:wet|icy|frozen|slippery|slick|flooded|greasy)",
+    r"black ice|(?:on|over|patch of) (?:the )?ice|aquaplan\w*|puddles?|(?:poor|bad|low|reduced|zero) visibility|(?:bad|poor|adverse|severe) weather",
+)
+LIGHT = _p(
+    r"(?:at|by|in the|one|late at|dead of|middle of the|this|that|the other) night|night-?time|nightfall|after dark|(?:in|into) the dark|pitch[- ]dark|darkness|"
+    r"dusk|dawn|twilight|moonlight|moonlit|unlit (?:road|street)|no street ?lights?|sun ?glare|low sun|(?:setting|rising|blinding) sun|sunset|sunrise|"
+    r"(?:dazzl|blind)\w* (?:us|by)(?: (?:the |its |his |her )?(?:low |setting |rising )?(?:sun|head ?lights?|high beams?|full beams?))?|"
+    r"(?:at|in) (?:the )?(?:late )?evening|(?:is|was|getting|already) dark|dark (?:road|street|night)|night",
 )
 
 RUNNING = _p(r"r[ua]n(?:s|ning)? (?:out|across|into|onto|over|off)")
@@ -511,3 +525,94 @@ def strangers(text: str) -> list[str]:
     """What is spoken of as "a …" and is nothing the reader knows."""
     named = re.findall(r"\b(?:an?|another|some|two|three|several) ([a-z]+)", text)
     return [word for word in dict.fromkeys(named) if not _is_word(word) and word not in _KNOWN]
+
+
+# Words that say nothing beyond what a rule has read, and those that say what is always so
+_PLAIN_WORDS = """
+    a an the and or of in on at to for from by with as while when where who which that this these those it its itself he
+    she his her him they them their there here we us our ours be is are was were been being am has have had having do
+    does did will would can could may might must shall should then just after before into onto over out off up down
+    through along across again so but if than very too also both each other own some any all one no not only about
+    around toward towards until because during within near nearby side sides front back rear way path lane lanes road
+    roads street streets car's ego ego's vehicle vehicles driver traffic position direction point place
+
+    sudden suddenly abrupt abruptly unexpected unexpectedly sharply hard heavily immediately instantly once warning
+    right left straight ahead forward forwards close
+
+    drive drives driving drove driven go goes going went gone come comes coming came move moves moving moved travel
+    travels travelling traveling ride rides riding rode walk walks walking walked start starts
+    begin begins keep keeps stay stays stand stands standing proceed
+    proceeds proceeding continue continues continuing approach approaches approaching want wants
+    try tries trying head heads heading arrive arrives collision collide collides
+    without another soon first light lights stretch
+    crash crashes dangerous danger test scenario situation scene dry daylight day daytime sunny clear
+"""
+_PLAIN = frozenset(_PLAIN_WORDS.split())
+
+# Words that are part of what somebody does: alone they tell nothing, unless it was read wrongly
+_DEED_WORDS = """
+    run runs running ran turn turns turning leave leaves leaving hit hits hitting strike strikes struck follow follows
+    following enter enters entering pull pulls pulling step steps stepping get gets getting take takes make makes making
+    collide collides crashes
+"""
+_DEEDS = frozenset(_DEED_WORDS.split())
+
+
+_ENGLISH_WORDS = """
+    the and of on at to from by with as while when where who which that this it its he she his her we us our is are was
+    were be been has have had then just after before into onto over out off up down through along across behind front
+"""
+_ENGLISH = frozenset(_ENGLISH_WORDS.split())
+_OTHER_WORDS = """
+    der die das den dem des ein eine einen einem einer und ist wir uns von vor nach mit auf aus im bei zu rechts links
+    el la los las un una uno y que del con por para desde hacia nos se en su derecha izquierda delante
+    le les une et est nous du de des qui dans avec sur depuis devant vers notre gauche droite au
+    il lo gli i che di da dal dalla nel nella con per noi davanti sinistra destra verso
+    het een van naar voor wij ons onze os um uma
+"""
+_OTHER = frozenset(_OTHER_WORDS.split()) - {"die", "per", "i", "van", "no"}  # English has these as well
+
+
+def is_english(text: str) -> bool:
+    """Whether a text looks English: by its letters, and by the small words that every language has its own of."""
+    letters = [c for c in text if c.isalpha()]
+    if sum(c > "\u024f" for c in letters) * 2 > len(letters):
+        return False
+    small = re.findall(r"[^\W\d_]+", text)
+    other = sum(word in _OTHER for word in small)
+    return other < 2 or other <= sum(word in _ENGLISH for word in small)
+
+
+@lru_cache(maxsize=1)
+def _rules() -> tuple[re.Pattern[str], ...]:
+    """Every pattern that reads something."""
+    groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS)
+    single = (
+        EGO, SOMEBODY, ADVERSARIAL, LEADER, BLOCKING, BACKGROUND, LEFT_TURN, RIGHT_TURN, LANE_CHANGE, BYPASS, UNPROTECTED,
+        RUNNING, CUTTING_IN, SLOWING, FEINT, MATCHING, ERRATIC, GOING_ON, ONCOMING, FAR, CROSSING, NEIGHBOUR, KERB, NEAR,
+        FAR_AWAY, GROUP, MANY_LANES, ONE_LANE, TWO_WAY, EACH_WAY, ONE_WAY, SIDE_ROAD, SAME_LANE, BEHIND, AHEAD, BESIDE,
+        SIDE, HIDING, ENCOUNTER, FOREIGN, WEATHER, LIGHT, REACTION,
+    )  # fmt: skip
+    return (*(pattern for group in groups for pattern in group.values()), *single)
+
+
+def known_to_no_rule(text: str, *, strictly: bool = False) -> list[str]:
+    """The runs of words that no rule reads and that mean something, as they stand in a text.
+
+    Args:
+        text: Lower case, mended; numbers are left to those who read numbers.
+        strictly: Also words that would be part of what somebody does.
+    """
+    read = bytearray(len(text))
+    for rule in _rules():
+        for found in rule.finditer(text):
+            read[found.start() : found.end()] = b"\1" * (found.end() - found.start())
+    runs: list[tuple[int, int]] = []
+    for word in re.finditer(r"[^\W\d_]+(?:['-][^\W\d_]+)*", text):
+        if word[0] in _PLAIN or (word[0] in _DEEDS and not strictly) or all(read[word.start() : word.end()]):
+            continue
+        if runs and text[runs[-1][1] : word.start()] == " ":
+            runs[-1] = (runs[-1][0], word.end())
+        else:
+            runs.append(word.span())
+    return list(dict.fromkeys(text[start:end] for start, end in runs))

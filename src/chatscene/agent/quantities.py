@@ -21,7 +21,7 @@ _NUMBERS = {
 
 _NUMBER = r"(?P<number>\d+(?:\.\d+)?|" + "|".join(sorted(_NUMBERS, key=len, reverse=True)) + ")"
 _LENGTH = r"(?P<unit>m|metre|meter|yard|yd|foot|feet|ft|car length)s?"
-_SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)"
+_SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)(?! ?(?:²|\^?2))"  # m/s² is no speed
 _TIME = r"(?P<unit>second|sec|s)s?"
 _EGO = r"(?:we|i|the ego(?: vehicle)?|ego|our car|the vut|the av)"
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TextIO
 
-from chatscene.terms.scenario import Component
+from chatscene.terms.scenario import Component, grouped
 from chatscene.terms.snippet import Match, Snippet
 
 if TYPE_CHECKING:
@@ -37,8 +37,10 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     for name, value in scenario.slots.said().items():
         slots.add_row(name, _plain(", ".join(value) if isinstance(value, tuple) else value))
     console.print(slots)
-    for note in scenario.notes:
+    for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {_plain(note)}")
+    for line in grouped((*scenario.unused, *retrieval.unused)).values():
+        console.print(f"[yellow]not used[/]  {_plain(line)}")
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
     for column in ("component", "snippet", "similarity", "facts"):

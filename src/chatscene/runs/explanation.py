@@ -37,6 +37,10 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
         "notes": [*scenario.notes, *(retrieval.notes if retrieval else ())],
+        "unused": [
+            {"said": one.said, "why": one.why.value}
+            for one in (*scenario.unused, *(retrieval.unused if retrieval else ()))
+        ],
     } | (_retrieval(retrieval) if retrieval else {})
 
 

@@ -27,6 +27,8 @@ from chatscene.runs.record import (
 )
 from chatscene.settings import Settings
 
+_OF_A_REFUSED_RUN = ("run.json", "explanation.json", "report.html")
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -67,7 +69,7 @@ def create(
     senses: Mapping[str, dict[str, str]] | None = None,
     given: Mapping[str, Any] | None = None,
 ) -> Run:
-    """Start a run in a new or empty folder, with status ``running``.
+    """Start a run in a new or empty folder, or in place of one that was refused, with status ``running``.
 
     Args:
         folder: Made if it is not there.
@@ -86,6 +88,8 @@ def create(
     run = Run(folder)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
+        if run.file("run.json").exists() and read_record(run).status is Status.REFUSED:
+            _forget(run)
         if not all(map(is_leftover, folder.iterdir())):
             raise RunError(_occupied(run))
     sweep(folder)
@@ -109,6 +113,15 @@ def create(
         ),
     )
     return run
+
+
+def _forget(run: Run) -> None:
+    """Take away what a refused run left: it was never searched with."""
+    programs = run.file("programs")
+    for path in (*programs.glob("*.scenic"), *(run.file(name) for name in _OF_A_REFUSED_RUN)):
+        path.unlink(missing_ok=True)
+    if programs.is_dir() and not any(programs.iterdir()):
+        programs.rmdir()
 
 
 def _occupied(run: Run) -> str:

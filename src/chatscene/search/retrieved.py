@@ -9,6 +9,7 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
+from chatscene.agent.canonical import canonical
 from chatscene.ego.policy import EgoPolicy
 from chatscene.program.assemble import assemble
 from chatscene.sandbox.backend import SandboxedBackend
@@ -39,16 +40,17 @@ class Retrieved:
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
         scenario = read(text, settings)
-        listed = next((base for base, texts in _benchmark_texts().items() if text in texts), None)
+        wanted = canonical(text)
+        listed = next((base for base, texts in _benchmark_texts().items() if wanted in map(canonical, texts)), None)
         return scenario if listed is None else replace(scenario, base=listed)
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
         library, embedder = library_with(settings.library), load_embedder(settings.embedder)
         retrieval = retrieve(scenario, library, embedder, settings, tried)
-        triple, notes = bound(retrieval.snippets, scenario)
-        program = assemble(scenario, triple, retrieval.adversary)
-        retrieval = replace(retrieval, notes=notes)
+        made = bound(retrieval.snippets, scenario)
+        program = assemble(scenario, made.triple, retrieval.adversary)
+        retrieval = replace(retrieval, notes=made.notes, unused=made.unused)
         return Written(program=program, retrieval=retrieval)
 
     def join(

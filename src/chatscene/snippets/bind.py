@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from chatscene.errors import NothingFits, SnippetError
-from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario
+from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario, Unused, Why
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
 
 DECIMALS, ROUNDING = 3, 1e-3  # of a narrowed range, and how far that may step over a declared one
 SHARE = 0.1  # of a quantity, to either side: what a person means by a number
-SLACK = 0.25  # a quantity this share beyond what a snippet can do is done as nearly as it can
 
 _NAMES = {
     Measure.DISTANCE: "OPT_GEO_Y",
@@ -22,33 +21,54 @@ _NAMES = {
     Measure.TIME: "OPT_STOP_TIME",
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
 }
-_FROM_EGO = re.compile(r"how far (?:ahead of|behind|along) the ego")  # other distances start elsewhere
+# Other distances start elsewhere, other times are not those for which it stands
+_AHEAD_OF_EGO = re.compile(r"how far (?:ahead of|along) the ego")
+_BEHIND_EGO = re.compile(r"how far behind the ego")
+_STANDING = re.compile(r"how long it (?:pauses|stands|waits|rests|looks|hesitates|is down|bends)")
+_SAID_AHEAD = re.compile(r"\b(?:ahead|in front|down the road|up the road|further|beyond|to the front)\b")
+_SAID_BEHIND = re.compile(r"\b(?:behind|to the rear)\b")
 
 
-def bound(triple: Triple, scenario: Scenario) -> tuple[Triple, tuple[str, ...]]:
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """What quantities make of a triple.
+
+    Attributes:
+        triple: The snippets, with code and header narrowed alike.
+        notes: Quantities that are met only nearly, in words.
+        unused: Quantities that none of the snippets can follow.
+    """
+
+    triple: Triple
+    notes: tuple[str, ...]
+    unused: tuple[Unused, ...]
+
+
+def bound(triple: Triple, scenario: Scenario) -> Bound:
     """Narrow the parameters that quantities speak of, and those that make a start near or far.
 
     Args:
         triple: The snippets.
         scenario: What was said.
 
-    Returns:
-        The snippets, with code and header narrowed alike; and a note for each quantity that none of them can follow.
-
     Raises:
-        NothingFits: A quantity lies far outside of what the snippet can do.
+        NothingFits: A quantity lies outside of what the snippet can do, by more than a person means by a number.
     """
     notes: list[str] = []
+    unused: list[Unused] = []
     parts = list(triple)
     if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in scenario.quantities):
         parts = [_begun(part, scenario.slots.distance) for part in parts]
     for quantity in scenario.quantities:
         found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _speaks_of(quantity, p)]
         if not found:
-            notes.append(f"{quantity.said!r} was heard, but nothing in these snippets can be set to it")
+            unused.append(Unused(said=quantity.said, why=Why.NUMBER))
         for i, parameter in found:
+            if parameter.clip(quantity.value) != quantity.value:
+                nearest = _in_words(parameter.clip(quantity.value), parameter)
+                notes.append(f"{quantity.said!r} is met only nearly: {_range(parameter)}; {nearest} is the nearest")
             parts[i] = _narrowed(parts[i], parameter, quantity)
-    return (parts[0], parts[1], parts[2]), tuple(notes)
+    return Bound((parts[0], parts[1], parts[2]), tuple(notes), tuple(unused))
 
 
 def distances(snippet: Snippet) -> frozenset[Distance]:
@@ -60,7 +80,7 @@ def distances(snippet: Snippet) -> frozenset[Distance]:
 def _start(snippet: Snippet, distance: Distance) -> tuple[ParameterRange, float, float] | None:
     """The parameter that says how far from the ego the adversary starts, and the part of its range that is said."""
     for parameter in snippet.parameters:
-        if parameter.name == _NAMES[Measure.DISTANCE] and _FROM_EGO.match(parameter.meaning):
+        if parameter.name == _NAMES[Measure.DISTANCE] and _from_ego(parameter):
             least, most = distance.bounds(snippet.slots.position)
             low = parameter.low if distance is Distance.NEAR else max(parameter.low, least)
             high = min(parameter.high, most)
@@ -99,26 +119,47 @@ def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity]) -> int:
 
 
 def _in_reach(parameter: ParameterRange, quantity: Quantity) -> bool:
-    reach = SLACK * max(abs(quantity.value), 1.0)
-    return parameter.low - reach <= quantity.value <= parameter.high + reach
+    about = SHARE * quantity.value
+    return parameter.low <= quantity.value + about and quantity.value - about <= parameter.high
+
+
+def _from_ego(parameter: ParameterRange) -> bool:
+    return any(where.match(parameter.meaning) for where in (_AHEAD_OF_EGO, _BEHIND_EGO))
 
 
 def _speaks_of(quantity: Quantity, parameter: ParameterRange) -> bool:
+    """Whether a parameter measures what a quantity does, and on the side of the ego that was said."""
     if parameter.name != _NAMES[quantity.measure]:
         return False
-    return quantity.measure is not Measure.DISTANCE or _FROM_EGO.match(parameter.meaning) is not None
+    if quantity.measure is Measure.TIME:
+        return _STANDING.match(parameter.meaning) is not None
+    if quantity.measure is not Measure.DISTANCE:
+        return True
+    other = _BEHIND_EGO if _SAID_AHEAD.search(quantity.said) else None
+    other = _AHEAD_OF_EGO if _SAID_BEHIND.search(quantity.said) else other
+    return _from_ego(parameter) and (other is None or not other.match(parameter.meaning))
 
 
 def _narrowed(part: Snippet, parameter: ParameterRange, quantity: Quantity) -> Snippet:
     if not _in_reach(parameter, quantity):
         raise NothingFits(
-            f"{part.id} cannot do {quantity.said!r} ({quantity.value:g} {parameter.unit}): "
-            f"{parameter.meaning or parameter.name} lies between {parameter.low:g} and {parameter.high:g} "
-            f"{parameter.unit}; say a number in between, or none"
+            f"{quantity.said!r} ({_in_words(quantity.value, parameter)}) cannot be done by {part.id}: "
+            f"{_range(parameter)}; say a number in between, or none"
         )
     low = parameter.clip(quantity.value * (1 - SHARE))
     high = parameter.clip(quantity.value * (1 + SHARE))
     return _set(part, parameter, low, high)
+
+
+def _range(parameter: ParameterRange) -> str:
+    low, high = (_in_words(value, parameter) for value in (parameter.low, parameter.high))
+    return f"{parameter.meaning or parameter.name} lies between {low} and {high}"
+
+
+def _in_words(value: float, parameter: ParameterRange) -> str:
+    """A value with its unit; a speed as drivers say it, too."""
+    plain = f"{value:.3g} {parameter.unit}"
+    return f"{plain} ({value * 3.6:.0f} km/h)" if parameter.unit == "m/s" else plain
 
 
 def _set(part: Snippet, parameter: ParameterRange, low: float, high: float) -> Snippet:

@@ -6,7 +6,9 @@ from dataclasses import replace
 
 from chatscene.agent.asking import decompose_with
 from chatscene.agent.base import base_of, concluded
-from chatscene.agent.decompose import WHAT, WHO, clauses_of, decompose
+from chatscene.agent.decompose import WHAT, WHO, clauses_of, decompose, told
+from chatscene.agent.lexicon import ACTIONS
+from chatscene.agent.unused import unused_of
 from chatscene.agent.wording import geometry_in_words, spawn_in_words
 from chatscene.language_models.protocol import load_language_model
 from chatscene.language_models.reply_cache import user_folder
@@ -14,8 +16,8 @@ from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
 from chatscene.snippets.retrieve import settled
-from chatscene.snippets.slot_classifier import VALUES, likelihoods, said
-from chatscene.terms.scenario import Component, Scenario
+from chatscene.snippets.slot_classifier import LIKELY, VALUES, Probabilities, likelihoods, said
+from chatscene.terms.scenario import Action, Component, Position, Scenario
 
 
 def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
@@ -35,12 +37,17 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
 def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
     """Patterns and classifier weighed slot by slot, then settled together with what the library has.
 
-    Each slot that ends otherwise than the patterns read it is a note.
+    Each slot that ends otherwise than the patterns read it is a note. Where the patterns know every word, what they
+    read stands, and nothing else was said to be done.
     """
     rules = decompose(text)
     likely = likelihoods(rules.text, settings.library)
     library = library_with(settings.library)
-    slots = concluded(said(likely, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)}))
+    rules = replace(rules, plain=rules.plain and not _missed(rules, likely))
+    slots = said(likely, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
+    if rules.plain:
+        slots = replace(slots, **rules.slots.said())
+    slots = concluded(slots)
     slots = concluded(
         settled(replace(rules, slots=slots), rules.slots, library, load_embedder(settings.embedder), likely)
     )
@@ -60,4 +67,13 @@ def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
         ),
         notes=(*(note for note in rules.notes if not note.startswith(heard)), *notes),
         guessed=guessed,
+        unused=unused_of(told(text), slots, rules.quantities),
     )
+
+
+def _missed(rules: Scenario, likely: Probabilities) -> bool:
+    """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
+    named = {action for action, pattern in ACTIONS.items() if pattern.search(told(rules.text))}
+    if rules.slots.position is Position.ONCOMING:
+        named.discard(Action.ONCOMING)  # at a junction that is where it comes from
+    return any(likely.actions[action] >= LIKELY for action in named.difference(rules.slots.actions))

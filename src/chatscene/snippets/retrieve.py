@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.agent.decompose import UNKNOWN
+from chatscene.agent.base import ALONG
+from chatscene.agent.decompose import UNKNOWN, WHAT, WHO
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.bind import distances, out_of_reach
@@ -28,6 +29,7 @@ from chatscene.snippets.vector_index import VectorIndex, build_cached
 from chatscene.snippets.wording_index import WordingIndex, best_of_each, word_index
 from chatscene.snippets.wording_vectors import vectors_of
 from chatscene.terms.scenario import (
+    REFUSED,
     Action,
     AdversaryKind,
     Component,
@@ -37,6 +39,8 @@ from chatscene.terms.scenario import (
     Scenario,
     Side,
     Slots,
+    Why,
+    grouped,
     includes,
 )
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
@@ -128,7 +132,13 @@ def retrieve(
     ranked, triple = _best(scenario, library, embedder, likely, agreeing=True, tried=tried)
     confidence = _confidence(scenario, triple, library, likely)
     if confidence < settings.refuse_below:
-        raise NothingFits(_refusal(scenario, triple, confidence))
+        reasons = _reasons(scenario, triple)
+        raise NothingFits(
+            f"nothing in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
+            reasons=reasons,
+            confidence=confidence,
+            nearest={match.snippet.id: match.snippet.description for match in triple},
+        )
     return Retrieval(
         behavior=triple[0],
         geometry=triple[1],
@@ -160,7 +170,9 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
     for kind in kinds or [who]:
         slots = replace(scenario.slots, adversary=kind)
         try:
-            _, triple = _best(replace(scenario, slots=replace(slots, actions=())), library, embedder, likely)
+            # What is done is part of the doubt, unless words say it.
+            heard = slots if scenario.plain else replace(slots, actions=())
+            _, triple = _best(replace(scenario, slots=heard), library, embedder, likely)
         except NothingFits:
             continue
         doubt = math.log(possible.get(as_class(kind), 0.0) + UNLIKELY)
@@ -172,6 +184,8 @@ def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedd
         does = match.snippet.slots
         for name in OF_COMPONENT[component]:
             said, value = getattr(slots, name), getattr(does, name)
+            if name == "actions" and scenario.plain:
+                continue
             if name == "actions":
                 known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
                 heard = bool(rules.actions) and set(rules.actions) <= set(value)
@@ -286,7 +300,12 @@ def _rank(
     score = PLACE_WORDING * lexical - PARAMETER * shelf.parameters
     if not places:
         similarity, texts = shelf.dense(_query(text, embedder))
-        score = WORDING @ np.array([similarity, lexical, shelf.meant(likely, similarity)])
+        p = (
+            shelf.said(likely, similarity, scenario.slots.actions)
+            if scenario.plain
+            else shelf.meant(likely, similarity)
+        )
+        score = WORDING @ np.array([similarity, lexical, np.log(p + FAINTEST)])
     agreement, conflicts = shelf.facts(scenario.slots, likely, component)
     if places:
         score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
@@ -331,17 +350,35 @@ class _Shelf:
         return best.astype(float), [self.wordings[row] for row in rows]
 
     def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
-        """(N,) log-likelihood that each behavior is meant.
+        """(N,) how likely each behavior is to be meant.
 
         One that the classifier was not trained on, such as a user's own, is as likely as its wording is near. Where
         the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who "steps out
         and freezes" is not said to sprint.
         """
-        near = _near(similarity).tolist()
-        p = np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
+        p = self._told(likely, similarity)
         heard = self.actions @ np.array([likely.actions[action] >= HEARD for action in Action])
         best = int(np.argmax(p))
-        return np.log(p + p[best] * (self.hastier[:, best] & (heard == heard[best])) + FAINTEST)
+        return p + p[best] * (self.hastier[:, best] & (heard == heard[best]))
+
+    def said(self, likely: Probabilities, similarity: Scores, actions: tuple[Action, ...]) -> Scores:
+        """(N,) how likely each behavior is to be meant where words say all that is done.
+
+        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for.
+        """
+        more = [_more(s, actions) for s in self.snippets]
+        p = self._told(likely, similarity)
+        lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
+        return np.array(
+            [
+                one if extra is None else one * UNASKED ** len(extra) if extra else one + lent
+                for one, extra in zip(p.tolist(), more, strict=True)
+            ]
+        )
+
+    def _told(self, likely: Probabilities, similarity: Scores) -> Scores:
+        near = _near(similarity).tolist()
+        return np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
 
     def likelihood(self, beliefs: Beliefs, component: Component) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
@@ -396,6 +433,14 @@ class _Shelf:
         both = self.actions @ wanted
         either = self.actions.sum(axis=1) + wanted.sum() - both
         return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
+
+
+def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
+    """What a behavior does beyond what was said and what that brings along; None if it does not do all of that."""
+    does = set(behavior.slots.actions)
+    if not set(said) <= does.union(*(ALONG.get(action, set()) for action in does)):
+        return None
+    return frozenset(does.difference(said, *(ALONG.get(action, set()) for action in said)))
 
 
 def _near(similarity: Scores) -> Scores:
@@ -507,6 +552,8 @@ def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probab
     kind = scenario.slots.adversary
     able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
     meant = likely.behaviors.get(behavior.snippet.id, float(_near(np.array(behavior.similarity))))
+    if scenario.plain and _more(behavior.snippet, scenario.slots.actions) == frozenset():
+        meant += sum(likely.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
     meant /= max(meant, sum(likely.behaviors.get(s.id, 0.0) for s in able))
     return {
         "base": 1.0,
@@ -519,16 +566,28 @@ def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probab
 
 
 def _confidence(scenario: Scenario, triple: tuple[Match, ...], library: Library, likely: Probabilities) -> float:
-    """The probability that the library can serve a sentence, less for every fact that the triple contradicts."""
+    """The probability that the library can serve a sentence, less for every fact that the triple contradicts.
+
+    Nothing is left of it by another language, by weather and by light.
+    """
+    if any(one.why in REFUSED for one in scenario.unused):
+        return 0.0
     odds = sum(CONFIDENCE[name] * value for name, value in doubts(scenario, triple[0], library, likely).items())
     return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
 
 
-def _refusal(scenario: Scenario, triple: tuple[Match, ...], confidence: float) -> str:
-    near = "; ".join(f"{m.snippet.id} ({m.similarity:.2f}): {m.snippet.description}" for m in triple)
-    doubts = [*scenario.notes, *(conflict for match in triple for conflict in match.conflicts)]
-    because = f" What is in doubt: {'; '.join(doubts)}." if doubts else ""
-    return f"nothing in the library does this (confidence {confidence:.0%}).{because} Nearest are: {near}"
+def _reasons(scenario: Scenario, triple: tuple[Match, ...]) -> tuple[str, ...]:
+    """Why a sentence is refused, in a user's words, what decides alone first."""
+    told = grouped(scenario.unused)
+    if Why.LANGUAGE in told:
+        return (told[Why.LANGUAGE],)  # all else follows from it
+    said = [told[why] for why in REFUSED if why in told]
+    said += [note for note in scenario.notes if note.startswith(UNKNOWN)]
+    said += [note for slot, note in (("adversary", WHO), ("actions", WHAT)) if slot in scenario.guessed]
+    said += [note for note in scenario.notes if note.startswith((WHO, WHAT))]
+    said += [conflict for match in triple for conflict in match.conflicts]
+    said += [reason for why, reason in told.items() if why not in REFUSED]
+    return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
 
 
 def _ruled_out(

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.agent.canonical import canonical
 from chatscene.agent.decompose import decompose
 from chatscene.bounded import check_archive
 from chatscene.errors import SnippetError
@@ -296,7 +297,7 @@ def likelihoods(text: str, own: str = "") -> Probabilities:
     """
     at = Path(own) / NAME
     classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
-    return classifier.classify([encoder.states(text) for encoder in encoders], decompose(text).slots)
+    return classifier.classify([encoder.states(canonical(text)) for encoder in encoders], decompose(text).slots)
 
 
 def said(probabilities: Probabilities, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:

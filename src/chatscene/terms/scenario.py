@@ -6,6 +6,7 @@ Paper: section 3.1 (notations), appendix A (components).
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from enum import StrEnum
 
@@ -222,6 +223,42 @@ class Quantity:
     said: str
 
 
+class Why(StrEnum):
+    """Why something that was said is not in the program."""
+
+    LANGUAGE = "only English is read"
+    WEATHER = "weather: every scene is dry and clear"
+    LIGHT = "light: every scene is in daylight"
+    NUMBER = "nothing in the program can be set to it"
+    ROAD_USER = "another road user; one adversary is searched with"
+    REACTION = "how the ego reacts is its own affair"
+    WORDS = "no rule knows these words; only the classifier may have gone by them"
+
+
+REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT)  # without these a scene is another one than was asked for
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unused:
+    """Something that was said and that the program does not hold.
+
+    Attributes:
+        said: The words, in lower case.
+        why: Why not.
+    """
+
+    said: str
+    why: Why
+
+
+def grouped(unused: Iterable[Unused]) -> dict[Why, str]:
+    """What was not used, a line for every reason."""
+    said: dict[Why, list[str]] = {}
+    for one in unused:
+        said.setdefault(one.why, []).append(repr(one.said))
+    return {why: f"{', '.join(words)}: {why}" for why, words in said.items()}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SubDescriptions:
     """One text per component, cut from the sentence (paper, section 3.3, step ii)."""
@@ -247,6 +284,8 @@ class Scenario:
         notes: What the reader of the sentence was unsure about, in words for the user.
         quantities: The numbers found in it.
         guessed: Slots that no word says outright; a classifier filled them from the whole.
+        unused: What was said and is in no slot and no quantity.
+        plain: Whether the patterns know every word and read what is done: then nothing was said beyond that.
     """
 
     id: str
@@ -257,3 +296,5 @@ class Scenario:
     notes: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = ()
     guessed: tuple[str, ...] = ()
+    unused: tuple[Unused, ...] = ()
+    plain: bool = False

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chatscene.terms.scenario import AdversaryKind, Component, Slots
+from chatscene.terms.scenario import AdversaryKind, Component, Slots, Unused
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +121,8 @@ class Retrieval:
         candidates: The best few per component, best first.
         ruled_out: Better-scoring snippets that no compatible triple could use.
         tried: Better choices whose drives did not show what was said.
-        notes: Quantities that were heard but cannot be set in these snippets.
+        notes: Quantities that are met only nearly, in words.
+        unused: Quantities that were heard but cannot be set in these snippets.
     """
 
     behavior: Match
@@ -133,6 +134,7 @@ class Retrieval:
     ruled_out: tuple[RuledOut, ...] = ()
     tried: tuple[Tried, ...] = ()
     notes: tuple[str, ...] = ()
+    unused: tuple[Unused, ...] = ()
 
     @property
     def snippets(self) -> tuple[Snippet, Snippet, Snippet]:
