@@ -102,7 +102,7 @@ class Words:
         for row, text in zip(rows, texts, strict=True):
             for word in re.findall(r"[a-z]+", text.lower()):
                 row[zlib.crc32(word.encode()) % self.dimension] += 1.0
-        return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-9)
+        return np.asarray(rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-9), np.float32)
 
 
 WORDS = Words()

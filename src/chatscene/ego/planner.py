@@ -131,7 +131,8 @@ class Planner:
         c = self.caution
         speed, offset = float(observation[0]), float(observation[1])
         wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
-        speeds = np.clip(speed + ACCELERATION[:, None] * TIMES, 0.0, max(wish, speed - 3.0 * DT))
+        wished = np.clip(speed + ACCELERATION[:, None] * TIMES, 0.0, max(wish, speed - 3.0 * DT))
+        speeds = np.asarray(wished, np.float64)
         gone = np.cumsum(speeds, axis=1) * DT
         reach = np.cumsum(np.minimum(c.drift, c.agility * speeds), axis=1) * DT
         beside = offset + np.clip((SHIFT - offset)[:, None], -reach, reach)

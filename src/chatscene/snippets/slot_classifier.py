@@ -108,7 +108,7 @@ class Member:
         """(heads, columns) log-odds of each class as each head sees it, from the encoder's states, (tokens, D)."""
         share = np.exp(states @ self.queries.T - (states @ self.queries.T).max(axis=0))
         pooled = (share / share.sum(axis=0)).T @ states
-        return pooled @ self.weights + self.bias
+        return np.asarray(pooled @ self.weights + self.bias, np.float32)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
