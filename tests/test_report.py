@@ -197,6 +197,7 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     record = read_record(run)
     senses = {"rule-based": senses_of(load_ego("rule-based"))}
     run.file("run.json").write_text(record.model_copy(update={"senses": senses}).model_dump_json())
+    as_by_an_older_version(run)
     page = _page(run.path)
     said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 3 m/s² (0.375 of the pedal)"
     assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')

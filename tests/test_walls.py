@@ -35,6 +35,7 @@ from chatscene.program.lint import Finding, Triple
 from chatscene.program.twins import scenario_of
 from chatscene.report.terminal import print_understanding, printable
 from chatscene.runs.atomic import sweep
+from chatscene.runs.digests import write_sealed
 from chatscene.sandbox import nursery as nurseries
 from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.sandbox.confinement import LAYERS, Limits
@@ -51,7 +52,7 @@ from chatscene.terms.scenario import AdversaryKind
 from chatscene.terms.scene import ScenicProgram
 from chatscene.trust import Repeated, follow
 from chatscene.workers import spread
-from fake_run import TEXT, finished, started, understanding
+from fake_run import TEXT, as_by_an_older_version, finished, started, understanding
 
 TOWN = resolve_map("town")
 CONTROL = "\x1b]0;owned\x07\x1b[2J"
@@ -65,8 +66,9 @@ def told(run: runs.Run, **changes: Any) -> runs.Run:
     """A run whose record says something else; ``retrieval`` goes into its settings."""
     path = run.file("run.json")
     record = json.loads(path.read_text())
+    del record["digest"]
     record["settings"]["retrieval"] |= changes.pop("retrieval", {})
-    path.write_text(json.dumps(record | changes))
+    write_sealed(path, record | changes)  # a digest keeps nobody from making another
     return run
 
 
@@ -331,6 +333,8 @@ def test_an_evaluation_drives_a_strangers_program_in_the_confined_process(
     assert scenario["base"] is not None
     own = Mock(program=Mock(scenario_id=scenario["scenario_id"], source=FOREIGN))
     told(run, generator="program", text=text_of(own))
+    runs.write_explanation(run, {"text": text_of(own), "scenarios": [{**scenario, "text": text_of(own)}]})
+    as_by_an_older_version(run)
     backends: list[Backend] = []
 
     def drive(_program: ScenicProgram, *_: Any, backend: Backend, **__: Any) -> None:

@@ -397,10 +397,10 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
 
     found = [runs.check(folder) for folder in folders]
     if as_json:
-        click.echo(json.dumps([condition.as_dict() for condition in found], indent=1))
+        say(json.dumps([condition.as_dict() for condition in found], indent=1))
     else:
         for condition in found:
-            click.echo(condition.in_words())
+            say(condition.in_words())
     if not all(condition.whole for condition in found):
         sys.exit(1)
 
@@ -528,13 +528,13 @@ def _refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
 
         try_this = suggestion(text, load_embedder(embedder)) if text else None
         if as_json:
-            click.echo(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
+            say(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
         else:
             _complain(error)
             for name, does in error.nearest.items() if isinstance(error, NothingFits) else ():
-                click.echo(f"  nearest: {name}: {does}", err=True)
+                say(f"  nearest: {name}: {does}", err=True)
             if try_this:
-                click.echo(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
+                say(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
         sys.exit(3)
 
 

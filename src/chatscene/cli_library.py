@@ -55,7 +55,7 @@ def REPEATING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 
 
 
 EGO_AGAIN = click.option(
-    "--ego", multiple=True, help="An ego that may run code of its own again, if the run names one; repeat."
+    "--ego", multiple=True, help="The ego again, if the run names one that may run code of its own; repeat for several."
 )
 OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
 

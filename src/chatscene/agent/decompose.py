@@ -71,7 +71,10 @@ def decompose(text: str) -> Scenario:
         notes=tuple(notes),
         quantities=quantities,
         unused=unused_of(rewritten, slots, quantities),
-        plain=slots.adversary is not None and bool(slots.actions) and known_whole(rewritten, quantities),
+        plain=slots.adversary is not None
+        and bool(slots.actions)
+        and known_whole(rewritten, quantities)
+        and not (len(slots.actions) > 1 and words.INVERTED.search(rewritten)),
     )
 
 
@@ -164,7 +167,7 @@ def _slots(clauses: Clauses, notes: list[str]) -> Slots:
         notes.append(f"{UNKNOWN}: {foreign[0]}")
     return Slots(
         adversary=kind,
-        actions=actions,
+        actions=_in_order(actions, clauses.adversary),
         side=side,
         position=position,
         occluder=None if blocker else occluder,
@@ -258,6 +261,14 @@ def _actions(clauses: Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]
     elif kind not in (None, AdversaryKind.PEDESTRIAN) and words.PASSING.search(text):
         found.add(Action.FOLLOW)
     return tuple(action for action in Action if action in found)
+
+
+def _in_order(actions: tuple[Action, ...], text: str) -> tuple[Action, ...]:
+    """Actions in the order in which words say them; what no word names comes last."""
+    turns = {Action.TURN_LEFT: words.LEFT_TURN, Action.TURN_RIGHT: words.RIGHT_TURN}
+    named = {action: pattern.search(text) for action, pattern in (words.ACTIONS | turns).items()}
+    said = {action: match.start() for action, match in named.items() if match}
+    return tuple(sorted(actions, key=lambda action: said.get(action, len(text))))
 
 
 def _on_foot(found: set[Action], text: str, kind: AdversaryKind | None) -> set[Action]:

@@ -194,6 +194,7 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 
 # What the adversary does
 
+INVERTED = re.compile(r"\b(?:after|once|having)\b")  # what is said later may come first
 ACTIONS: dict[Action, re.Pattern[str]] = {
     Action.RUN_LIGHT: _p(
         r"r[ua]n(?:s|ning)? (?:through )?(?:a|the|its|his|her|their) (?:red|stop ?light|light|signal)\w*",

@@ -84,7 +84,7 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
     try:
         return translator.scenarioFromString(source, filename=filename, params=parameters, model=MODEL, mode2D=True)
-    except ChatSceneError:
+    except (ChatSceneError, MemoryError):
         raise
     except ScenicError as error:
         line = getattr(error, "lineno", None)

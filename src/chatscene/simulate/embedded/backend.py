@@ -84,7 +84,7 @@ class EmbeddedBackend:
             setup = Drive(placed, self._settings.dt).__enter__()
         except Drive.REJECTIONS as error:
             return Rejected(scene=scene, reason=f"the program rejects the episode before it begins: {error}")
-        except ChatSceneError:
+        except (ChatSceneError, MemoryError):
             raise
         except Exception as error:  # the program's own code, which may raise anything
             raise ProgramError(f"{label} fails while it is set up: {type(error).__name__}: {error}") from error

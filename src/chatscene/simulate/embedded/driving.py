@@ -147,7 +147,7 @@ class EmbeddedDrive:
             part()
         except self._drive.REJECTIONS as error:
             self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
-        except ChatSceneError:
+        except (ChatSceneError, MemoryError):
             raise
         except Exception as error:  # the program's own code, which may raise anything
             raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
