@@ -351,7 +351,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
 def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: int = 1) -> Run:
     """A run folder up to the first block."""
     settings = Settings(search=SearchSettings(seed=7, routes=routes))
-    run = create(folder, text=text, settings=settings, map_name="town", ego="rule-based", given={"seed": 7})
+    run = create(folder, text=text, settings=settings, map_name="town", ego="rule-based")
     write_explanation(run, explain(text, [understanding(text)]))
     write_program(run, SCENARIO, program)
     write_drawing(run, drawing())

@@ -46,6 +46,7 @@ from chatscene.runs import (
     read_scenes,
     resume,
     settings_of,
+    update,
     write_block,
 )
 from chatscene.runs.digests import write_sealed
@@ -180,7 +181,7 @@ def test_the_command_says_what_is_wrong_to_people_and_to_scripts(folder: Path) -
 def test_the_name_of_an_added_file_tells_the_terminal_nothing(folder: Path) -> None:
     folder.joinpath("\x1b[2Jgone").write_text("")
     answer = command("check", str(folder))
-    assert "added    '\\x1b[2Jgone'" in answer.output
+    assert "added    \\x1b[2Jgone" in answer.output
     assert "\x1b" not in answer.output
 
 
@@ -495,9 +496,25 @@ def test_what_is_sealed_is_sealed_to_the_byte(tmp_path: Path) -> None:
 
     path = tmp_path / "x.json"
     write_sealed(path, {"text": 'a "digest": "" ü', "n": 1})
-    digest = json.loads(path.read_text())["digest"]
-    assert is_sealed(path, digest)
-    path.write_text(path.read_text().replace(" ", "  ", 1))
-    assert not is_sealed(path, digest)
-    assert not is_sealed(path, "")
-    assert not is_sealed(path, None)
+    written = path.read_bytes()
+    digest = json.loads(written)["digest"]
+    assert is_sealed(written, digest)
+    assert not is_sealed(written.replace(b" ", b"  ", 1), digest)
+    assert not is_sealed(written, "")
+    assert not is_sealed(written, None)
+
+
+def test_a_record_that_is_written_anew_meanwhile_is_not_called_damaged(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run, read = Run(folder), Path.read_bytes
+
+    def read_and_let_another_write(path: Path) -> bytes:
+        content = read(path)
+        if path.name == "run.json":
+            monkeypatch.setattr(Path, "read_bytes", read)
+            update(run, timings={"total": 1.0})
+        return content
+
+    monkeypatch.setattr(Path, "read_bytes", read_and_let_another_write)
+    assert open_run(folder) == run

@@ -12,14 +12,14 @@ import pytest
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import MeansSomethingElse
 from chatscene.program.check import check
-from chatscene.program.deeds import ACTIONS, MANNERS, Act
+from chatscene.program.deeds import ACTIONS, Act
 from chatscene.program.meaning import check_meaning
 from chatscene.program.watching import watch
 from chatscene.simulate.backend import Backend
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Action, Control, Maneuver, Place, Slots
+from chatscene.terms.scenario import MANNERS, Action, Control, Maneuver, Place, Slots
 from chatscene.terms.scene import ScenicProgram
 
 DT = 0.1
@@ -75,7 +75,7 @@ def episode(track: Track, *, contact: int | None = None, through: bool = False) 
         kind="Car",
         length=4.5,
         width=1.9,
-        x=EGO_SPEED * time,
+        x=np.asarray(EGO_SPEED * time, np.float64),
         y=np.zeros(steps),
         heading=np.zeros(steps),
         speed=np.full(steps, EGO_SPEED),

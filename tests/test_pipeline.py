@@ -65,9 +65,9 @@ def summed_up(**counts: int) -> str:
 
 def test_a_run_says_how_many_kept_scenes_do_not_show_what_was_said() -> None:
     assert summed_up().endswith("; 2 kept")
-    assert summed_up(selected_shown=1).endswith("; 2 kept (1 that does not show all that was said)")
+    assert summed_up(selected_shown=1).endswith("; 2 kept (1 that does not show all that was read)")
     assert summed_up(selected_shown=0, fill_in=1).endswith(
-        "; 2 kept (1 without a collision, 2 that do not show all that was said)"
+        "; 2 kept (1 without a collision, 2 that do not show all that was read)"
     )
 
 

@@ -172,7 +172,7 @@ def test_the_page_says_what_was_read_and_how_many_scenes_show_it(tmp_path: Path)
     kept = [row for row in ran if row["selected"]]
     shown, shown_kept = (sum(row["meaning_ok"] for row in rows) for rows in (ran, kept))
     assert shown < len(ran)
-    assert f"Of 2 kept scenes {shown_kept} show every act that was read; of all 20, {shown}" in page
+    assert f"Of 2 kept scenes {shown_kept} show all that was read; of all 20, {shown}" in page
     assert "what the sentence says" not in page
 
 
@@ -188,7 +188,7 @@ def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> N
         {"status": "ran", "selected": True, "fill_in": False, "collision": True, "avoidable": None, "meaning_ok": True}
         | {"impact_speed": 3.0}
     ]
-    assert "show every act" not in verdict(rows, "sac", read=False)
+    assert "show all" not in verdict(rows, "sac", read=False)
 
 
 def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:

@@ -326,7 +326,7 @@ def test_a_missing_table_is_named(tmp_path: Path) -> None:
 
 def test_what_a_run_was_started_with_is_what_it_continues_with(tmp_path: Path) -> None:
     settings = Settings(search=SearchSettings(scenes=7, seed=3))
-    run = create(tmp_path / "run", text=TEXT, settings=settings, map_name="a.xodr", ego="m:f", given={"scenes": 7})
+    run = create(tmp_path / "run", text=TEXT, settings=settings, map_name="a.xodr", ego="m:f")
     record = read_record(open_run(run.path))
     assert settings_of(record) == settings
     assert (record.text, record.map_name, record.ego, record.seed) == (TEXT, "a.xodr", "m:f", 3)
@@ -385,3 +385,12 @@ def test_a_block_in_which_nothing_could_be_placed_is_kept(tmp_path: Path) -> Non
     write_block(run, replace(block, ran=()))
     assert resume(run)[SCENARIO, 0] == [[]]
     assert finish(run, selected={}, expected=()).counts["rejected"] == 1
+
+
+def test_a_comma_in_the_name_of_an_ego_parts_two_egos_of_an_evaluation_only(tmp_path: Path) -> None:
+    ego = tmp_path / "slow,careful.npz"
+    ego.write_bytes(b"weights")
+    run = create(tmp_path / "run", text=TEXT, settings=Settings(), map_name="town", ego=str(ego))
+    record = read_record(run)
+    assert record.egos == (str(ego),)
+    assert set(record.ego_digests) == {str(ego)}

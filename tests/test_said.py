@@ -197,3 +197,23 @@ def test_a_refused_folder_with_a_user_s_file_in_it_is_left_alone(tmp_path: Path)
     with pytest.raises(Exception, match="not empty"):
         runs.create(folder, text="better", settings=Settings(), map_name="town", ego="sac")
     assert (folder / "notes.txt").read_text() == "mine"
+    assert runs.read_record(runs.Run(folder)).status is runs.Status.REFUSED
+
+
+@pytest.mark.parametrize(
+    ("text", "behavior"),
+    [
+        ("The car ahead brakes hard and then accelerates.", "behavior/lane-brake-and-go"),
+        ("The car ahead accelerates and then brakes hard.", "behavior/accelerate-then-brake"),
+    ],
+)
+def test_acts_are_served_in_the_order_in_which_they_are_said(text: str, behavior: str) -> None:
+    retrieval = pipeline.understand(text).retrieval
+    assert retrieval is not None
+    assert retrieval.behavior.snippet.id == behavior
+
+
+def test_a_number_that_nothing_can_be_set_to_is_why_a_sentence_is_refused() -> None:
+    with pytest.raises(NothingFits) as refusal:
+        pipeline.understand("The car ahead brakes hard at 80 km/h.")
+    assert any("80 km/h" in reason for reason in refusal.value.reasons)

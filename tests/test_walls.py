@@ -28,6 +28,7 @@ from chatscene.curation import lint_library
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, ForeignCodeRefused, RunError, SandboxError, SnippetError
+from chatscene.finetune import scenes
 from chatscene.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
@@ -100,16 +101,44 @@ FOLLOWERS: dict[str, Callable[[Path], object]] = {
 # Libraries
 
 
-@pytest.mark.parametrize("command", FOLLOWERS)
+READ_BY = [("embedder", "sentence-t5:weights"), ("language_model", "gguf:weights.gguf")]
+
+
 @pytest.mark.parametrize(
-    ("option", "value"),
-    [("library", "snippets"), ("embedder", "sentence-t5:weights"), ("language_model", "gguf:weights.gguf")],
+    ("command", "option", "value"),
+    [(command, "library", "snippets") for command in ("resume", "replay", "evaluate")]
+    + [("resume", option, value) for option, value in READ_BY],
 )
 def test_a_record_that_names_what_is_not_packaged_is_not_followed(
     command: str, option: str, value: str, tmp_path: Path
 ) -> None:
     run = told(finished(tmp_path / "run", count=1), retrieval={option: value})
     with pytest.raises(RunError, match=rf"names the .* '{value}'.*--{option.replace('_', '-')} {value}"):
+        FOLLOWERS[command](run.path)
+
+
+def test_nobody_trains_on_a_folders_snippets(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), retrieval={"library": "snippets"})
+    with pytest.raises(RunError, match="code that is not packaged"):
+        kept_scenes([run.path])
+
+
+@pytest.mark.parametrize("command", ["replay", "evaluate", "finetune"])
+@pytest.mark.parametrize(("option", "value"), READ_BY)
+def test_who_read_the_sentence_need_not_be_named_where_it_is_not_read_again(
+    command: str, option: str, value: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = told(finished(tmp_path / "run", count=1), retrieval={option: value})
+
+    def rebuild(_run: runs.Run) -> None:
+        raise Seen
+
+    for module in (pipeline, evaluation, scenes):
+        monkeypatch.setattr(module, "rebuild", rebuild)
+    if command == "replay":
+        monkeypatch.setattr(runs, "read_episode", Mock())
+        monkeypatch.setattr(runs, "read_scenes", Mock(return_value=[{"scene_id": "x"}]))
+    with pytest.raises(Seen):
         FOLLOWERS[command](run.path)
 
 
@@ -245,6 +274,14 @@ def test_a_model_that_carries_code_is_not_followed_though_its_digest_is_right(su
     assert runs.read_record(run).ego_digests
     with pytest.raises(RunError, match="may run code of its own"):
         follow(Repeated(), egos_of=[run])
+
+
+def test_a_bomb_in_a_record_is_said_to_be_no_plain_weights(tmp_path: Path) -> None:
+    path = tmp_path / "bomb.pt"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("archive/data.pkl", bytes(300_000_000))
+    with pytest.raises(RunError, match="may run code of its own"):
+        follow(Repeated(), egos_of=[forged(tmp_path, str(path))])
 
 
 @pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")

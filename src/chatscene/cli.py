@@ -19,11 +19,12 @@ import click
 from chatscene.cli_finetune import finetune
 from chatscene.cli_library import (
     EGO_AGAIN,
+    EMBEDDER_AGAIN,
     JSON,
+    LIBRARY_AGAIN,
+    MODEL_AGAIN,
     READING,
-    REPEATING,
     Reading,
-    Repeating,
     console,
     library,
     progress,
@@ -164,9 +165,19 @@ def run(
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
 @EGO_AGAIN
-@REPEATING
+@LIBRARY_AGAIN
+@EMBEDDER_AGAIN
+@MODEL_AGAIN
 @JSON
-def resume(folder: Path, jobs: int | None, ego: tuple[str, ...], as_json: bool, **repeating: Unpack[Repeating]) -> None:
+def resume(
+    folder: Path,
+    jobs: int | None,
+    ego: tuple[str, ...],
+    library: tuple[str, ...],
+    embedder: tuple[str, ...],
+    language_model: tuple[str, ...],
+    as_json: bool,
+) -> None:
     """Continue the run or evaluation in DIR after it was killed or failed; the result is that of an uninterrupted one.
 
     Trainings and benchmarks are continued by giving their own command again.
@@ -178,12 +189,15 @@ def resume(folder: Path, jobs: int | None, ego: tuple[str, ...], as_json: bool, 
     from chatscene import evaluation, pipeline, runs
     from chatscene.trust import Repeated
 
-    repeated = Repeated(ego=ego, **repeating)
-    kept = runs.open_run(folder)
-    if runs.read_record(kept).command == "evaluate":
-        _say_evaluated(evaluation.carry_on(kept, jobs=jobs or 1, progress=progress(), repeated=repeated), as_json)
+    repeated = Repeated(ego=ego, library=library, embedder=embedder, language_model=language_model)
+    record = runs.read_record(runs.Run(folder))
+    if record.command == "evaluate":
+        run = runs.Run(folder)
+        _say_evaluated(evaluation.carry_on(run, jobs=jobs or 1, progress=progress(), repeated=repeated), as_json)
         return
-    summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress(), repeated=repeated)
+    text = "" if record.generator == "program" else record.text
+    with _refusing(text, record.settings["retrieval"]["embedder"], as_json):
+        summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress(), repeated=repeated)
     _say_done(folder, summary, as_json)
 
 
@@ -195,7 +209,7 @@ def resume(folder: Path, jobs: int | None, ego: tuple[str, ...], as_json: bool, 
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
-@REPEATING
+@LIBRARY_AGAIN
 @JSON
 def evaluate(
     scenes: tuple[Path, ...],
@@ -203,8 +217,8 @@ def evaluate(
     every_scene: bool,
     out: Path | None,
     jobs: int,
+    library: tuple[str, ...],
     as_json: bool,
-    **repeating: Unpack[Repeating],
 ) -> None:
     """Measure egos on the kept scenes of the runs in DIR..., and print the paper's tables with intervals.
 
@@ -222,7 +236,7 @@ def evaluate(
         every_scene=every_scene,
         jobs=jobs,
         progress=progress(),
-        repeated=Repeated(**repeating),
+        repeated=Repeated(library=library),
     )
     _say_evaluated(evaluated, as_json)
 
@@ -360,9 +374,9 @@ def train(
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("scene_id")
 @EGO_AGAIN
-@REPEATING
+@LIBRARY_AGAIN
 @JSON
-def replay(folder: Path, scene_id: str, ego: tuple[str, ...], as_json: bool, **repeating: Unpack[Repeating]) -> None:
+def replay(folder: Path, scene_id: str, ego: tuple[str, ...], library: tuple[str, ...], as_json: bool) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     \b
@@ -371,7 +385,7 @@ def replay(folder: Path, scene_id: str, ego: tuple[str, ...], as_json: bool, **r
     from chatscene import pipeline
     from chatscene.trust import Repeated
 
-    outcome = pipeline.replay(folder, scene_id, repeated=Repeated(ego=ego, **repeating))
+    outcome = pipeline.replay(folder, scene_id, repeated=Repeated(ego=ego, library=library))
     if as_json:
         say(json.dumps(outcome.as_dict()))
     else:

@@ -37,23 +37,11 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
     return own(embedder(model(command)))
 
 
-class Repeating(TypedDict):
-    """What the user says again of what a run names; the names are those of `chatscene.trust.Repeated`."""
-
-    library: tuple[str, ...]
-    embedder: tuple[str, ...]
-    language_model: tuple[str, ...]
-
-
-def REPEATING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
-    """Options that say again what a run names beyond what is packaged."""
-    told = "again, if the run names one: that its files say so is not enough."
-    own = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {told}")
-    embedder = click.option("--embedder", multiple=True, help=f"The embedder {told}")
-    model = click.option("--language-model", multiple=True, help=f"The language model {told}")
-    return own(embedder(model(command)))
-
-
+# What the user says again of what a run names beyond what is packaged (`chatscene.trust.Repeated`).
+_AGAIN = "again, if the run names one: that its files say so is not enough."
+LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {_AGAIN}")
+EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
+MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
 EGO_AGAIN = click.option(
     "--ego", multiple=True, help="The ego again, if the run names one that may run code of its own; repeat for several."
 )

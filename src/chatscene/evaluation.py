@@ -105,7 +105,7 @@ def evaluate(
     senses = {ego: senses_of(load_ego(ego)) for ego in egos}
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     repeated = repeated or Repeated()
-    follow(repeated, reading_of=found)
+    follow(repeated, joining_of=found)
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
@@ -161,7 +161,7 @@ def carry_on(run: runs.Run, *, jobs: int, progress: Progress, repeated: Repeated
 def _carry_on(run: runs.Run, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
     sources = [runs.Run(Path(source.folder)) for source in runs.read_record(run).sources]
-    follow(repeated, egos_of=[run], reading_of=sources)
+    follow(repeated, egos_of=[run], joining_of=sources)
     runs.resume(run, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(run)
     failures = dict(record.failures)
@@ -192,7 +192,7 @@ def _tasks(run: runs.Run, record: runs.RunRecord) -> list[_Task]:
         runs.open_run(Path(source.folder))
     return [
         _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
-        for number, ego in enumerate(record.ego.split(","))
+        for number, ego in enumerate(record.egos)
         if ego not in record.failures
         for source in record.sources
         for route in sorted({row for row, _ in _kept(source, record)})
@@ -216,7 +216,7 @@ def _drive_all(
             failures[task.ego] = reason
             runs.update(run, failures={**failed, **failures})
         progress("driving, ego and route", count, len(tasks))
-    for number, ego in enumerate(record.ego.split(",")):
+    for number, ego in enumerate(record.egos):
         if ego in failures or ego in failed:  # a kill may have come between the failure and this
             runs.drop_blocks(run, number)
     return failures
@@ -312,7 +312,7 @@ def tabulate(run: runs.Run) -> dict[str, ResultTable]:
 def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
     """Every drive of an evaluation that was not rejected."""
     sources = {source.scenario_id: source for source in record.sources}
-    egos = record.ego.split(",")
+    egos = record.egos
     drives: list[Drive] = []
     for row in runs.read_scenes(run):
         source = sources[row["scenario_id"]]
@@ -338,7 +338,7 @@ def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
 def read_displacements(run: runs.Run, record: runs.RunRecord) -> list[Displacement]:
     """The ADE of each scenario, route and ego of which at least two scenes were driven."""
     sources = {source.scenario_id: source for source in record.sources}
-    egos = record.ego.split(",")
+    egos = record.egos
     groups: dict[tuple[str, str, int], list[str]] = {}
     for row in runs.read_scenes(run):
         if row["status"] == "ran":

@@ -86,7 +86,7 @@ class Summary:
         kept, fill_in = self.counts["selected"], self.counts["fill_in"]
         unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
         but = [f"{fill_in} without a collision"] * bool(fill_in)
-        but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was said"] * bool(unlike)
+        but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
         return (
             f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
             f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
@@ -322,7 +322,7 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
             (`chatscene.trust.follow`).
     """
     run = runs.open_run(folder)
-    follow(repeated or Repeated(), egos_of=[run], reading_of=[run])
+    follow(repeated or Repeated(), egos_of=[run], joining_of=[run])
     record = runs.read_record(run)
     stored = runs.read_episode(run, scene_id)
     row = next(row for row in runs.read_scenes(run) if row["scene_id"] == scene_id)

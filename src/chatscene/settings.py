@@ -43,7 +43,7 @@ class SearchSettings:
         avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
-        selection: ``shown``: scenes that collided first, of these those that show what was said, of these the lowest
+        selection: ``shown``: scenes that collided first, of these those that show what was read, of these the lowest
             scores; ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended,
             whatever came of it (how the reference ships its baselines).
         sampler: Who says where to look next, one of `chatscene.search.sampler.SAMPLERS` (paper: its own rule).

@@ -19,7 +19,8 @@ from chatscene.runs.digests import digest_of
 from chatscene.settings import RetrievalSettings
 
 _PACKAGED = asdict(RetrievalSettings())
-_READING = ("library", "embedder", "language_model")
+_JOINING = ("library",)
+_READING = (*_JOINING, "embedder", "language_model")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,19 +50,30 @@ class _Named:
     doubt: str
 
 
-def follow(repeated: Repeated, *, egos_of: Sequence[runs.Run] = (), reading_of: Sequence[runs.Run] = ()) -> None:
+def follow(
+    repeated: Repeated,
+    *,
+    egos_of: Sequence[runs.Run] = (),
+    reading_of: Sequence[runs.Run] = (),
+    joining_of: Sequence[runs.Run] = (),
+) -> None:
     """Refuse to follow run folders that name what only the user may.
 
     Args:
         repeated: What the user named as well.
         egos_of: Runs whose egos will be loaded.
-        reading_of: Runs whose texts will be read and made into programs again.
+        reading_of: Runs whose texts will be read and made into programs.
+        joining_of: Runs whose programs will be joined again from the snippets that were chosen; no text is read.
 
     Raises:
         RunError: They name something that is neither packaged nor repeated; an ego's file is not that of the record
             any more; or the user named something that they do not.
     """
-    named = [*(one for run in egos_of for one in _egos(run)), *(one for run in reading_of for one in _reading(run))]
+    named = [
+        *(one for run in egos_of for one in _egos(run)),
+        *(one for run in reading_of for one in _settings(run, _READING)),
+        *(one for run in joining_of for one in _settings(run, _JOINING)),
+    ]
     said: dict[str, tuple[str, ...]] = asdict(repeated)
     for one in named:
         if one.doubt and one.value not in said[one.option]:
@@ -73,7 +85,7 @@ def follow(repeated: Repeated, *, egos_of: Sequence[runs.Run] = (), reading_of: 
         known = {one.value for one in named if one.option == option}
         if wrong := [value for value in values if value not in known]:
             there = f"it names {', '.join(map(repr, sorted(known)))}" if known else "it names none"
-            where = (*egos_of, *reading_of)[0].path
+            where = (*egos_of, *reading_of, *joining_of)[0].path
             raise RunError(f"{where} does not name the {_words(option)} {wrong[0]!r}; {there}")
 
 
@@ -83,7 +95,7 @@ def _words(option: str, joint: str = " ") -> str:
 
 def _egos(run: runs.Run) -> Iterator[_Named]:
     record = runs.read_record(run)
-    for ego in record.ego.split(",") if record.command == "evaluate" else (record.ego,):
+    for ego in record.egos:
         path, kept = Path(ego), record.ego_digests.get(ego)
         if kept is not None and path.is_file() and digest_of(path) != kept:
             raise RunError(f"the ego {ego} is not the file that {run.path} was made with (its SHA-256 differs)")
@@ -92,9 +104,9 @@ def _egos(run: runs.Run) -> Iterator[_Named]:
         yield _Named(run=run, option="ego", value=ego, doubt="" if ego in EGOS or (plain and kept) else doubt)
 
 
-def _reading(run: runs.Run) -> Iterator[_Named]:
+def _settings(run: runs.Run, options: Sequence[str]) -> Iterator[_Named]:
     settings = asdict(runs.settings_of(runs.read_record(run)).retrieval)
-    for option in _READING:
+    for option in options:
         value = settings[option]
         if value or _PACKAGED[option]:
             yield _Named(

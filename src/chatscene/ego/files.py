@@ -48,7 +48,10 @@ def load_file(path: Path) -> EgoPolicy:
 
 def is_plain(path: Path) -> bool:
     """Whether a file's suffix and content are those of weights alone, which cannot carry code."""
-    return path.suffix in (".npz", ".zip") or (path.suffix == ".pt" and path.is_file() and not _carries_code(path))
+    try:
+        return path.suffix in (".npz", ".zip") or (path.suffix == ".pt" and path.is_file() and not _carries_code(path))
+    except (OSError, ValueError):  # it cannot be read, or unpacks to too much
+        return False
 
 
 def _npz(path: Path) -> EgoPolicy:

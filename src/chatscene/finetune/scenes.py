@@ -21,7 +21,6 @@ from chatscene.simulate.backend import Backend
 from chatscene.simulate.embedded.backend import EmbeddedBackend
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-from chatscene.trust import Repeated, follow
 
 TRAIN, CHOICE, TEST = "train", "choice", "test"
 
@@ -89,7 +88,6 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
     """
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
-    follow(Repeated(), reading_of=found)
     first = records[0]
     map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation
     scenes: list[KeptScene] = []

@@ -1,6 +1,6 @@
 """Step 4 of 9, second half: the validation ladder of a program.
 
-Names close, compiles, samples, runs, means what was said: each rung fails in its own words, and a program is only
+Names close, compiles, samples, runs, shows what was read: each rung fails in its own words, and a program is only
 searched with once it stands on the last.
 """
 
@@ -35,7 +35,7 @@ class Checked:
 
     Attributes:
         episodes: The probing drives, through collisions.
-        meaning: Per episode, what it did not show of what was said up to the first contact; at least one shows all.
+        meaning: Per episode, what it did not show of what was read up to the first contact; at least one shows all.
         rejected: Probing scenes that could not be placed.
     """
 
@@ -64,12 +64,12 @@ def check(
 ) -> Checked:
     """Climb the ladder from compiling to meaning.
 
-    The last rung is two. The adversary can do what was said: in a drive that goes on through collisions it does all of
+    The last rung is two. The adversary can do what was read: in a drive that goes on through collisions it does all of
     it, in order. And an ego can be tested with it: in a drive all of it has begun before the ego meets anything.
 
     Args:
         program: What to check; its names were checked when it was assembled.
-        slots: What was said.
+        slots: What was read.
         backend: Where to run it.
         ego: Who drives.
         route: Which route to probe on.
@@ -80,7 +80,7 @@ def check(
         MapError: The map lacks the geometry.
         Unsatisfiable: No probing scene can be placed.
         StuckBehavior: A behavior never yields.
-        MeansSomethingElse: No drive shows what was said, or each has its collision before that.
+        MeansSomethingElse: No drive shows what was read, or each has its collision before that.
     """
     episodes: list[Episode] = []
     rejected: list[Rejected] = []
@@ -101,7 +101,7 @@ def check(
     if failures := unshown(slots, episodes, way):
         raise MeansSomethingElse(
             f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
-            f"but none of {len(episodes)} drives shows what was said: {'; '.join(failures)}",
+            f"but none of {len(episodes)} drives shows what was read: {'; '.join(failures)}",
             blamed=_blamed(program, failures),
         )
     meaning = tuple(check_meaning(slots, episode, way) for episode in episodes)
@@ -113,7 +113,7 @@ def unshown(slots: Slots, episodes: Sequence[Episode], route: Route) -> tuple[st
 
     Returns:
         One sentence per failure of the drive that shows most; empty if one drive shows that the adversary can do what
-        was said, and one that all of it has begun before the ego meets anything.
+        was read, and one that all of it has begun before the ego meets anything.
     """
     for through in (True, False):
         if failures := min((check_meaning(slots, e, route, through=through) for e in episodes), key=len):

@@ -32,11 +32,6 @@ TURNING = math.radians(10)  # by now it is turning
 HALT = 4  # [steps] of standing
 PAUSE = 3  # [steps]
 
-# What it does all along: said before or after something else, it comes neither before nor after it.
-MANNERS = frozenset(
-    {Action.SLOW, Action.FAST, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL, Action.FOLLOW, Action.BLOCK}
-)
-
 
 @dataclass(frozen=True, slots=True)
 class Act:

@@ -12,11 +12,12 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from chatscene.program.assemble import CLASSES
-from chatscene.program.deeds import ACTIONS, MANNERS, STANDING
+from chatscene.program.deeds import ACTIONS, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import (
+    MANNERS,
     WAITING,
     Action,
     Maneuver,
@@ -49,7 +50,7 @@ def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool
 
     It is judged up to the first contact of the ego, which excuses only what was under way: an act that had not begun
     by then was no part of the test. Acts must begin in the order in which they were said, except for what the
-    adversary does all along (`chatscene.program.deeds.MANNERS`).
+    adversary does all along (`chatscene.terms.scenario.MANNERS`).
 
     Args:
         slots: What was said; what is not filled is not checked.

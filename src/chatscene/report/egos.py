@@ -8,5 +8,4 @@ from chatscene.runs import RunRecord
 
 def egos_in_words(record: RunRecord) -> tuple[str, ...]:
     """Each ego of a run or an evaluation, with what it sees and how hard it brakes."""
-    egos = record.ego.split(",") if record.command == "evaluate" else (record.ego,)
-    return tuple(f"{ego} {in_words(record.senses.get(ego, {}))}" for ego in egos)
+    return tuple(f"{ego} {in_words(record.senses.get(ego, {}))}" for ego in record.egos)

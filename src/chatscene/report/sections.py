@@ -124,7 +124,7 @@ def _shown(ran: Sequence[Row]) -> str:
     kept = [bool(row["meaning_ok"]) for row in ran if row["selected"]]
     every = [bool(row["meaning_ok"]) for row in ran]
     return (
-        f"Of {_scenes(len(kept), 'kept scene')} {sum(kept)} show every act that was read; of all {len(every)}, "
+        f"Of {_scenes(len(kept), 'kept scene')} {sum(kept)} show all that was read; of all {len(every)}, "
         f"{sum(every)}, each as far as its drive went."
     )
 

@@ -74,10 +74,29 @@ def read_json(path: Path) -> Any:
     Raises:
         RunError: It cannot be read, or is not JSON.
     """
+    return json_of(path, read_bytes(path))
+
+
+def read_bytes(path: Path) -> bytes:
+    """Read a file of a run.
+
+    Raises:
+        RunError: It cannot be read.
+    """
     try:
-        return parse_json(path.read_text(encoding="utf-8"))
+        return path.read_bytes()
     except OSError as error:
         raise RunError(f"cannot read {path}: {error.strerror or error}") from error
+
+
+def json_of(path: Path, content: bytes) -> Any:
+    """What a JSON file of a run says.
+
+    Raises:
+        RunError: It is not JSON.
+    """
+    try:
+        return parse_json(content.decode())
     except ValueError as error:
         raise RunError(f"{path} is not valid JSON ({error}); it was changed or damaged after it was written") from error
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from chatscene.errors import RunError
-from chatscene.runs.atomic import read_json, sweep, writing
+from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
 from chatscene.runs.digests import DRAWN, KEPT, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.folder import Run, read_record, update
 from chatscene.runs.record import (
@@ -170,12 +170,13 @@ def _parts(run: Run) -> Iterator[tuple[Path, Part | str]]:
     sealed = read_record(run).schema_version >= DIGESTS_SINCE
     for path in sorted(run.file("parts").glob("*.json")):
         try:
-            part = Part.model_validate(read_json(path))
+            written = read_bytes(path)
+            part = Part.model_validate(json_of(path, written))
         except (RunError, ValidationError) as error:
             yield path, str(error) if isinstance(error, RunError) else f"{path} is no block: {first_problem(error)}"
             continue
         tracks = run.episodes(part.scenario_id, part.route, part.block)
-        if sealed and not is_sealed(path, part.digest):
+        if sealed and not is_sealed(written, part.digest):
             yield path, f"{path} was changed or damaged after it was written"
         elif not tracks.is_file():
             yield path, f"{tracks} is missing"

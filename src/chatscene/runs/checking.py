@@ -10,7 +10,7 @@ from typing import Any
 from chatscene.errors import RunError
 from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import damage, is_drawn
-from chatscene.runs.folder import Run, is_as_written, read_record
+from chatscene.runs.folder import Run, read_guarded
 from chatscene.runs.record import DIGESTS_SINCE, RunRecord
 
 RECORD = "run.json"
@@ -52,20 +52,15 @@ class Condition:
 
     def in_words(self) -> str:
         """A line for each file that is not as it was left, and one for the folder."""
-        lines = [f"damaged  {_shown(name)}: {reason}" for name, reason in self.damaged.items()]
-        lines += [f"missing  {_shown(name)}{_REMADE if is_drawn(name) else ''}" for name in self.missing]
-        lines += [f"added    {_shown(name)}" for name in self.added]
+        lines = [f"damaged  {name}: {reason}" for name, reason in self.damaged.items()]
+        lines += [f"missing  {name}{_REMADE if is_drawn(name) else ''}" for name in self.missing]
+        lines += [f"added    {name}" for name in self.added]
         verdict = "whole" if self.whole else self.unknown or "not as it was written"
         return "\n".join([*lines, f"{self.folder}: {verdict}"])
 
 
 _CHANGED = "it is not what was written"
 _REMADE = "; chatscene resume makes it again"
-
-
-def _shown(name: str) -> str:
-    """A name that tells a terminal nothing but itself, whoever gave it."""
-    return name if name.isprintable() else repr(name)
 
 
 def check(folder: Path) -> Condition:
@@ -78,7 +73,7 @@ def check(folder: Path) -> Condition:
     """
     run = Run(folder)
     try:
-        record = read_record(run)
+        record, as_written = read_guarded(run)
     except RunError as error:
         if not run.file(RECORD).is_file():
             raise
@@ -86,7 +81,7 @@ def check(folder: Path) -> Condition:
     if record.schema_version < DIGESTS_SINCE:
         unknown = "an older version of chatscene made it and kept no digests, so changes cannot be seen"
         return Condition(folder=folder, damaged={}, unknown=unknown)
-    damaged = {} if is_as_written(run, record) else {RECORD: _CHANGED}
+    damaged = {} if as_written else {RECORD: _CHANGED}
     if not record.files:
         damaged |= {path.relative_to(folder).as_posix(): reason for path, reason in damaged_parts(run).items()}
         return Condition(folder=folder, damaged=damaged)

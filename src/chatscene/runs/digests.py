@@ -70,15 +70,15 @@ def write_sealed(path: Path, content: Mapping[str, Any]) -> None:
     write_bytes(path, _text(content, digest).encode())
 
 
-def is_sealed(path: Path, digest: object) -> bool:
+def is_sealed(content: bytes, digest: object) -> bool:
     """Whether a JSON file is, to the byte, as `write_sealed` wrote it.
 
     Args:
-        path: The file.
+        content: Of the file.
         digest: What it says its digest is.
     """
     told, blank = _BLANK.format(digest).encode(), _BLANK.format("").encode()
-    return hashlib.sha256(path.read_bytes().replace(told, blank)).hexdigest() == digest
+    return hashlib.sha256(content.replace(told, blank)).hexdigest() == digest
 
 
 def _text(content: Mapping[str, Any], digest: str) -> str:

@@ -14,7 +14,16 @@ from pydantic import ValidationError
 
 from chatscene.ego.policy import FILES
 from chatscene.errors import RunError
-from chatscene.runs.atomic import is_leftover, read_json, sweep, write_bytes, write_json, writing
+from chatscene.runs.atomic import (
+    is_leftover,
+    json_of,
+    read_bytes,
+    read_json,
+    sweep,
+    write_bytes,
+    write_json,
+    writing,
+)
 from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
 from chatscene.runs.record import (
     DIGESTS_SINCE,
@@ -22,12 +31,13 @@ from chatscene.runs.record import (
     RunRecord,
     SourceRecord,
     Status,
+    egos_of,
     first_problem,
     settings_to_json,
 )
 from chatscene.settings import Settings
 
-_OF_A_REFUSED_RUN = ("run.json", "explanation.json", "report.html")
+_OF_A_REFUSED_RUN = ("explanation.json", "report.html", "run.json")
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +77,6 @@ def create(
     generator: str = "chatscene",
     sources: Sequence[SourceRecord] = (),
     senses: Mapping[str, dict[str, str]] | None = None,
-    given: Mapping[str, Any] | None = None,
 ) -> Run:
     """Start a run in a new or empty folder, or in place of one that was refused, with status ``running``.
 
@@ -80,7 +89,6 @@ def create(
         generator: Who makes the scenes.
         sources: The runs whose scenes are driven, for an evaluation.
         senses: What each ego sees and brakes with, by ego.
-        given: The settings that the user gave, by name.
 
     Raises:
         RunError: The folder holds something, or cannot be written.
@@ -88,11 +96,14 @@ def create(
     run = Run(folder)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        if run.file("run.json").exists() and read_record(run).status is Status.REFUSED:
-            _forget(run)
-        if not all(map(is_leftover, folder.iterdir())):
+        refused = _of_a_refused_run(run)
+        if not all(path in refused or path.is_dir() or is_leftover(path) for path in folder.rglob("*")):
             raise RunError(_occupied(run))
+        for path in refused:
+            path.unlink()
     sweep(folder)
+    command = "evaluate" if sources else "run"
+    named = egos_of(command, ego)
     _write_record(
         run,
         RunRecord(
@@ -101,12 +112,11 @@ def create(
             text=text,
             map_name=map_name,
             ego=ego,
-            ego_digests={name: digest_of(Path(name)) for name in ego.split(",") if Path(name).suffix in FILES},
+            ego_digests={name: digest_of(Path(name)) for name in named if Path(name).suffix in FILES},
             senses=dict(senses or {}),
             generator=generator,
-            command="evaluate" if sources else "run",
+            command=command,
             sources=list(sources),
-            given=dict(given or {}),
             settings=settings_to_json(settings),
             versions=_versions(),
             seed=settings.search.seed,
@@ -115,17 +125,16 @@ def create(
     return run
 
 
-def _forget(run: Run) -> None:
-    """Take away what a refused run left: it was never searched with."""
-    programs = run.file("programs")
-    for path in (*programs.glob("*.scenic"), *(run.file(name) for name in _OF_A_REFUSED_RUN)):
-        path.unlink(missing_ok=True)
-    if programs.is_dir() and not any(programs.iterdir()):
-        programs.rmdir()
+def _of_a_refused_run(run: Run) -> list[Path]:
+    """What a refused run left, which was never searched with, its record last; nothing if the run was not refused."""
+    if not run.file("run.json").exists() or read_record(run).status is not Status.REFUSED:
+        return []
+    named = [run.file(name) for name in _OF_A_REFUSED_RUN]
+    return [*run.file("programs").glob("*.scenic"), *(path for path in named if path.exists())]
 
 
 def _occupied(run: Run) -> str:
-    if run.file("run.json").exists():
+    if run.file("run.json").exists() and read_record(run).status is not Status.REFUSED:
         return (
             f"{run.path} already holds a run; continue it with: chatscene resume {run.path}, "
             "or choose another folder with --out"
@@ -141,8 +150,8 @@ def open_run(folder: Path) -> Run:
             changed, damaged or removed after it was written.
     """
     run = Run(folder)
-    record = read_record(run)
-    if not is_as_written(run, record):
+    record, as_written = read_guarded(run)
+    if not as_written:
         raise RunError(f"{run.file('run.json')} was changed or damaged after it was written; {_REMEDY}")
     wrong = list(damage(folder, {name: told for name, told in record.files.items() if not is_drawn(name)}))
     if wrong:
@@ -153,11 +162,6 @@ def open_run(folder: Path) -> Run:
 
 
 _REMEDY = "put back what was there, or run it again into another folder"
-
-
-def is_as_written(run: Run, record: RunRecord) -> bool:
-    """Whether `run.json` is, to the byte, as it was written; of a run of an older version, nobody can tell."""
-    return record.schema_version < DIGESTS_SINCE or is_sealed(run.file("run.json"), record.digest)
 
 
 def note(run: Run, *drawn: Path) -> None:
@@ -174,13 +178,25 @@ def read_record(run: Run) -> RunRecord:
     Raises:
         RunError: It is missing, broken, or newer than this version.
     """
+    return read_guarded(run)[0]
+
+
+def read_guarded(run: Run) -> tuple[RunRecord, bool]:
+    """What `run.json` says now, and whether it is, to the byte, as it was written.
+
+    It is read once, since another process may write it anew meanwhile. Of a run of an older version nobody can tell.
+
+    Raises:
+        RunError: It is missing, broken, or newer than this version.
+    """
     path = run.file("run.json")
     if not path.is_file():
         raise RunError(
             f"{run.path} is not a run folder: it has no run.json; "
             "give the folder that `chatscene run` named, or start one with: chatscene run TEXT"
         )
-    content = read_json(path)
+    written = read_bytes(path)
+    content = json_of(path, written)
     found = content.get("schema_version") if isinstance(content, dict) else None
     if isinstance(found, int) and found > SCHEMA_VERSION:
         raise RunError(
@@ -188,9 +204,10 @@ def read_record(run: Run) -> RunRecord:
             "upgrade with: pip install --upgrade chatscene"
         )
     try:
-        return RunRecord.model_validate(content)
+        record = RunRecord.model_validate(content)
     except ValidationError as error:
         raise RunError(f"{path} is not the record of a run: {first_problem(error)}") from error
+    return record, record.schema_version < DIGESTS_SINCE or is_sealed(written, record.digest)
 
 
 def update(

@@ -21,7 +21,7 @@ class Status(StrEnum):
     RUNNING = "running"  # or killed: a dead process cannot say so
     DONE = "done"
     FAILED = "failed"  # an error ended it; may be continued
-    REFUSED = "refused"  # nothing in the library serves the sentence
+    REFUSED = "refused"  # no program shows what was read in the sentence
 
 
 class _Frozen(BaseModel):
@@ -64,7 +64,6 @@ class RunRecord(_Frozen):
         command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
         sources: Of an evaluation: the runs whose scenes were driven.
         failures: Of an evaluation: why an ego was given up, by ego.
-        given: Settings the user gave, by name; the rest are defaults.
         settings: All settings, resolved, as `Settings` nests them.
         versions: Of what the numbers depend on.
         seed: What everything random derives from.
@@ -86,7 +85,6 @@ class RunRecord(_Frozen):
     command: str = "run"
     sources: list[SourceRecord] = []
     failures: dict[str, str] = {}
-    given: dict[str, Any] = {}
     settings: dict[str, dict[str, Any]]
     versions: dict[str, str] = {}
     seed: int
@@ -94,6 +92,16 @@ class RunRecord(_Frozen):
     timings: dict[str, float] = {}
     files: dict[str, str] = {}
     digest: str = ""
+
+    @property
+    def egos(self) -> tuple[str, ...]:
+        """Who drives: the surrogate of a run, or the egos of an evaluation."""
+        return egos_of(self.command, self.ego)
+
+
+def egos_of(command: str, ego: str) -> tuple[str, ...]:
+    """The egos by name; of an evaluation there is a comma between them."""
+    return tuple(ego.split(",")) if command == "evaluate" else (ego,)
 
 
 class RangeRow(_Frozen):

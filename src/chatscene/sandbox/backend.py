@@ -12,7 +12,7 @@ from typing import Any
 
 from chatscene.ego.observation import OBSERVATIONS, Observation, check_preset
 from chatscene.ego.policy import PEDALS, EgoPolicy, controls, name_of, observation_of, pedals_of
-from chatscene.errors import EgoError, ForeignCodeRefused, StuckBehavior
+from chatscene.errors import EgoError, ForeignCodeRefused
 from chatscene.sandbox.allow_list import check_foreign, refused
 from chatscene.sandbox.confinement import Limits
 from chatscene.sandbox.nursery import Confined, Nursery
@@ -27,6 +27,7 @@ from chatscene.sandbox.wire import (
     words,
 )
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import drive_to_the_end
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
@@ -99,7 +100,7 @@ class SandboxedBackend:
             return drive
         try:
             with time_limit(f"scene {scene.id!r}"):
-                _to_the_end(drive, ego)
+                drive_to_the_end(drive, ego)
                 if drive.rejection:
                     return Rejected(scene=scene, reason=drive.rejection)
                 return drive.episode(scene.id, name_of(ego))
@@ -218,26 +219,3 @@ class SandboxedDrive:
         self.rejection = rejection
         self.observation = numbers(state.get("observation"), self._size)
         self.along, self.offset, self.speed = (number(state, name) for name in ("along", "offset", "speed"))
-
-
-def _to_the_end(drive: SandboxedDrive, ego: EgoPolicy) -> None:
-    """Let an ego drive until the drive ends.
-
-    Raises:
-        EgoError: The ego fails, or does not answer.
-    """
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
-    while drive.ending is None and not drive.rejection:
-        try:
-            action = ego.act(drive.observation)
-        except StuckBehavior as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
-                f"{error.within}"
-            ) from error
-        except (Exception, SystemExit) as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
-            ) from error
-        drive.step(action)

@@ -18,7 +18,7 @@ class Candidate:
     Attributes:
         scene_id: Which.
         collided: Whether the ego collided.
-        shown: Whether its drive showed what was said (`chatscene.program.meaning`).
+        shown: Whether its drive showed what was read (`chatscene.program.meaning`).
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         overall_score: Of that one drive, paper mode.
     """
@@ -46,7 +46,7 @@ class Selected:
 def select(
     candidates: Iterable[Candidate], *, count: int, selection: str = "shown", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
-    """Scenes that collided first, of these those that show what was said, of these the lowest overall scores.
+    """Scenes that collided first, of these those that show what was read, of these the lowest overall scores.
 
     If too few collided, others fill up, in the same order.
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import SettingsError, no_such
+from chatscene.ego.policy import EgoPolicy, name_of
+from chatscene.errors import EgoError, SettingsError, StuckBehavior, no_such
 from chatscene.settings import SimulationSettings
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.route import Route
@@ -103,6 +103,30 @@ class Backend(Protocol):
     def routes(self, program: ScenicProgram) -> int:
         """How many routes the map has for a program's geometry, at most ten."""
         ...
+
+
+def drive_to_the_end(drive: OpenDrive, ego: EgoPolicy) -> None:
+    """Let an ego drive until the drive ends.
+
+    Raises:
+        EgoError: The ego fails, or does not answer.
+    """
+    if (reset := getattr(ego, "reset", None)) is not None:
+        reset()
+    act, step = ego.act, drive.step
+    while drive.ending is None and not drive.rejection:
+        try:
+            action = act(drive.observation)
+        except StuckBehavior as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
+                f"{error.within}"
+            ) from error
+        except (Exception, SystemExit) as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
+            ) from error
+        step(action)
 
 
 BACKENDS: dict[str, str] = {"embedded": "chatscene.simulate.embedded.backend:EmbeddedBackend"}

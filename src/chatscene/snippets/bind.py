@@ -118,6 +118,11 @@ def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity]) -> int:
     return sum(_speaks_of(q, p) and not _in_reach(p, q) for q in quantities for p in snippet.parameters)
 
 
+def settable(quantity: Quantity, snippets: Sequence[Snippet]) -> bool:
+    """Whether some parameter of snippets can be set to a quantity."""
+    return any(_speaks_of(quantity, p) and _in_reach(p, quantity) for s in snippets for p in s.parameters)
+
+
 def _in_reach(parameter: ParameterRange, quantity: Quantity) -> bool:
     about = SHARE * quantity.value
     return parameter.low <= quantity.value + about and quantity.value - about <= parameter.high

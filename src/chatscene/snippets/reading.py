@@ -73,7 +73,8 @@ def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
 
 def _missed(rules: Scenario, likely: Probabilities) -> bool:
     """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
-    named = {action for action, pattern in ACTIONS.items() if pattern.search(told(rules.text))}
+    text = told(rules.text)
+    named = {action for action, pattern in ACTIONS.items() if pattern.search(text)}
     if rules.slots.position is Position.ONCOMING:
         named.discard(Action.ONCOMING)  # at a junction that is where it comes from
     return any(likely.actions[action] >= LIKELY for action in named.difference(rules.slots.actions))

@@ -20,7 +20,7 @@ from chatscene.agent.base import ALONG
 from chatscene.agent.decompose import UNKNOWN, WHAT, WHO
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.bind import distances, out_of_reach
+from chatscene.snippets.bind import distances, out_of_reach, settable
 from chatscene.snippets.compatibility import compatibility, incompatibility
 from chatscene.snippets.embedding import Embedder, Vectors
 from chatscene.snippets.library import Library
@@ -42,6 +42,7 @@ from chatscene.terms.scenario import (
     Why,
     grouped,
     includes,
+    reordered,
 )
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
@@ -261,6 +262,7 @@ class _Ranking:
     """Every snippet of a component against one scenario; a row each."""
 
     said: Slots
+    plain: bool
     component: Component
     snippets: tuple[Snippet, ...]
     similarity: Scores
@@ -277,7 +279,7 @@ class _Ranking:
             agreement=float(self.agreement[i]),
             score=float(self.score[i]),
             nearest=self.texts[i],
-            conflicts=tuple(_conflicts(self.said, snippet, self.component)),
+            conflicts=tuple(_conflicts(self.said, snippet, self.component, ordered=self.plain)),
         )
 
     def best(self, count: int) -> tuple[Match, ...]:
@@ -307,13 +309,17 @@ def _rank(
         )
         score = WORDING @ np.array([similarity, lexical, np.log(p + FAINTEST)])
     agreement, conflicts = shelf.facts(scenario.slots, likely, component)
+    if scenario.plain and not places:
+        conflicts = conflicts + [reordered(s.slots.actions, scenario.slots.actions) for s in shelf.snippets]
     if places:
         score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
     else:
         score = score + AGREEMENT * agreement - CONFLICT * conflicts
     if scenario.quantities:
         score = score - CONFLICT * np.array([out_of_reach(s, scenario.quantities) for s in shelf.snippets])
-    return _Ranking(scenario.slots, component, shelf.snippets, similarity, texts, agreement, conflicts, score)
+    return _Ranking(
+        scenario.slots, scenario.plain, component, shelf.snippets, similarity, texts, agreement, conflicts, score
+    )
 
 
 class _Shelf:
@@ -436,8 +442,10 @@ class _Shelf:
 
 
 def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
-    """What a behavior does beyond what was said and what that brings along; None if it does not do all of that."""
+    """What a behavior does beyond what was said and what that brings along; None if it does not do that, in order."""
     does = set(behavior.slots.actions)
+    if reordered(behavior.slots.actions, said):
+        return None
     if not set(said) <= does.union(*(ALONG.get(action, set()) for action in does)):
         return None
     return frozenset(does.difference(said, *(ALONG.get(action, set()) for action in said)))
@@ -478,14 +486,15 @@ def _does(snippet: Snippet, name: str) -> Any:
     return distances(snippet) if name == "distance" and value is None else value
 
 
-def _conflicts(said: Slots, snippet: Snippet, component: Component) -> list[str]:
-    """The facts that a snippet contradicts, in words."""
+def _conflicts(said: Slots, snippet: Snippet, component: Component, *, ordered: bool) -> list[str]:
+    """The facts that a snippet contradicts, in words; `ordered` acts were said in their order."""
     found: list[str] = []
     for slot in OF_COMPONENT[component]:
         wanted, does = getattr(said, slot), _does(snippet, slot)
         if slot == "actions":
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
             against |= any(action not in wanted and _opposite(action) in wanted for action in does)
+            against |= ordered and reordered(does, wanted)
         else:
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
@@ -586,6 +595,9 @@ def _reasons(scenario: Scenario, triple: tuple[Match, ...]) -> tuple[str, ...]:
     said += [note for slot, note in (("adversary", WHO), ("actions", WHAT)) if slot in scenario.guessed]
     said += [note for note in scenario.notes if note.startswith((WHO, WHAT))]
     said += [conflict for match in triple for conflict in match.conflicts]
+    snippets = [match.snippet for match in triple]
+    unmet = [quantity.said for quantity in scenario.quantities if not settable(quantity, snippets)]
+    said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
     said += [reason for why, reason in told.items() if why not in REFUSED]
     return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
 

@@ -75,6 +75,25 @@ class Action(StrEnum):
     FAST = "fast"  # drives or runs much faster than usual
 
 
+# What somebody does all along: said before or after something else, it comes neither before nor after it.
+MANNERS = frozenset(
+    {Action.SLOW, Action.FAST, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL, Action.FOLLOW, Action.BLOCK}
+)
+
+
+def reordered(does: Iterable[Action], said: Iterable[Action]) -> bool:
+    """Whether acts come in another order than they were said in; manners come in none, and a pause is a stop."""
+    one, other = (
+        list(
+            dict.fromkeys(
+                Action.STOP if action is Action.HESITATE else action for action in acts if action not in MANNERS
+            )
+        )
+        for acts in (does, said)
+    )
+    return [action for action in one if action in other] != [action for action in other if action in one]
+
+
 class Side(StrEnum):
     """A side of the ego, in the ego's own frame at its start."""
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
-from chatscene.errors import ChatSceneError, EgoError, ProgramError, StuckBehavior
+from chatscene.errors import ChatSceneError, ProgramError
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.backend import drive_to_the_end
 from chatscene.simulate.embedded.driving import EmbeddedDrive
 from chatscene.simulate.embedded.roadside import RouteSurroundings
 from chatscene.simulate.embedded.simulation import Drive
@@ -59,7 +60,7 @@ class EmbeddedBackend:
             if isinstance(drive, Rejected):
                 return drive
             try:
-                _to_the_end(drive, ego)
+                drive_to_the_end(drive, ego)
                 if drive.rejection:
                     return Rejected(scene=scene, reason=drive.rejection)
                 return drive.episode(scene.id, name_of(ego))
@@ -107,27 +108,3 @@ class EmbeddedBackend:
             self._lane_map = self._lane_map or LaneMap(network)
             self._surroundings[route.id] = RouteSurroundings(network, route, self._lane_map)
         return self._surroundings[route.id]
-
-
-def _to_the_end(drive: EmbeddedDrive, ego: EgoPolicy) -> None:
-    """Let an ego drive until the drive ends.
-
-    Raises:
-        EgoError: The ego fails, or does not answer.
-    """
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
-    act, step = ego.act, drive.step
-    while drive.ending is None and not drive.rejection:
-        try:
-            action = act(drive.observation)
-        except StuckBehavior as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} gave no action at step {drive.step_number}: its drive was stopped after "
-                f"{error.within}"
-            ) from error
-        except (Exception, SystemExit) as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} fails at step {drive.step_number}: {type(error).__name__}: {error}"
-            ) from error
-        step(action)
