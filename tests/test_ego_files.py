@@ -291,3 +291,17 @@ class TestSafeBenchCheckpoints:
         elsewhere = np.array((1.0, 0.2, 8.0, 1.0))
         assert [ego.act(elsewhere) for _ in range(SAFEBENCH_EVERY - 1)] == [first] * (SAFEBENCH_EVERY - 1)
         assert ego.act(elsewhere) != first
+
+
+@pytest.mark.parametrize("kind", ["Parameter", "bfloat16"])
+def test_weights_of_another_kind_are_read_or_refused_in_words(kind: str, tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    make = torch.nn.Parameter if kind == "Parameter" else torch.Tensor.bfloat16
+    state = {f"pi.{i}.{what}": make(torch.ones(*shape)) for i in (0, 2, 4) for what, shape in
+             (("weight", (2, 4 if i == 0 else 2)), ("bias", (2,)))}  # fmt: skip
+    torch.save((state, {}), tmp_path / "ego.pt")
+    if kind == "Parameter":
+        assert load_file(tmp_path / "ego.pt")
+    else:
+        with pytest.raises(EgoError, match="store them as float32"):
+            load_file(tmp_path / "ego.pt")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import signal
 import sys
 import time
@@ -315,3 +316,14 @@ def test_ordinary_drives_make_a_table_with_intervals() -> None:
         assert cell.high is not None
         assert cell.low < cell.value < cell.high  # type: ignore[operator] # pyright: ignore[reportOperatorIssue]
     assert "12 drives per ego on 6 courses." in table.notes
+
+
+def test_two_runs_of_one_sentence_are_not_taken_for_one(searched: Path, tmp_path: Path) -> None:
+    shutil.copytree(searched / "0", tmp_path / "again")
+    with pytest.raises(RunError, match="one and the same sentence"):
+        evaluate([searched / "0", tmp_path / "again"], tmp_path / "e", egos=["idm"], progress=silent)
+
+
+def test_a_comma_in_the_name_of_an_ego_is_refused(searched: Path, tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="holds a comma"):
+        evaluate([searched], tmp_path / "e", egos=["a,b.npz"], progress=silent)

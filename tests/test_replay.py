@@ -16,6 +16,7 @@ from click.testing import CliRunner
 from chatscene import pipeline, runs
 from chatscene.cli import main
 from chatscene.errors import Diverged, RunError
+from chatscene.maps.network import resolve_map
 from chatscene.search import retrieved
 from chatscene.search.baselines.advsim import AdvSim
 from chatscene.search.retrieved import Retrieved
@@ -207,3 +208,13 @@ def test_an_identical_replay_under_other_versions_is_identical(folder: Path) -> 
 def test_what_a_run_was_made_with_and_nobody_knows_now_is_not_compared() -> None:
     record = runs.RunRecord.model_construct(versions={"abacus": "7"})
     assert runs.changed_versions(record) == {}
+
+
+def test_a_run_is_not_replayed_on_a_map_that_was_changed_since(tmp_path: Path) -> None:
+    town = tmp_path / "mine.xodr"
+    town.write_bytes(resolve_map("town").read_bytes())
+    run = runs.create(tmp_path / "run", text="a car", settings=Settings(), map_name=str(town), map_path=town, ego="sac")
+    assert pipeline.map_of(runs.read_record(run)) == town
+    town.write_text(town.read_text() + "<!-- wider -->")
+    with pytest.raises(RunError, match="is not the file that the run was made on"):
+        pipeline.map_of(runs.read_record(run))

@@ -265,6 +265,25 @@ def test_weights_without_a_digest_must_be_repeated(tmp_path: Path) -> None:
         follow(Repeated(), egos_of=[forged(tmp_path, path)])
 
 
+def test_a_record_of_an_evaluation_is_not_replayed_as_a_run(
+    tmp_path: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    egos = "run.evil:x.npz,sac"
+    run = told(finished(tmp_path / "run", count=1), command="evaluate", ego=egos, ego_digests={"run.evil:x.npz": "0"})
+    (run.path / "evil.py").write_text(f"open({str(canary)!r}, 'w')\n")
+    for command in ("replay", "resume"):
+        with pytest.raises(RunError, match="holds what `chatscene evaluate` leaves"):
+            FOLLOWERS[command](run.path)
+    with pytest.raises(RunError, match="holds what `chatscene run` leaves"):
+        evaluation.carry_on(told(run, command="run"), jobs=1, progress=silent)
+    with pytest.raises(RunError, match="may run code of its own"):
+        follow(Repeated(), egos_of=[told(run, command="evaluate")])
+    with pytest.raises(EgoError, match="not of the form"):
+        load_ego(egos)
+    assert not canary.exists()
+
+
 @pytest.mark.parametrize("suffix", [".pt", ".onnx"])
 def test_a_model_that_carries_code_is_not_followed_though_its_digest_is_right(suffix: str, tmp_path: Path) -> None:
     path = tmp_path / f"model{suffix}"
@@ -552,3 +571,33 @@ def test_a_new_run_deletes_nothing_of_the_users(tmp_path: Path) -> None:
             started(folder)
         sweep(folder)
         assert (folder / name).read_text() == "precious"
+
+
+# Files that are none
+
+
+@pytest.mark.parametrize("name", ["parts", "episodes", "programs", "tables"])
+def test_a_link_in_a_run_folder_is_not_followed(name: str, tmp_path: Path) -> None:
+    theirs = tmp_path / "theirs"
+    theirs.mkdir()
+    thesis = theirs / "thesis.json"
+    thesis.write_text("mine")
+    run = started(tmp_path / "run")
+    if run.file(name).is_dir():
+        run.file(name).rename(tmp_path / "moved")
+    run.file(name).symlink_to(theirs)
+    with pytest.raises(RunError, match=f"{name} is a link"):
+        pipeline.resume(run.path)
+    runs.update(run, status=runs.Status.REFUSED)
+    with pytest.raises(RunError, match=f"{name} is a link"):
+        runs.create(run.path, text=TEXT, settings=Settings(), map_name="town", ego="sac")
+    assert [*theirs.iterdir()] == [thesis]
+
+
+def test_a_pipe_in_place_of_a_file_is_one_message(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    (program,) = run.file("programs").glob("*.scenic")
+    program.unlink()
+    os.mkfifo(program)
+    with pytest.raises(RunError, match="it is no file but a pipe or a device"):
+        runs.read_programs(run)

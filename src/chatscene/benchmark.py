@@ -20,6 +20,7 @@ from chatscene import runs
 from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError, no_such
 from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
+from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, search
 from chatscene.runs.atomic import read_json, write_json, writing
 from chatscene.search.generator import load_generator
@@ -219,6 +220,7 @@ class _Searcher:
                 text=task.text,
                 settings=setup.settings,
                 map_name=setup.map_name,
+                map_path=resolve_map(setup.map_name),
                 ego=setup.surrogate,
                 generator=setup.generator,
                 senses={setup.surrogate: senses_of(load_ego(setup.surrogate))},

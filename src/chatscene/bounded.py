@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import stat
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -28,12 +29,14 @@ def parse_json(text: str | bytes, *, parse_constant: Callable[[str], Any] | None
 
 
 def check_file(path: Path) -> None:
-    """Refuse a file that is too large to be read.
+    """Refuse a file that is too large to be read, or never ends.
 
     Raises:
         ValueError: It is.
         OSError: It cannot be looked at.
     """
+    if not stat.S_ISREG(path.stat().st_mode):
+        raise ValueError("it is no file but a pipe or a device")
     if (size := path.stat().st_size) > MOST_BYTES:
         raise ValueError(f"it has {size / 2**20:.0f} MB, and at most {MOST_BYTES // 2**20} MB are read")
 

@@ -24,8 +24,7 @@ from chatscene.evaluate.tables import (
     fault_table,
     generation_table,
 )
-from chatscene.maps.network import resolve_map
-from chatscene.pipeline import Progress, rebuild
+from chatscene.pipeline import Progress, map_of, rebuild
 from chatscene.report.egos import egos_in_words
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
@@ -102,6 +101,8 @@ def evaluate(
     """
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
+    if odd := [ego for ego in egos if "," in ego]:
+        raise SettingsError(f"the name of the ego {odd[0]!r} holds a comma, which parts egos here; rename the file")
     senses = {ego: senses_of(load_ego(ego)) for ego in egos}
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     repeated = repeated or Repeated()
@@ -116,12 +117,19 @@ def evaluate(
         _source(run, record, first_route, kept_for="" if every_scene else record.ego)
         for run, record in zip(found, records, strict=True)
     ]
+    for number, source in enumerate(told):
+        if (twin := next((s for s in told[:number] if s.scenario_id == source.scenario_id), None)) is not None:
+            raise RunError(
+                f"{twin.folder} and {source.folder} hold scenes of one and the same sentence, which the tables cannot "
+                "tell apart; evaluate them one by one"
+            )
     with runs.alone(folder):
         kept = runs.create(
             folder,
             text="all scenes" if every_scene else "kept scenes",
             settings=runs.settings_of(records[0]),
             map_name=records[0].map_name,
+            map_path=map_of(records[0]),
             ego=",".join(egos),
             sources=told,
             senses=senses,
@@ -129,8 +137,8 @@ def evaluate(
         return _carry_on(kept, jobs, progress, replace(repeated, ego=tuple(egos)))
 
 
-def _where(record: runs.RunRecord) -> tuple[str, SimulationSettings]:
-    return record.map_name, runs.settings_of(record).simulation
+def _where(record: runs.RunRecord) -> tuple[str, str, SimulationSettings]:
+    return record.map_name, record.map_digest, runs.settings_of(record).simulation
 
 
 def _source(run: runs.Run, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
@@ -155,7 +163,7 @@ def carry_on(run: runs.Run, *, jobs: int, progress: Progress, repeated: Repeated
             must be repeated (`chatscene.trust.follow`).
     """
     with runs.alone(run.path):
-        return _carry_on(runs.open_run(run.path), jobs, progress, repeated or Repeated())
+        return _carry_on(runs.open_run(run.path, holds="evaluate"), jobs, progress, repeated or Repeated())
 
 
 def _carry_on(run: runs.Run, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
@@ -273,7 +281,7 @@ class _Evaluator:
         key = (record.generator, settings)
         if key not in self._backends:
             generator = load_generator(record.generator)
-            self._backends[key] = generator.backend(resolve_map(self._record.map_name), settings)
+            self._backends[key] = generator.backend(map_of(self._record), settings)
         return self._backends[key]
 
     def _block(

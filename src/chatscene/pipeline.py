@@ -32,6 +32,7 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
 from chatscene.report.viewer import write_report
+from chatscene.runs.digests import digest_of
 from chatscene.search.generator import climb, load_generator
 from chatscene.search.retrieved import Retrieved
 from chatscene.search.sampler import load_sampler
@@ -162,7 +163,7 @@ def run(
     """
     settings = settings or Settings()
     load_generator(generator).read(text, settings.retrieval)  # an empty text leaves no folder behind
-    resolve_map(map_name)
+    map_path = resolve_map(map_name)
     senses = {ego_name: senses_of(load_ego(ego_name))}
     load_sampler(settings.search.sampler)
     with runs.alone(folder):
@@ -171,6 +172,7 @@ def run(
             text=text,
             settings=settings,
             map_name=map_name,
+            map_path=map_path,
             ego=ego_name,
             generator=generator,
             senses=senses,
@@ -187,7 +189,7 @@ def resume(
         RunError: There is no run in the folder, it is damaged, another process is at work on it, or it names what must
             be repeated (`chatscene.trust.follow`).
     """
-    run = runs.open_run(folder)
+    run = runs.open_run(folder, holds="run")
     follow(repeated or Repeated(), egos_of=[run], reading_of=[run])
     with runs.alone(folder):
         return _carry_on(run, jobs, progress or _silent)
@@ -226,7 +228,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     record = runs.read_record(run)
     if record.status is runs.Status.DONE:
         return
-    map_path, ego = resolve_map(record.map_name), load_ego(record.ego)
+    map_path, ego = map_of(record), load_ego(record.ego)
 
     def explain(scenario: Scenario, retrieval: Retrieval | None) -> None:
         runs.write_explanation(run, runs.explain(record.text, [(scenario, retrieval)]))
@@ -321,7 +323,7 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
             (`chatscene.trust.follow`).
     """
-    run = runs.open_run(folder)
+    run = runs.open_run(folder, holds="run")
     follow(repeated or Repeated(), egos_of=[run], joining_of=[run])
     record = runs.read_record(run)
     stored = runs.read_episode(run, scene_id)
@@ -329,9 +331,25 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
     settings = runs.settings_of(record)
     _, program = rebuild(run)
     scene = runs.scene_of(row, program)
-    backend = load_generator(record.generator).backend(resolve_map(record.map_name), settings)
+    backend = load_generator(record.generator).backend(map_of(record), settings)
     again = backend.run(program, scene, load_ego(record.ego))
     return Replayed(scene_id=scene_id, difference=_difference(stored, again), versions=runs.changed_versions(record))
+
+
+def map_of(record: runs.RunRecord) -> Path:
+    """The map that a run was made on.
+
+    Raises:
+        MapError: There is none of that name.
+        RunError: It is another file by now.
+    """
+    path = resolve_map(record.map_name)
+    if record.map_digest and digest_of(path) != record.map_digest:
+        raise RunError(
+            f"the map {record.map_name} is not the file that the run was made on (its SHA-256 differs); put that one "
+            f"back, or {_remedy(record)}"
+        )
+    return path
 
 
 def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:

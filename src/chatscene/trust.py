@@ -7,6 +7,7 @@ of an ego's plain weights that are still those of the record. All else the user 
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -79,7 +80,7 @@ def follow(
         if one.doubt and one.value not in said[one.option]:
             raise RunError(
                 f"{one.run.path} names the {_words(one.option)} {one.value!r}, {one.doubt}: whoever wrote run.json "
-                f"chose it. If you trust it, say so: --{_words(one.option, '-')} {one.value}"
+                f"chose it. If you trust it, say so: --{_words(one.option, '-')} {shlex.quote(one.value)}"
             )
     for option, values in said.items():
         known = {one.value for one in named if one.option == option}

@@ -49,7 +49,9 @@ def load_file(path: Path) -> EgoPolicy:
 def is_plain(path: Path) -> bool:
     """Whether a file's suffix and content are those of weights alone, which cannot carry code."""
     try:
-        return path.suffix in (".npz", ".zip") or (path.suffix == ".pt" and path.is_file() and not _carries_code(path))
+        return path.is_file() and (
+            path.suffix in (".npz", ".zip") or (path.suffix == ".pt" and not _carries_code(path))
+        )
     except (OSError, ValueError):  # it cannot be read, or unpacks to too much
         return False
 
@@ -90,7 +92,8 @@ def _check_spaces(about: Mapping[str, Any], path: Path) -> None:
     """
     sees, acts = _fields(about, "observation_space"), _fields(about, "action_space")
     shape = sees.get("_shape")
-    if not all("Box" in str(space.get(":type:")) for space in (sees, acts)) or (shape and len(shape) != 1):
+    row = not shape or (isinstance(shape, list) and len(shape) == 1)
+    if not all("Box" in str(space.get(":type:")) for space in (sees, acts)) or not row:
         raise EgoError(
             f"{path} sees {sees.get(':type:')} of shape {shape} and acts in {acts.get(':type:')}; "
             "an ego sees one row of numbers and answers with two continuous ones"
@@ -265,12 +268,15 @@ def _state(source: Path | IO[bytes], path: Path) -> Any:
 
     def plain(value: Any) -> Any:
         if isinstance(value, torch.Tensor):
-            return value.numpy()
+            return value.detach().numpy()
         if isinstance(value, Mapping):
             return {key: plain(item) for key, item in value.items()}
         return tuple(plain(item) for item in value) if isinstance(value, list | tuple) else value
 
-    return plain(stored)
+    try:
+        return plain(stored)
+    except (TypeError, RuntimeError) as error:  # numbers that numpy has not, or no numbers at all
+        raise EgoError(f"cannot read weights from {path}: {_first_line(error)}; store them as float32") from error
 
 
 def _import_torch() -> Any:

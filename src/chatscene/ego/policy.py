@@ -108,7 +108,7 @@ def load_ego(name: str) -> EgoPolicy:
     module, colon, factory = target.partition(":")
     if not colon:
         raise EgoError(f"{no_such('ego', name, EGOS)}; or give a file ({', '.join(FILES)}) or package.module:factory")
-    if not all((*module.split("."), factory)):
+    if not all(part.isidentifier() for part in (*module.split("."), factory)):
         raise EgoError(f"ego {name!r} is not of the form package.module:factory, such as my_stack.driving:make_ego")
     with nullcontext() if name in EGOS else _importable_from_here():
         ego = _made(name, module, factory)

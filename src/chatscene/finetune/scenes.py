@@ -12,8 +12,7 @@ from chatscene import runs
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import RunError
 from chatscene.evaluate.score import measure, score, wilson
-from chatscene.maps.network import resolve_map
-from chatscene.pipeline import rebuild
+from chatscene.pipeline import map_of, rebuild
 from chatscene.program.ordinary import Course
 from chatscene.search.generator import load_generator
 from chatscene.settings import SimulationSettings
@@ -89,13 +88,13 @@ def kept_scenes(sources: Sequence[Path]) -> Lessons:
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     records = [runs.read_record(run) for run in found]
     first = records[0]
-    map_path, simulation = resolve_map(first.map_name), runs.settings_of(first).simulation
+    map_path, simulation = map_of(first), runs.settings_of(first).simulation
     scenes: list[KeptScene] = []
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
         settings = runs.settings_of(record)
-        if (record.map_name, settings.simulation) != (first.map_name, simulation):
+        if (record.map_name, record.map_digest, settings.simulation) != (first.map_name, first.map_digest, simulation):
             raise RunError(f"{run.path} and {found[0].path} differ in map or step; fine-tune on them one by one")
         if not isinstance(load_generator(record.generator).backend(map_path, settings), EmbeddedBackend):
             raise RunError(f"{run.path} holds code that is not packaged, which runs in the sandbox only; leave it out")

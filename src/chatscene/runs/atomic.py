@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from chatscene.bounded import parse_json
+from chatscene.bounded import check_file, parse_json
 from chatscene.errors import RunError
 
 _LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_bytes` calls its temporary files
@@ -84,9 +84,12 @@ def read_bytes(path: Path) -> bytes:
         RunError: It cannot be read.
     """
     try:
+        check_file(path)
         return path.read_bytes()
     except OSError as error:
         raise RunError(f"cannot read {path}: {error.strerror or error}") from error
+    except ValueError as error:
+        raise RunError(f"cannot read {path}: {error}") from error
 
 
 def json_of(path: Path, content: bytes) -> Any:

@@ -74,6 +74,7 @@ def create(
     settings: Settings,
     map_name: str,
     ego: str,
+    map_path: Path | None = None,
     generator: str = "chatscene",
     sources: Sequence[SourceRecord] = (),
     senses: Mapping[str, dict[str, str]] | None = None,
@@ -85,6 +86,7 @@ def create(
         text: The sentence.
         settings: All settings, resolved.
         map_name: The map as the user named it.
+        map_path: Its file, of which a digest is kept.
         ego: The ego as the user named it; of an evaluation, the egos, comma between them.
         generator: Who makes the scenes.
         sources: The runs whose scenes are driven, for an evaluation.
@@ -96,6 +98,7 @@ def create(
     run = Run(folder)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
+        _refuse_links(folder)
         refused = _of_a_refused_run(run)
         if not all(path in refused or path.is_dir() or is_leftover(path) for path in folder.rglob("*")):
             raise RunError(_occupied(run))
@@ -111,6 +114,7 @@ def create(
             status=Status.RUNNING,
             text=text,
             map_name=map_name,
+            map_digest=digest_of(map_path) if map_path else "",
             ego=ego,
             ego_digests={name: digest_of(Path(name)) for name in named if Path(name).suffix in FILES},
             senses=dict(senses or {}),
@@ -142,8 +146,22 @@ def _occupied(run: Run) -> str:
     return f"{run.path} is not empty; choose a new or empty folder with --out"
 
 
-def open_run(folder: Path) -> Run:
+def _refuse_links(folder: Path) -> None:
+    """A link in a run folder would have files written and deleted wherever it leads.
+
+    Raises:
+        RunError: There is one.
+    """
+    if (link := next((path for path in sorted(folder.rglob("*")) if path.is_symlink()), None)) is not None:
+        raise RunError(f"{link} is a link, and a run folder holds files of its own only; take it away")
+
+
+def open_run(folder: Path, *, holds: str = "") -> Run:
     """Open a run that is there, and check that this version can read it and that it is whole.
+
+    Args:
+        folder: Its folder.
+        holds: What it must hold, ``run`` or ``evaluate``; empty for either.
 
     Raises:
         RunError: There is no run in the folder, its `run.json` is broken, a newer version wrote it, or a file was
@@ -151,6 +169,9 @@ def open_run(folder: Path) -> Run:
     """
     run = Run(folder)
     record, as_written = read_guarded(run)
+    _refuse_links(folder)
+    if holds and record.command != holds:
+        raise RunError(f"{folder} holds what `chatscene {record.command}` leaves, not what `chatscene {holds}` does")
     if not as_written:
         raise RunError(f"{run.file('run.json')} was changed or damaged after it was written; {_REMEDY}")
     wrong = list(damage(folder, {name: told for name, told in record.files.items() if not is_drawn(name)}))
@@ -275,9 +296,7 @@ def read_programs(run: Run) -> dict[str, str]:
 
 def _read_program(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise RunError(f"cannot read {path}: {error.strerror or error}") from error
+        return read_bytes(path).decode()
     except UnicodeDecodeError as error:
         raise RunError(
             f"{path} is no text in UTF-8 ({error.reason} at byte {error.start}); it was changed after it was written"

@@ -57,6 +57,7 @@ class RunRecord(_Frozen):
         reason: Why it failed or was refused; else empty.
         text: The sentence.
         map_name: The map as it was given.
+        map_digest: SHA-256 of its file; empty in the records of older versions.
         ego: The ego as it was given; of an evaluation, the egos, comma between them.
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
@@ -78,6 +79,7 @@ class RunRecord(_Frozen):
     reason: str = ""
     text: str
     map_name: str
+    map_digest: str = ""
     ego: str
     ego_digests: dict[str, str] = {}
     senses: dict[str, dict[str, str]] = {}
