@@ -394,3 +394,10 @@ def test_a_comma_in_the_name_of_an_ego_parts_two_egos_of_an_evaluation_only(tmp_
     record = read_record(run)
     assert record.egos == (str(ego),)
     assert set(record.ego_digests) == {str(ego)}
+
+
+@pytest.mark.parametrize("content", ["[]", "5", "null"])
+def test_a_file_that_holds_no_object_is_one_message(content: str, tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_text(content)
+    with pytest.raises(RunError, match="holds no JSON object"):
+        open_run(tmp_path)

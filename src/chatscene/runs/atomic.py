@@ -9,7 +9,7 @@ import re
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from chatscene.bounded import check_file, parse_json
 from chatscene.errors import RunError
@@ -68,11 +68,11 @@ def write_json(path: Path, content: object) -> None:
     write_bytes(path, (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode())
 
 
-def read_json(path: Path) -> Any:
+def read_json(path: Path) -> dict[str, Any]:
     """Read a JSON file of a run.
 
     Raises:
-        RunError: It cannot be read, or is not JSON.
+        RunError: It cannot be read, or is no JSON object.
     """
     return json_of(path, read_bytes(path))
 
@@ -92,16 +92,19 @@ def read_bytes(path: Path) -> bytes:
         raise RunError(f"cannot read {path}: {error}") from error
 
 
-def json_of(path: Path, content: bytes) -> Any:
+def json_of(path: Path, content: bytes) -> dict[str, Any]:
     """What a JSON file of a run says.
 
     Raises:
-        RunError: It is not JSON.
+        RunError: It is no JSON object.
     """
     try:
-        return parse_json(content.decode())
+        told = parse_json(content.decode())
     except ValueError as error:
         raise RunError(f"{path} is not valid JSON ({error}); it was changed or damaged after it was written") from error
+    if not isinstance(told, dict):
+        raise RunError(f"{path} holds no JSON object; it was changed or damaged after it was written")
+    return cast(dict[str, Any], told)
 
 
 def sweep(folder: Path) -> None:

@@ -218,7 +218,7 @@ def read_guarded(run: Run) -> tuple[RunRecord, bool]:
         )
     written = read_bytes(path)
     content = json_of(path, written)
-    found = content.get("schema_version") if isinstance(content, dict) else None
+    found = content.get("schema_version")
     if isinstance(found, int) and found > SCHEMA_VERSION:
         raise RunError(
             f"{run.path} was written by a newer chatscene (schema {found}, this one reads {SCHEMA_VERSION}); "
