@@ -13,7 +13,7 @@ from contextlib import suppress
 from chatscene.errors import MapError
 from chatscene.maps.network import resolve_map
 from chatscene.search.generator import Generator, load_generator
-from chatscene.settings import RetrievalSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.scenario import BaseScenario
 
 ROUTES = 10
@@ -23,7 +23,7 @@ def routes(generator: Generator, text: str) -> list[bytes]:
     """The points of the first routes that a scenario is searched on."""
     settings = RetrievalSettings()
     program = generator.write(generator.read(text, settings), settings).program
-    backend = generator.backend(resolve_map("town"), SimulationSettings())
+    backend = generator.backend(resolve_map("town"), Settings())
     found: list[bytes] = []
     for index in range(backend.routes(program)):
         with suppress(MapError):  # the adversary has no way there, so the search leaves it out too

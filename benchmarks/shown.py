@@ -96,7 +96,7 @@ def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str
         ]
         chosen = {rule: select(candidates, count=settings.search.keep, selection=rule) for rule in RULES}
         scenario, program = pipeline.rebuild(run)
-        route = Retrieved().backend(resolve_map("town"), settings.simulation).route(program, 0)
+        route = Retrieved().backend(resolve_map("town"), settings).route(program, 0)
         done = {
             one.scene_id: not check_meaning(scenario.slots, runs.read_episode(run, one.scene_id), route, through=True)
             for one in {*chosen["worst"], *chosen["shown"]}

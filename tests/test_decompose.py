@@ -227,3 +227,23 @@ def test_ids_are_stable_readable_and_differ() -> None:
     assert one.id == decompose("A car brakes ahead.").id
     assert one.id.startswith("a-car-brakes-ahead-")
     assert one.id != other.id
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("The car ahead brakes hard and then accelerates.", (Action.BRAKE, Action.ACCELERATE)),
+        ("The car ahead accelerates and then brakes hard.", (Action.ACCELERATE, Action.BRAKE)),
+        ("A truck from the left runs the red light and brakes.", (Action.RUN_LIGHT, Action.BRAKE)),
+    ],
+)
+def test_acts_are_in_the_order_in_which_words_say_them(text: str, acts: tuple[Action, ...]) -> None:
+    assert decompose(text).slots.actions == acts
+
+
+def test_who_stands_at_first_stops_where_a_stop_is_said() -> None:
+    slots = decompose(
+        "A pedestrian stands behind a bus stop on the right, then sprints across the road and stops."
+    ).slots
+    crossing, stopping = (slots.actions.index(action) for action in (Action.CROSS, Action.STOP))
+    assert crossing < stopping

@@ -266,8 +266,9 @@ def _actions(clauses: Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]
 def _in_order(actions: tuple[Action, ...], text: str) -> tuple[Action, ...]:
     """Actions in the order in which words say them; what no word names comes last."""
     turns = {Action.TURN_LEFT: words.LEFT_TURN, Action.TURN_RIGHT: words.RIGHT_TURN}
-    named = {action: pattern.search(text) for action, pattern in (words.ACTIONS | turns).items()}
-    said = {action: match.start() for action, match in named.items() if match}
+    named = {action: [m.start() for m in pattern.finditer(text)] for action, pattern in (words.ACTIONS | turns).items()}
+    # Who stands at first has not stopped yet.
+    said = {action: places[-1 if action is Action.STOP else 0] for action, places in named.items() if places}
     return tuple(sorted(actions, key=lambda action: said.get(action, len(text))))
 
 
