@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -108,8 +109,9 @@ def test_names_inside_a_behavior_are_its_own() -> None:
 LOST = {  # each a text at which Scenic's parser raises something other than its own error
     "KeyError": "x = (y\n\nz)\n",
     "ValueError": "x@y = 1\n",
-    "TypeError": "f'{' \"r\0ght\"\n",
 }
+if sys.version_info < (3, 12):  # from then on Python's own tokenizer refuses what is no text
+    LOST["TypeError"] = "f'{' \"r\0ght\"\n"
 
 
 @pytest.mark.parametrize("error", LOST)

@@ -74,7 +74,9 @@ def test_the_second_wall_holds_by_itself(attack: Attack, nursery: Nursery, canar
     outcome = attempt(nursery, canaries.fill(attack.source), IMPATIENT if expected == "limits" else PATIENT)
     assert canaries.untouched()
     assert SECRET not in outcome.said
-    assert outcome.stopped_by == expected
+    # From Python 3.12 on, recursion in C ends in an error before it breaks the stack.
+    early = {"an error of its own"} if attack.name == "recursion-in-c" and sys.version_info >= (3, 12) else set[str]()
+    assert outcome.stopped_by in {expected} | early
     assert outcome.stopped_by != "nobody" or attack.harmless
 
 
