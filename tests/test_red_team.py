@@ -1,6 +1,7 @@
 """An enemy's programs: none gets anything, and none keeps anybody waiting."""
 
 import subprocess
+import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
