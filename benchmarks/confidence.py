@@ -18,7 +18,6 @@ from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import CONFIDENCE, doubts, retrieve
-from chatscene.snippets.slot_classifier import likelihoods
 from chatscene.understanding import load_sentences
 
 RIDGE = 0.01
@@ -31,7 +30,7 @@ def main() -> None:
     for sentence in sentences:
         scenario = read(sentence.text)
         found = retrieve(scenario, library, embedder, anything)
-        told = doubts(scenario, found.behavior, library, likelihoods(scenario.text))
+        told = doubts(scenario, scenario.frame, found.behavior.snippet, library, embedder)
         rows.append([told[name] for name in CONFIDENCE])
     x, served = np.array(rows), np.array([s.in_scope for s in sentences], float)
     odds = np.empty(len(x))

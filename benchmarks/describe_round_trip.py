@@ -22,8 +22,7 @@ from chatscene.program.assemble import assemble
 from chatscene.program.check import check
 from chatscene.search.describe import describe, diversity
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import Backend
-from chatscene.simulate.embedded.backend import EmbeddedBackend
+from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.reading import read
@@ -40,7 +39,7 @@ class Came:
     same: int  # parts of its triple that were retrieved
 
 
-def round_trip(description: Description, backend: Backend | None, own: bool) -> Came:
+def round_trip(description: Description, simulator: Simulator | None, own: bool) -> Came:
     scenario = read(description.text)
     same = 3 if own else 0
     behavior, geometry, spawn = (load_library().get(name) for name in description.snippet_ids)
@@ -51,8 +50,8 @@ def round_trip(description: Description, backend: Backend | None, own: bool) -> 
             triple, adversary = found.snippets, found.adversary
             same = sum(a.id == b for a, b in zip(triple, description.snippet_ids, strict=True))
         program = assemble(scenario, triple, adversary)
-        if backend is not None:
-            check(program, description.slots, backend, RuleBased())
+        if simulator is not None:
+            check(program, description.slots, simulator, RuleBased())
     except ChatSceneError as error:
         return Came(f"{type(error).__name__}: {error}", same)
     return Came("", same)
@@ -66,7 +65,7 @@ def main() -> None:
     parser.add_argument("--no-drives", action="store_true", help="stop before the simulator")
     parser.add_argument("--own", action="store_true", help="check the triple itself instead of the one retrieved")
     given = parser.parse_args()
-    backend = None if given.no_drives else EmbeddedBackend(resolve_map("town"), SimulationSettings())
+    simulator = None if given.no_drives else load_simulator(resolve_map("town"), SimulationSettings())
     rows: list[str] = []
     for base in [BaseScenario(given.base)] if given.base else list(BaseScenario):
         began = time.perf_counter()
@@ -74,7 +73,7 @@ def main() -> None:
         took = time.perf_counter() - began
         came: list[Came] = []
         for description in made:
-            came.append(round_trip(description, backend, given.own))
+            came.append(round_trip(description, simulator, given.own))
             print(f"{base} | {' + '.join(description.snippet_ids)} | {description.adversary}")
             print(f"    {description.text}")
             if came[-1].problem:

@@ -26,12 +26,12 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import probe_scenes
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.embedded.backend import EmbeddedBackend
-from chatscene.simulate.embedded.staging import Stage
+from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.simulate.staging import Stage
 from chatscene.snippets.compatibility import compatibility
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
-from chatscene.snippets.retrieve import _query, retrieve
+from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.scenario import Component, Scenario
 from chatscene.terms.scene import ScenicProgram
 
@@ -92,7 +92,6 @@ def main() -> None:
     ]
 
     def find(sentence: Scenario) -> None:
-        _query.cache_clear()  # a user's sentence was never asked before
         with suppress(NothingFits):  # some of these make no sense together; finding that out costs the same
             retrieve(sentence, library, embedder)
 
@@ -121,13 +120,13 @@ def main() -> None:
             20,
         )
 
-    backend = EmbeddedBackend(map_path, SimulationSettings())
+    simulator = load_simulator(map_path, SimulationSettings())
     program = pipeline.understand(SENTENCE).program
     scenes = probe_scenes(program, 0)
 
     def drive(count: int) -> float:
         for i in range(count):
-            backend.run(program, scenes[i % len(scenes)], RuleBased())
+            simulate(simulator, program, scenes[i % len(scenes)], RuleBased())
         gc.collect()
         # What is held now, not the peak: compiling before has a higher one, which would hide growth.
         return int(Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize() / 2**20

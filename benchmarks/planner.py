@@ -18,9 +18,9 @@ import numpy as np
 from cmaes import CMA
 
 from chatscene.ego.planner import Caution, Planner
-from chatscene.finetune.scenes import TRAIN, judge, kept_scenes, split
+from chatscene.learn.finetune.scenes import TRAIN, judge, kept_scenes, split
 from chatscene.maps.network import resolve_map
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator
 
 # Where the search that gave the present weights began.
 START = Caution(
@@ -38,7 +38,7 @@ def main() -> None:
     parser.add_argument("--scenes", type=int, default=110)
     options = parser.parse_args()
     lessons = kept_scenes(options.runs)
-    backend = load_backend("embedded", resolve_map(lessons.map_name), lessons.simulation)
+    simulator = load_simulator(resolve_map(lessons.map_name), lessons.simulation)
     train = split(lessons.scenes, choice="held-out", train_routes=8, validation_routes=2)[TRAIN]
     drawn = [train[i] for i in np.random.default_rng(0).permutation(len(train))[: options.scenes]]
     search = CMA(mean=np.zeros(len(flat(START))), sigma=0.3, seed=0, population_size=10)
@@ -47,7 +47,7 @@ def main() -> None:
         told = []
         for _ in range(search.population_size):
             x = search.ask()
-            figures = judge(Planner(moved(x)), drawn, backend, on_scene=lambda _done, _total: None).figures
+            figures = judge(Planner(moved(x)), drawn, simulator, on_scene=lambda _done, _total: None).figures
             worth = figures["collision_rate"] + 0.5 * (1.0 - figures["completion"]) + 0.01 * float(np.mean(x**2))
             told.append((x, worth))
             if worth < best:

@@ -15,7 +15,7 @@ from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 PROGRAM = """
@@ -30,13 +30,13 @@ ROUNDS = 9
 def main() -> None:
     network = load_network(resolve_map("town"))
     lanes = LaneMap(network)
-    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    simulator = load_simulator(resolve_map("town"), SimulationSettings())
     program = ScenicProgram(scenario_id="x", source=PROGRAM, parameters=(), snippet_ids=(), digest="x")
     scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
     ego = load_ego("rule-based")
-    episode = backend.run(program, scene, ego)
+    episode = simulate(simulator, program, scene, ego)
     assert not isinstance(episode, Rejected)
-    track = backend.route(program, 0).line.points
+    track = simulator.route(program, 0).line.points
     at = np.linspace(0, len(track) - 1, 200)
     xy = np.column_stack([np.interp(at, np.arange(len(track)), track[:, k]) for k in (0, 1)])
 
@@ -45,7 +45,7 @@ def main() -> None:
         lanes.lane_index(xy)
         lanes.road_heading(xy)
 
-    step = _least(lambda: backend.run(program, scene, ego)) / (len(episode.ego_track.x) - 1)
+    step = _least(lambda: simulate(simulator, program, scene, ego)) / (len(episode.ego_track.x) - 1)
     print(f"three questions about a track of 200 points: {_least(ask) / step:.1f} steps")
     for base, queries in BASE_SCENARIO_QUERIES.items():
         for query in queries:

@@ -29,8 +29,7 @@ from chatscene.settings import RetrievalSettings
 from chatscene.snippets.embedding import Embedder, Vectors, encode_cached, load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import _query, retrieve
-from chatscene.snippets.slot_classifier import likelihoods
+from chatscene.snippets.retrieve import retrieve
 from chatscene.snippets.vector_index import PROBED, Rows, build
 from chatscene.terms.scenario import Component, Scenario
 
@@ -80,8 +79,6 @@ def packaged(name: str) -> Embedder:
     memory.append(resident())
 
     def one(text: str) -> tuple[Times, Times]:
-        for kept in (_query, likelihoods):
-            kept.cache_clear()  # no sentence was asked before
         scenarios: list[Scenario] = []
         reading = timed(lambda: scenarios.append(read(text, settings)))
 

@@ -21,7 +21,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.search.explore import explore
 from chatscene.search.sampler import SAMPLERS
 from chatscene.settings import SearchSettings, SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.snippet import ParameterRange
 from chatscene.workers import spread
 
@@ -58,7 +58,7 @@ class Searcher:
     """Does tasks in one process."""
 
     def __init__(self, ego: str) -> None:
-        self._backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
+        self._simulator = load_simulator(resolve_map("town"), SimulationSettings())
         self._ego = load_ego(ego)
 
     def __call__(self, task: Task) -> tuple[Task, list[Found]]:
@@ -71,7 +71,7 @@ class Searcher:
                 understood.program,
                 understood.scenario.slots,
                 route,
-                backend=self._backend,
+                simulator=self._simulator,
                 ego=self._ego,
                 settings=settings,
             )
@@ -126,7 +126,7 @@ def main() -> None:
     given = parser.parse_args()
     tasks = [
         Task(scenario, sampler, seed, given.routes)
-        for scenario, sampler, seed in product(SCENARIOS, SAMPLERS, range(given.seeds))
+        for scenario, sampler, seed in product(SCENARIOS, SAMPLERS.built_in, range(given.seeds))
     ]
     results: dict[tuple[str, str], list[Found]] = {}
     for task, found in spread(Searcher, given.ego, tasks, jobs=given.jobs):
@@ -135,7 +135,7 @@ def main() -> None:
         print(f"\n**{scenario}**: {text}\n")
         print("| sampler | " + " | ".join(f"{budget} scenes" for budget in BUDGETS) + " |")
         print("|---|" + "---|" * len(BUDGETS))
-        for sampler in SAMPLERS:
+        for sampler in SAMPLERS.built_in:
             cells = [
                 "{:.0%} / {:.1f} / {:.1f} / {:.1f} / {:.0%}".format(*row(results[scenario, sampler], budget))
                 for budget in BUDGETS

@@ -12,7 +12,7 @@ from contextlib import suppress
 
 from chatscene.errors import MapError
 from chatscene.maps.network import resolve_map
-from chatscene.search.generator import Generator, load_generator
+from chatscene.search.generator import Generator, load_generator, simulator_of
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.scenario import BaseScenario
 
@@ -23,11 +23,11 @@ def routes(generator: Generator, text: str) -> list[bytes]:
     """The points of the first routes that a scenario is searched on."""
     settings = RetrievalSettings()
     program = generator.write(generator.read(text, settings), settings).program
-    backend = generator.backend(resolve_map("town"), Settings())
+    simulator = simulator_of(generator, resolve_map("town"), Settings())
     found: list[bytes] = []
-    for index in range(backend.routes(program)):
+    for index in range(simulator.routes(program)):
         with suppress(MapError):  # the adversary has no way there, so the search leaves it out too
-            found.append(backend.route(program, index).line.points.round(2).tobytes())
+            found.append(simulator.route(program, index).line.points.round(2).tobytes())
     return found[:ROUTES]
 
 

@@ -25,10 +25,10 @@ from scenic.syntax.translator import scenarioFromString
 
 from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, controls, load_ego
-from chatscene.evaluate.score import columns, measure
 from chatscene.maps.network import resolve_map
+from chatscene.measure.score import columns, measure
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
 
@@ -49,9 +49,9 @@ PARTS = {
     "policy": ("ego/network.py", "ego/rule_based.py"),
     "observation": ("ego/observation.py", "same_lane", "_vehicle_ahead"),
     "behaviors": ("behaviors.scenic", "world/", "<bench>"),
-    "physics and contact": ("embedded/dynamics.py", "embedded/contact.py"),
-    "events and metrics": ("embedded/roadside.py", "maps/lane_map.py", "evaluate/score.py"),
-    "Scenic's loop and recording": ("embedded/", "scenic/"),
+    "physics and contact": ("embedded/dynamics.py", "simulate/contact.py"),
+    "events and metrics": ("simulate/roadside.py", "maps/lane_map.py", "measure/score.py"),
+    "Scenic's loop and recording": ("simulate/", "scenic/"),
 }
 ROUNDS = 9
 LOADED: dict[str, EgoPolicy] = {}
@@ -59,14 +59,14 @@ LOADED: dict[str, EgoPolicy] = {}
 
 def ours(source: str, map_path: Path, ego: EgoPolicy, profile: cProfile.Profile | None = None) -> float:
     """Seconds per step, everything on."""
-    backend = load_backend("embedded", map_path, SimulationSettings())
+    simulator = load_simulator(map_path, SimulationSettings())
     program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=(), digest=source)
     scene = Scene(id="bench", scenario_id="bench", route=0, block=0, seed=0, values={})
-    backend.run(program, scene, ego)
+    simulate(simulator, program, scene, ego)
     if profile:
         profile.enable()
     began = time.process_time()
-    episode = backend.run(program, scene, ego)
+    episode = simulate(simulator, program, scene, ego)
     assert isinstance(episode, Episode)
     columns(measure(episode))
     if profile:

@@ -9,14 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from chatscene.evaluate.criticality import criticality, fault
-from chatscene.evaluate.drive import Ran
-from chatscene.evaluate.score import columns, measure
+from chatscene.measure.criticality import criticality, fault
+from chatscene.measure.drive import Ran
+from chatscene.measure.score import columns, measure
 from chatscene.runs import (
-    Run,
+    Workspace,
     create,
     explain,
     finish,
+    update,
     write_block,
     write_drawing,
     write_explanation,
@@ -26,19 +27,11 @@ from chatscene.search.explore import Block, outcomes
 from chatscene.search.samplers.paper import refine
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    BaseScenario,
-    Component,
-    Occluder,
-    Position,
-    Scenario,
-    Side,
-    Slots,
-    SubDescriptions,
-)
+from chatscene.terms.frame import About, Note
+from chatscene.terms.scenario import BaseScenario, Component, Occluder, Position, Scenario, Side, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.snippet import Match, ParameterRange, Retrieval, RuledOut, Snippet
 
@@ -302,7 +295,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
             position=Position.ROADSIDE,
             occluder=Occluder.BUS_STOP,
         ),
-        notes=("no place was said; a straight road is assumed",),
+        notes=(Note(about=About.SIDE),),
     )
     candidates = {
         Component.BEHAVIOR: (
@@ -348,7 +341,7 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
     return scenario, retrieval
 
 
-def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: int = 1) -> Run:
+def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: int = 1) -> Workspace:
     """A run folder up to the first block."""
     settings = Settings(search=SearchSettings(seed=7, routes=routes))
     run = create(folder, text=text, settings=settings, map_name="town", ego="rule-based")
@@ -382,7 +375,7 @@ def finished(
     count: int = 5,
     routes: int = 1,
     steps: int = 100,
-) -> Run:
+) -> Workspace:
     """A whole run folder."""
     run = started(folder, text=text, program=program, routes=routes)
     selected: dict[str, bool] = {}
@@ -392,11 +385,12 @@ def finished(
         for one in done:
             write_block(run, one)
         selected |= selection(done)
-    finish(run, selected=selected, expected=expected, timings={"understand": 0.4, "search": 11.2, "jobs": 2})
+    finish(run, selected=selected, expected=expected)
+    update(run, timings={"understand": 0.4, "search": 11.2, "jobs": 2})
     return run
 
 
-def as_by_an_older_version(run: Run) -> None:
+def as_by_an_older_version(run: Workspace) -> None:
     """Make `run.json` one that knows no digests, so that a test may change what is in the folder."""
     path = run.file("run.json")
     content = json.loads(path.read_text()) | {"schema_version": 1, "files": {}, "digest": ""}

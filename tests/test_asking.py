@@ -12,7 +12,9 @@ from chatscene.agent.decompose import decompose
 from chatscene.language_models.checked import CheckedModel
 from chatscene.language_models.protocol import LanguageModel, Limits
 from chatscene.language_models.scripted import Scripted
-from chatscene.terms.scenario import Action, AdversaryKind, Control, Maneuver, Place, Side
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Control, Maneuver, Place, Side
 
 TEXT = "Some guy barrels through on red from our left while we go straight."
 
@@ -38,20 +40,31 @@ def test_a_models_slots_are_used_with_what_follows_from_them() -> None:
     assert (slots.adversary, slots.actions, slots.side) == (AdversaryKind.TRUCK, (Action.RUN_LIGHT,), Side.LEFT)
     assert (slots.control, slots.place, slots.maneuver) == (Control.SIGNAL, Place.JUNCTION, Maneuver.STRAIGHT)
     assert scenario.parts.behavior == "the truck runs the light"
-    assert "read by" in scenario.notes[0]
+    assert "read by" in str(scenario.notes[0])
+
+
+def test_what_a_model_read_is_believed_with_probability_one() -> None:
+    answer = form(adversary="truck", actions=["run-light"], side="left")
+    frame = decompose_with(model(answer), decompose("The bus ahead brakes.")).frame
+    assert frame is not None
+    assert (frame.beliefs.of("adversary", AdversaryKind.TRUCK), frame.beliefs.of("adversary", AdversaryKind.BUS)) == (
+        1,
+        0,
+    )
+    assert (frame.beliefs.heard(Action.RUN_LIGHT), frame.beliefs.heard(Action.BRAKE)) == (1, 0)
 
 
 def test_where_the_readers_differ_is_told() -> None:
     answer = form(adversary="bus", actions=["brake"])
     notes = decompose_with(model(answer), decompose("The truck ahead brakes.")).notes
-    assert any("bus" in note and "truck" in note for note in notes)
+    assert any("bus" in str(note) and "truck" in str(note) for note in notes)
 
 
 def test_a_model_that_answers_nonsense_leaves_the_offline_reading() -> None:
     offline = decompose("A cyclist cuts across from the left.")
     scenario = decompose_with(model(*["no idea"] * 3), offline)
     assert scenario.slots == offline.slots
-    assert "read offline" in scenario.notes[-1]
+    assert "read offline" in str(scenario.notes[-1])
 
 
 def test_words_that_are_no_facts_are_asked_for_again() -> None:

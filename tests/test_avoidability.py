@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
-from chatscene.evaluate.avoidability import (
+from chatscene.maps.network import resolve_map
+from chatscene.measure.avoidability import (
     BRAKING_DELAY,
     FULL_BRAKE,
     RAMP,
@@ -21,13 +22,12 @@ from chatscene.evaluate.avoidability import (
     avoidable,
     risk_step,
 )
-from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import Backend, load_backend
 from chatscene.simulate.embedded.dynamics import VehicleBody
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
-from chatscene.terms.limits import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Scene
 
@@ -145,13 +145,13 @@ class Blind:
 
 
 @pytest.fixture(scope="module")
-def backend() -> Backend:
-    return load_backend("embedded", resolve_map("town"), SimulationSettings())
+def simulator() -> Simulator:
+    return load_simulator(resolve_map("town"), SimulationSettings())
 
 
 @pytest.mark.parametrize(("gap", "expected"), [(15.0, True), (80.0, None)])
 def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
-    backend: Backend, gap: float, expected: bool | None
+    simulator: Simulator, gap: float, expected: bool | None
 ) -> None:
     values = {
         "OPT_PARKED_Y": 40.0,
@@ -161,12 +161,12 @@ def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
         "OPT_BESIDE_SPEED": 4.0,
     }
     scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
-    driven = backend.run(STRAIGHT, scene, Blind())
+    driven = simulate(simulator, STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
-    assert avoidable(driven, STRAIGHT, scene, Blind(), backend) is expected
+    assert avoidable(driven, STRAIGHT, scene, Blind(), simulator) is expected
 
 
-def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(backend: Backend) -> None:
+def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(simulator: Simulator) -> None:
     class Moody(Blind):
         calls = 0
 
@@ -179,15 +179,15 @@ def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(backend: 
     values = {"OPT_PARKED_Y": 40.0, "OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0}
     values |= {"OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
     scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
-    driven = backend.run(STRAIGHT, scene, Moody())
+    driven = simulate(simulator, STRAIGHT, scene, Moody())
     assert isinstance(driven, Episode)
     Moody.calls = 200
     with pytest.raises(EgoError, match="drove scene 's' once and fails when it drives it again"):
-        avoidable(driven, STRAIGHT, scene, Moody(), backend)
-    assert isinstance(backend.run(STRAIGHT, scene, Blind()), Episode)  # the process is free for another drive
+        avoidable(driven, STRAIGHT, scene, Moody(), simulator)
+    assert isinstance(simulate(simulator, STRAIGHT, scene, Blind()), Episode)  # the process is free for another drive
 
 
-def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:
+def test_braking_needs_the_time_the_regulation_gives(simulator: Simulator) -> None:
     values = {
         "OPT_PARKED_Y": 40.0,
         "OPT_AHEAD_Y": 15.0,
@@ -196,7 +196,7 @@ def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:
         "OPT_BESIDE_SPEED": 4.0,
     }
     scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
-    driven = backend.run(STRAIGHT, scene, Blind())
+    driven = simulate(simulator, STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
     crash = driven.collision
     assert crash is not None
@@ -205,4 +205,4 @@ def test_braking_needs_the_time_the_regulation_gives(backend: Backend) -> None:
     ahead = next(t for t in driven.tracks if t.actor == crash.other)
     away = replace(ahead, x=np.where(np.arange(len(ahead.x)) < late, 1e6, ahead.x))
     hidden = replace(driven, tracks=tuple(away if t is ahead else t for t in driven.tracks))
-    assert avoidable(hidden, STRAIGHT, scene, Blind(), backend) is False
+    assert avoidable(hidden, STRAIGHT, scene, Blind(), simulator) is False

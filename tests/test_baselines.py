@@ -11,13 +11,13 @@ import pytest
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import SettingsError
-from chatscene.evaluate.drive import Ran
 from chatscene.maps.network import resolve_map
+from chatscene.measure.drive import Ran
 from chatscene.program.check import check
 from chatscene.search import explore as exploring
 from chatscene.search.baselines.nominal import NOMINAL, Baseline
 from chatscene.search.explore import Block
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Slots
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -57,7 +57,7 @@ def searched(
             program,
             Slots(),
             0,
-            backend=SimpleNamespace(),  # type: ignore[arg-type]
+            simulator=SimpleNamespace(),  # type: ignore[arg-type]
             ego=RuleBased(),
             settings=SearchSettings(scenes=10 * blocks, block=10, seed=seed),
             done=(),
@@ -111,11 +111,11 @@ def test_a_baseline_is_determined_by_its_seed(name: str, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("base", list(BaseScenario))
 @pytest.mark.parametrize("name", NAMES)
 def test_a_baselines_program_climbs_the_ladder_on_every_base_scenario(name: str, base: BaseScenario) -> None:
-    backend = load_generator(name).backend(resolve_map("town"), Settings())
+    simulator = simulator_of(load_generator(name), resolve_map("town"), Settings())
     program = program_of(name, base)
-    checked = check(program, Slots(), backend, RuleBased(), drives=1)
+    checked = check(program, Slots(), simulator, RuleBased(), drives=1)
     assert checked.episodes[0].adversaries
-    assert backend.routes(program) >= 10
+    assert simulator.routes(program) >= 10
 
 
 def test_what_a_baseline_varies_is_its_own() -> None:

@@ -15,7 +15,7 @@ from chatscene.pipeline import rebuild, run
 from chatscene.program.check import Checked
 from chatscene.runs import open_run, read_explanation
 from chatscene.search import generator as searching
-from chatscene.search.generator import TRIES, Written, climb
+from chatscene.search.generator import TRIES, Written, climb, simulator_of
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import Scenario
@@ -66,7 +66,7 @@ def climbing(
         SCENARIO,
         Written(program=program(0), retrieval=None),
         settings=SETTINGS,
-        backend=counting.backend(resolve_map("town"), Settings()),
+        simulator=simulator_of(counting, resolve_map("town"), Settings()),
         ego=RuleBased(),
     )
     return written.program.scenario_id, counting.tried

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from shapely import Polygon, box
 from shapely.affinity import rotate, translate
 
-from chatscene.evaluate.criticality import criticality, fault
+from chatscene.measure.criticality import criticality, fault
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chatscene.evaluate.criticality import criticality
+from chatscene.measure.criticality import criticality
 from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Ending, Episode, Role, Track
 

@@ -24,16 +24,16 @@ from chatscene.benchmark import benchmark
 from chatscene.cli import main
 from chatscene.errors import ChatSceneError, RunError, SettingsError
 from chatscene.evaluation import evaluate
-from chatscene.finetune.scenes import kept_scenes
+from chatscene.learn.finetune.scenes import kept_scenes
+from chatscene.learn.train import TrainSettings, train
 from chatscene.report.animation import write_gif
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
-    Run,
     Status,
+    Workspace,
     alone,
     check,
     create,
-    damaged_parts,
     finish,
     note,
     open_run,
@@ -49,9 +49,12 @@ from chatscene.runs import (
     update,
     write_block,
 )
+from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import write_sealed
+from chatscene.runs.tables import scene_of
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
-from chatscene.train import TrainSettings, train
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import ParameterRange
 from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started
 
 
@@ -88,8 +91,8 @@ def folder(drawn: Path, tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("name", ["seed=1", "ego=x", "lr=0.1", "scene_id=nobody"])
 def test_a_folder_named_like_a_partition_changes_no_column(drawn: Path, tmp_path: Path, name: str) -> None:
-    run = Run(shutil.copytree(drawn, tmp_path / name / "run"))
-    plain = Run(drawn)
+    run = Workspace(shutil.copytree(drawn, tmp_path / name / "run"))
+    plain = Workspace(drawn)
     assert read_scenes(run) == read_scenes(plain)
     assert read_ranges(run) == read_ranges(plain)
     driven = next(row["scene_id"] for row in read_scenes(run) if row["status"] == "ran")
@@ -128,7 +131,7 @@ def test_every_bit_of_the_record_is_guarded(folder: Path) -> None:
 
 
 def test_a_bit_that_would_change_values_in_silence_is_noticed_even_where_no_digest_is_kept(folder: Path) -> None:
-    run, path = Run(folder), folder / "scenes.parquet"
+    run, path = Workspace(folder), folder / "scenes.parquet"
     as_by_an_older_version(run)
     file = pq.ParquetFile(path)
     before = file.read()
@@ -186,7 +189,7 @@ def test_the_name_of_an_added_file_tells_the_terminal_nothing(folder: Path) -> N
 
 
 def test_of_a_folder_of_an_older_version_nobody_can_tell(folder: Path) -> None:
-    as_by_an_older_version(Run(folder))
+    as_by_an_older_version(Workspace(folder))
     answer = command("check", str(folder))
     assert answer.exit_code == 1
     assert "older version" in answer.output
@@ -247,7 +250,7 @@ def test_several_damaged_files_are_counted_and_the_first_is_named(folder: Path) 
 def test_tables_of_an_evaluation_are_under_the_digests(folder: Path) -> None:
     folder.joinpath("tables").mkdir()
     folder.joinpath("tables", "fault.txt").write_text("0.5")
-    note(Run(folder), folder / "tables" / "fault.txt")
+    note(Workspace(folder), folder / "tables" / "fault.txt")
     assert check(folder).whole
     _flip(folder / "tables" / "fault.txt", 3)
     assert "tables/fault.txt" in check(folder).damaged
@@ -256,7 +259,7 @@ def test_tables_of_an_evaluation_are_under_the_digests(folder: Path) -> None:
 # Runs that go on
 
 
-def _ongoing(path: Path) -> Run:
+def _ongoing(path: Path) -> Workspace:
     run = started(path)
     for block in blocks(3):
         write_block(run, block)
@@ -271,7 +274,7 @@ def test_a_damaged_block_of_a_running_run_is_run_again_and_not_used(tmp_path: Pa
     size = 8 * path.stat().st_size
     for bit in [0, size - 1, *(chance.randrange(size) for _ in range(20))]:
         _flip(path, bit)
-        assert list(damaged_parts(run)) == [run.part(SCENARIO, 0, 1)], bit
+        assert [(one.part, one.file) for one in damaged_parts(run)] == [(run.part(SCENARIO, 0, 1), path)], bit
         assert {row["block"] for row in read_scenes(run)} == {0, 2}
         assert not check(run.path).whole
         _flip(path, bit)
@@ -434,11 +437,11 @@ def test_a_program_that_is_no_text_is_named(folder: Path) -> None:
     path = next(folder.glob("programs/*.scenic"))
     path.write_bytes(b"ego = \xff\xfe")
     with pytest.raises(RunError, match=r"\.scenic is no text in UTF-8"):
-        read_programs(Run(folder))
+        read_programs(Workspace(folder))
 
 
 def test_a_letter_flipped_in_the_explanation_is_one_message_of_our_own(folder: Path) -> None:
-    run, path = Run(folder), folder / "explanation.json"
+    run, path = Workspace(folder), folder / "explanation.json"
     chance = random.Random(11)
     refused = 0
     for _ in range(150):
@@ -471,7 +474,7 @@ def test_an_explanation_is_checked_against_its_types(folder: Path, change: dict[
     content["scenarios"][0] |= change
     path.write_text(json.dumps(content))
     with pytest.raises(RunError, match=rf"explanation\.json .*{words}"):
-        read_choice(Run(folder))
+        read_choice(Workspace(folder))
 
 
 def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
@@ -480,10 +483,6 @@ def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
         pipeline.run("A cyclist rides out from the left and stops in front of us.", bad)
     with pytest.raises(RunError, match="NUL"):
         create(bad, text=TEXT, settings=Settings(), map_name="town", ego="sac")
-    for arguments in (["run", "a cyclist", "--out"], ["resume"], ["check"], ["evaluate"], ["replay", "x"]):
-        answer = command(*arguments, str(bad))
-        assert answer.exit_code == 1
-        assert "NUL" in answer.output
 
 
 def test_a_text_that_is_no_text_is_one_message_of_our_own(tmp_path: Path) -> None:
@@ -507,7 +506,7 @@ def test_what_is_sealed_is_sealed_to_the_byte(tmp_path: Path) -> None:
 def test_a_record_that_is_written_anew_meanwhile_is_not_called_damaged(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run, read = Run(folder), Path.read_bytes
+    run, read = Workspace(folder), Path.read_bytes
 
     def read_and_let_another_write(path: Path) -> bytes:
         content = read(path)
@@ -518,3 +517,58 @@ def test_a_record_that_is_written_anew_meanwhile_is_not_called_damaged(
 
     monkeypatch.setattr(Path, "read_bytes", read_and_let_another_write)
     assert open_run(folder) == run
+
+
+def _columns(path: Path, change: Callable[[Any], Any]) -> None:
+    pq.write_table(change(pq.read_table(path)), path)
+
+
+FORGED: dict[str, tuple[str, Callable[[Any], Any], str]] = {
+    "a column is missing": ("scenes.parquet", lambda t: t.drop_columns(["ending"]), "no column 'ending'"),
+    "another type": ("events.parquet", lambda t: _with(t, "step", ["zz"] * t.num_rows), "'step' holds string"),
+    "a lack of values": ("scenes.parquet", lambda t: _with(t, "dt", [None] * t.num_rows), "'dt' lacks values"),
+    "no route": ("scenes.parquet", lambda t: _with(t, "route_id", ["x"] * t.num_rows), "'x' is no route"),
+    "no time": ("scenes.parquet", lambda t: _with(t, "dt", [-0.05] * t.num_rows), "do not hold a drive.*dt is -0.05 s"),
+    "no ending": ("scenes.parquet", lambda t: _with(t, "ending", ["x"] * t.num_rows), "do not hold a drive"),
+    "no rows": ("episodes", lambda t: t.slice(0, 0), "do not hold a drive"),
+}
+
+
+def _with(table: Any, name: str, values: list[Any]) -> Any:
+    column = table.column_names.index(name)
+    kind = table.schema.field(column).type if values[0] != "zz" else pa.string()
+    return table.set_column(column, name, pa.array(values, kind))
+
+
+@pytest.mark.parametrize("case", FORGED)
+def test_tables_that_hold_something_else_are_one_message(tmp_path: Path, case: str) -> None:
+    run = finished(tmp_path / "run")
+    as_by_an_older_version(run)  # somebody who forges a table can forge its digest, too
+    name, change, message = FORGED[case]
+    for path in sorted(run.path.glob(f"{name}/*.parquet")) or [run.file(name)]:
+        _columns(path, change)
+    with pytest.raises(RunError, match=message):
+        write_report(run.path)
+
+
+@pytest.mark.parametrize("points", [[[0.0, 1e308], [1.0, 2.0]], [[0.0, 0.0]], ["xy"], None])
+def test_a_drawing_that_nobody_can_draw_is_one_message(tmp_path: Path, points: object) -> None:
+    run = finished(tmp_path / "run")
+    as_by_an_older_version(run)
+    run.file("map.json").write_text(json.dumps({"lane_boundaries": [{"kind": "solid", "points": points}]}))
+    with pytest.raises(RunError, match=r"map\.json is no drawing of a map"):
+        write_report(run.path)
+
+
+def test_a_scene_that_lacks_a_value_of_its_program_is_one_message(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run")
+    scene = read_scenes(run)[0]
+    program = ScenicProgram(
+        scenario_id=SCENARIO,
+        source="",
+        parameters=(ParameterRange(name="OPT_LOST", low=0.0, high=1.0, unit="m"),),
+        snippet_ids=(),
+        digest="",
+    )
+    with pytest.raises(RunError, match=r"has no OPT_LOST in scenes\.parquet"):
+        scene_of(scene, program)

@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from chatscene.agent.decompose import LONGEST, decompose
 from chatscene.agent.lexicon import edits, mended
 from chatscene.errors import SettingsError
-from chatscene.terms.scenario import Action, AdversaryKind, BaseScenario, Component, Maneuver, Scenario, Side
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side
 
 SENTENCES: dict[str, Any] = json.loads((Path(__file__).parent / "fixtures" / "sentences.json").read_text("utf-8"))
 PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
@@ -177,7 +179,7 @@ def test_a_real_word_is_left_alone(word: str) -> None:
 
 
 def test_a_mended_typo_is_told() -> None:
-    assert "read 'pedestrain' as 'pedestrian'" in decompose("A pedestrain crosses from the right.").notes
+    assert "read 'pedestrain' as 'pedestrian'" in map(str, decompose("A pedestrain crosses from the right.").notes)
 
 
 @given(st.text("abcd", max_size=6), st.text("abcd", max_size=6))
@@ -191,7 +193,7 @@ def test_the_edit_distance_is_symmetric_and_nothing_only_between_equals(one: str
 def test_who_is_unknown_to_the_library_is_named() -> None:
     scenario = decompose("A dragon lands on the hood.")
     assert scenario.slots.said() == {}
-    assert any("dragon" in note for note in scenario.notes)
+    assert any("dragon" in str(note) for note in scenario.notes)
 
 
 @pytest.mark.parametrize("text", ["", "   ", "\n\t", "\u200b"])

@@ -9,15 +9,9 @@ from chatscene.snippets.compatibility import incompatibility
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import load_library
 from chatscene.snippets.reading import read
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    BaseScenario,
-    Place,
-    Position,
-    Side,
-    Slots,
-)
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import BaseScenario, Place, Position, Side, Slots
 
 
 @pytest.mark.parametrize("base", BaseScenario)

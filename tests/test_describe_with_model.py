@@ -112,7 +112,7 @@ def test_the_command_prints_sentences_and_how_different_they_are(
     offline = CliRunner().invoke(cli_proposal.describe, ["--base", BASE.value, "--n", "3"])
     assert offline.exit_code == 0, offline.output
     assert "diversity, offline: 3 sentences, 3 behaviors" in offline.output
-    monkeypatch.setattr("chatscene.language_models.reply_cache.user_folder", lambda: tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     script = tmp_path / "replies.json"
     script.write_text(json.dumps([{"sentences": [WALKER]}, {"sentences": []}, {"sentences": []}]), encoding="utf-8")
     both = CliRunner().invoke(

@@ -1,5 +1,6 @@
 """The documents say what is true: commands run, links lead somewhere, the glossary knows the words."""
 
+import json
 import re
 import runpy
 import shlex
@@ -11,16 +12,16 @@ from pathlib import Path
 import pytest
 
 from chatscene.sandbox.words import world_words
-from chatscene.search.baselines.adversarial_trajectory import LIMITS
+from chatscene.search.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
 from chatscene.search.baselines.learning_to_collide import LearningToCollide
 from chatscene.search.baselines.nominal import NOMINAL
 from chatscene.search.baselines.scenario_runner import AROUND, EARLIER_OR_LATER
 from chatscene.snippets.library import load_library
-from chatscene.terms.scenario import AdversaryKind, BaseScenario, Component
+from chatscene.terms.scenario import BaseScenario, Component
 from fake_run import finished
 
 ROOT = Path(__file__).parents[1]
-PAGES = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md")])
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 
 
@@ -55,6 +56,33 @@ def test_every_command_in_the_readme_exists() -> None:
         assert done.returncode == 0, command
 
 
+def ran(code: str, folder: Path) -> None:
+    """Run code in a process of its own, which fails where the code does."""
+    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{code}\n{done.stdout}\n{done.stderr}"
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
+def test_the_python_of_a_page_runs(page: str, tmp_path: Path) -> None:
+    pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
+    assert any("import chatscene" in block for block in blocks)
+    ran("\n".join(blocks), tmp_path)
+
+
+def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(tmp_path: Path) -> None:
+    pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    cells = json.loads((ROOT / "docs" / "notebook.ipynb").read_text())["cells"]
+    code = [cell for cell in cells if cell["cell_type"] == "code"]
+    assert not any(cell["outputs"] for cell in code)
+    lines = ["".join(cell["source"]) for cell in code]
+    assert sum(bool(line.strip()) for cell in lines for line in cell.splitlines()) <= 10
+    assert "env.step(" in lines[-1]
+    # A notebook shows what the last line of a cell gives.
+    shown = ["\n".join([*cell.splitlines()[:-1], f"({cell.splitlines()[-1]})._repr_html_()"]) for cell in lines[:-1]]
+    ran("\n".join([*shown, lines[-1]]), tmp_path)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_between_pages_lead_somewhere(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text()):
@@ -69,6 +97,24 @@ def test_the_same_pythons_are_allowed_by_the_package_the_makefile_and_the_doctor
         assert re.search(rf"\(3, {first}\) <= \S+ < \(3, {after}\)", (ROOT / place).read_text()), place
     assert (int(first), int(after)) == (11, 14)
     assert f"Python 3.{first}, 3.12 or 3.{int(after) - 1}" in (ROOT / "README.md").read_text()
+
+
+def test_the_version_is_the_same_wherever_it_stands() -> None:
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    newest = re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    cited = re.search(r"^version: (\S+)", (ROOT / "CITATION.cff").read_text(), re.MULTILINE)
+    assert newest
+    assert cited
+    assert newest[1] == cited[1] == version
+
+
+def test_a_push_is_tested_on_every_python_that_is_allowed() -> None:
+    workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text()
+    assert re.findall(r"- run: (.*)", workflow) == [".ci/run"]
+    minors = [int(minor) for minor in re.findall(r'"3\.(\d+)"', workflow)]
+    assert minors == [11, 12, 13]
+    classifiers = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["classifiers"]
+    assert [f"Programming Language :: Python :: 3.{minor}" in classifiers for minor in minors] == [True] * 3
 
 
 def test_every_pin_that_has_no_wheel_for_a_python_gives_way_to_one_that_has() -> None:
@@ -156,7 +202,7 @@ def test_the_limits_of_the_baselines_stand_in_the_documents() -> None:
         (start,) = load_library().get(f"spawn/{nominal.spawn}").parameters
         assert f"trigger ±{(trigger.high - trigger.low) / 2:g} m, start over {start.high - start.low:g} m" in page
         assert f"speed ±{(speed.high / nominal.speed - 1):.0%}".replace("%", " %") in page
-    assert f"±{LIMITS[AdversaryKind.BICYCLE]:g} m on foot or bicycle, ±{LIMITS[AdversaryKind.CAR]:g} m in a car" in page
+    assert f"±{VULNERABLE_LIMIT:g} m on foot or bicycle, ±{LIMIT:g} m in a car" in page
     assert f"trigger ±{EARLIER_OR_LATER:g} m, speed ±{AROUND:.0%}".replace("%", " %") in page
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-pytest.importorskip("gymnasium", reason="the extra 'train' is not installed")
+pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
 
 from gymnasium.utils.env_checker import check_env
 
@@ -21,7 +22,7 @@ from chatscene.errors import EgoError, SettingsError
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.scene import Scene
 
 STRAIGHT = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
@@ -44,9 +45,8 @@ def env() -> Iterator[DrivingEnv]:
 
 
 @pytest.mark.parametrize("observation", sorted(OBSERVATIONS))
-@pytest.mark.filterwarnings("ignore:.*Box observation space.*")
 def test_gymnasium_finds_nothing_wrong_with_it(observation: str) -> None:
-    env = DrivingEnv([STRAIGHT], observation=observation)
+    env = DrivingEnv([STRAIGHT], ego_observation=observation, render_mode="rgb_array")
     check_env(env, skip_render_check=True)
     env.close()
 
@@ -64,6 +64,39 @@ def test_a_course_and_its_values_can_be_asked_for(env: DrivingEnv) -> None:
     assert info["values"] == CALM
     with pytest.raises(SettingsError, match="there is no course 7"):
         env.reset(options={"course": 7})
+
+
+def test_a_course_with_values_is_one_scene() -> None:
+    env = DrivingEnv([replace(STRAIGHT, values=CALM)])
+    assert all(env.reset(seed=seed)[1]["values"] == CALM for seed in (1, 2))
+    assert env.reset(options={"values": AHEAD})[1]["values"] == AHEAD
+    env.close()
+
+
+def test_a_picture_shows_what_moved() -> None:
+    env = DrivingEnv([replace(STRAIGHT, values=CALM)], render_mode="rgb_array")
+    env.reset()
+    first = env.render()
+    for _ in range(10):
+        env.step(FULL)
+    later = env.render()
+    env.close()
+    assert first is not None
+    assert later is not None
+    assert first.shape == later.shape == (360, 640, 3)
+    assert first.dtype == np.uint8
+    blue = np.array((42, 102, 224))  # the ego, which the picture holds in its middle
+    assert all(
+        np.abs(picture[170:190, 310:330].astype(int) - blue).sum(axis=2).min() < 30 for picture in (first, later)
+    )
+    assert not np.array_equal(first, later)
+
+
+def test_there_is_no_picture_unless_it_was_asked_for(env: DrivingEnv) -> None:
+    env.reset(seed=0)
+    assert env.render() is None
+    with pytest.raises(SettingsError, match=r"no render mode 'human'.*rgb_array"):
+        DrivingEnv([STRAIGHT], render_mode="human")
 
 
 def test_a_crash_terminates_and_is_not_truncated(env: DrivingEnv) -> None:
@@ -99,7 +132,7 @@ def test_to_arrive_truncates_because_driving_goes_on_after_the_route(env: Drivin
     assert not np.array_equal(observation, last)  # a learner's bootstrap needs the state after the last step
 
 
-def test_its_drives_are_those_of_the_backend(env: DrivingEnv) -> None:
+def test_its_drives_are_those_of_the_simulator(env: DrivingEnv) -> None:
     env.reset(options={"values": CALM})
     for _ in range(40):
         env.step(np.array((0.5, 0.0), np.float32))
@@ -110,9 +143,9 @@ def test_its_drives_are_those_of_the_backend(env: DrivingEnv) -> None:
         def act(self, observation: object) -> tuple[float, float]:
             return 0.5, 0.0
 
-    backend = load_backend("embedded", resolve_map("town"), SimulationSettings(max_steps=40))
+    simulator = load_simulator(resolve_map("town"), SimulationSettings(max_steps=40))
     scene = Scene(id="s", scenario_id=STRAIGHT.program.scenario_id, route=0, block=0, seed=0, values=CALM)
-    again = backend.run(STRAIGHT.program, scene, HalfThrottle())
+    again = simulate(simulator, STRAIGHT.program, scene, HalfThrottle())
     assert hasattr(again, "ego_track")
     assert np.array_equal(episode.ego_track.x, again.ego_track.x)  # pyright: ignore[reportAttributeAccessIssue]
 
@@ -188,7 +221,7 @@ def test_every_reward_is_a_sum_of_named_numbers(name: str) -> None:
 
 
 def test_the_intelligent_driver_brakes_for_a_pedestrian_the_four_numbers_do_not_show() -> None:
-    env = DrivingEnv([STRAIGHT], observation="actors", pedals="full-brake")
+    env = DrivingEnv([STRAIGHT], ego_observation="actors", pedals="full-brake")
     observation, _ = env.reset(options={"values": CALM})
     env.close()
     walker = observation.astype(float)

@@ -4,9 +4,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.simulate.embedded.contact import approach_speed, contact_side, touch
-from chatscene.simulate.embedded.dynamics import Body, VehicleBody, WalkerBody, make_body
-from chatscene.terms.limits import LIMITS
+from chatscene.simulate.contact import approach_speed, contact_side, touch
+from chatscene.simulate.embedded.dynamics import VehicleBody, WalkerBody, make_body
+from chatscene.terms.actors import LIMITS
+from chatscene.world.bodies import Body, Placement
 
 DT = 0.1
 pedal = st.floats(0, 1)
@@ -16,19 +17,30 @@ kinds = st.sampled_from([kind for kind, limits in LIMITS.items() if limits.wheel
 
 def vehicle(kind: str = "Car", speed: float = 0.0) -> VehicleBody:
     limits = LIMITS[kind]
-    size, wheels = (limits.length, limits.width), (limits.wheelbase, limits.wheel_angle)
-    body = make_body(kind, 0.0, 0.0, 0.0, size=size, wheels=wheels, speed=speed)
+    body = make_body(
+        Placement(
+            kind=kind,
+            x=0.0,
+            y=0.0,
+            heading=0.0,
+            speed=speed,
+            length=limits.length,
+            width=limits.width,
+            wheelbase=limits.wheelbase,
+            wheel_angle=limits.wheel_angle,
+        )
+    )
     assert isinstance(body, VehicleBody)
     return body
 
 
 def walker(speed: float = 0.0) -> WalkerBody:
-    body = make_body("Pedestrian", 0.0, 0.0, 0.0, size=(0.6, 0.6), speed=speed)
+    body = make_body(Placement(kind="Pedestrian", x=0.0, y=0.0, heading=0.0, speed=speed, length=0.6, width=0.6))
     assert isinstance(body, WalkerBody)
     return body
 
 
-def run(body: Body, steps: int) -> None:
+def run(body: VehicleBody | WalkerBody, steps: int) -> None:
     for _ in range(steps):
         body.step(DT)
 
@@ -193,4 +205,4 @@ def test_a_body_that_cannot_be_is_refused_and_not_made_into_another(
     kind: str, size: tuple[float, float], speed: float, message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        make_body(kind, 0.0, 0.0, 0.0, size=size, wheels=(2.85, 1.22), speed=speed)
+        make_body(Placement(kind=kind, x=0.0, y=0.0, heading=0.0, speed=speed, length=size[0], width=size[1]))

@@ -118,7 +118,7 @@ def test_a_replay_of_changed_tracks_says_where_they_differ(
     x = table.column("x").to_numpy().copy()
     x[7] += 1e-9
     pq.write_table(table.set_column(table.column_names.index("x"), "x", pa.array(x)), path)
-    as_by_an_older_version(runs.Run(folder))
+    as_by_an_older_version(runs.Workspace(folder))
     scene = table.column("scene_id")[0].as_py()
     answer = chatscene("replay", str(folder), scene)
     assert answer.returncode == 1

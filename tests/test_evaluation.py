@@ -18,24 +18,19 @@ from chatscene import benchmark as benchmarks
 from chatscene import pipeline, runs
 from chatscene.benchmark import Budget, benchmark
 from chatscene.driving import drive
-from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
-from chatscene.evaluate import ordinary
-from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.evaluation import carry_on, evaluate, read_drives
-from chatscene.maps.network import resolve_map
+from chatscene.measure import ordinary
+from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
-from chatscene.search.explore import Block, outcomes
-from chatscene.search.generator import GENERATORS, Generator, load_generator
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.terms.outcome import Outcome
+from chatscene.search.generator import load_generator
+from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario
 
 TEXTS = (
     "A pedestrian steps out from behind a bus stop on the right and stops in front of us.",
     "A car from the left runs the red light and turns right as we drive straight over the junction.",
 )
-OWN_PROGRAM = Path(__file__).parent / "golden" / "bus-stop.scenic"
 SETTINGS = Settings(search=SearchSettings(scenes=4, block=2, keep=2, routes=2))
 
 
@@ -186,58 +181,8 @@ def test_what_cannot_be_evaluated_is_said(searched: Path, tmp_path: Path) -> Non
     assert not (tmp_path / "e").exists()
 
 
-def sample(generator: Generator, base: BaseScenario) -> str:
-    """A text of a generator; one that has none for a benchmark is given a program of its user's own."""
-    texts = generator.texts(base)
-    return texts[0] if texts else OWN_PROGRAM.read_text(encoding="utf-8")
-
-
 def test_the_papers_generator_has_five_texts_for_every_base_scenario() -> None:
     assert all(len(load_generator("chatscene").texts(base)) == 5 for base in BaseScenario)
-
-
-@pytest.mark.parametrize("name", sorted(GENERATORS))
-class TestEveryGenerator:
-    """What a generator must do."""
-
-    def test_its_texts_for_a_base_scenario_belong_to_it(self, name: str) -> None:
-        generator = load_generator(name)
-        for base in BaseScenario:
-            texts = generator.texts(base)
-            assert len(set(texts)) == len(texts)
-            assert all(generator.read(text, RetrievalSettings()).base is base for text in texts)
-
-    def test_it_makes_the_same_program_of_the_same_text(self, name: str) -> None:
-        generator = load_generator(name)
-        scenario = generator.read(sample(generator, BaseScenario.RIGHT_TURN), RetrievalSettings())
-        first, second = (generator.write(scenario, RetrievalSettings()).program for _ in range(2))
-        assert first == second
-        assert first.parameters
-
-    def test_it_goes_on_after_a_block_as_if_it_had_not_stopped(self, name: str) -> None:
-        generator = load_generator(name)
-        scenario = generator.read(sample(generator, BaseScenario.STRAIGHT_OBSTACLE), RetrievalSettings())
-        program = generator.write(scenario, RetrievalSettings()).program
-        backend = generator.backend(resolve_map("town"), SETTINGS)
-        ego = load_ego("rule-based")
-
-        def search(done: list[list[Outcome]]) -> list[Block]:
-            return list(
-                generator.explore(
-                    program,
-                    scenario.slots,
-                    0,
-                    backend=backend,
-                    ego=ego,
-                    settings=SETTINGS.search,
-                    done=done,
-                )
-            )
-
-        whole = search([])
-        (rest,) = search([outcomes(whole[0])])
-        assert len(whole) == 2
-        assert [r.scene for r in rest.ran] == [r.scene for r in whole[1].ran]
 
 
 @pytest.fixture

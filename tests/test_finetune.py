@@ -21,7 +21,6 @@ pytest.importorskip("stable_baselines3", reason="the extra 'train' is not instal
 import torch
 from gymnasium import spaces
 
-from chatscene import finetune as finetuning
 from chatscene import pipeline
 from chatscene.cli_finetune import finetune as command
 from chatscene.ego.driving_env import DrivingEnv
@@ -29,16 +28,17 @@ from chatscene.ego.network import load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
-from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
-from chatscene.finetune import PRESETS, FinetuneSettings, choose, finetune
-from chatscene.finetune import pupil as learning
-from chatscene.finetune.buffer import SplitBuffer
-from chatscene.finetune.learner import Learner, Schedule
-from chatscene.finetune.pupil import Pupil
-from chatscene.finetune.scenes import KeptScene, Lessons, kept_scenes, split
+from chatscene.learn import finetune as finetuning
+from chatscene.learn.finetune import PRESETS, FinetuneSettings, choose, finetune
+from chatscene.learn.finetune import pupil as learning
+from chatscene.learn.finetune.buffer import SplitBuffer
+from chatscene.learn.finetune.learner import Learner, Schedule
+from chatscene.learn.finetune.pupil import Pupil
+from chatscene.learn.finetune.scenes import KeptScene, Lessons, kept_scenes, split
+from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.program.ordinary import Course
 from chatscene.settings import SearchSettings, Settings
-from chatscene.simulate.embedded.backend import EmbeddedBackend
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 pytestmark = [
@@ -216,7 +216,7 @@ def scenes(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ordinary drives that take no time."""
 
-    def driven(ego: Any, *, map_name: str, scenes: int, seed: int) -> OrdinaryResult:
+    def driven(ego: Any, simulator: Simulator, *, scenes: int, seed: int) -> OrdinaryResult:
         one = OrdinaryDrive(course=0, completion=0.5, speed=5.0, off_road=0.0, collided=False)
         return OrdinaryResult(ego="e", drives=(one,), rejected=0)
 
@@ -356,20 +356,21 @@ class TestWhole:
         self, scenes: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         lost = next(k.scene for k in kept_scenes([scenes]).scenes if k.scene.route == 0)
-        run = EmbeddedBackend.run
+        judged = "chatscene.learn.finetune.scenes.simulate"
 
-        def without_it(self: EmbeddedBackend, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> Any:
-            return Rejected(scene=scene, reason="no room") if scene == lost else run(self, program, scene, ego)
+        def without_it(simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy) -> Any:
+            rejected = Rejected(scene=scene, reason="no room")
+            return rejected if scene == lost else simulate(simulator, program, scene, ego)
 
-        monkeypatch.setattr(EmbeddedBackend, "run", without_it)
+        monkeypatch.setattr(judged, without_it)
         tuned = finetune(tmp_path / "t", [scenes], replace(TINY, episodes=2), progress=silent)
         assert tuned.skipped == {lost.id: "no room"}
         assert (tuned.before["train"]["n"], tuned.before["train"]["rejected"]) == (1.0, 1.0)
 
-        def none(_self: EmbeddedBackend, _program: ScenicProgram, scene: Scene, _ego: EgoPolicy) -> Any:
+        def none(_simulator: Simulator, _program: ScenicProgram, scene: Scene, _ego: EgoPolicy) -> Any:
             return Rejected(scene=scene, reason="no room")
 
-        monkeypatch.setattr(EmbeddedBackend, "run", none)
+        monkeypatch.setattr(judged, none)
         with pytest.raises(RunError, match=r"none of the 2 training scenes .*no room.* search for them again"):
             finetune(tmp_path / "u", [scenes], TINY, progress=silent)
 

@@ -11,9 +11,10 @@ from chatscene.errors import ForeignCodeRefused
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import probe_scenes
 from chatscene.program.foreign import ADVERSARY_BEHAVIOR, foreign_program, read_foreign
-from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.search.explore import explore
 from chatscene.settings import SearchSettings, SimulationSettings
+from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots
 
@@ -36,9 +37,9 @@ van = new Truck at besideRoad(egoRoute, 45, "right", 0.5), facing directionOn(eg
 
 
 @pytest.fixture(scope="module")
-def backend() -> Iterator[SandboxedBackend]:
-    with SandboxedBackend(resolve_map("town"), SimulationSettings()) as backend:
-        yield backend
+def simulator() -> Iterator[ConfinedSimulator]:
+    with ConfinedSimulator(resolve_map("town"), SimulationSettings()) as simulator:
+        yield simulator
 
 
 def written(folder: Path, text: str, name: str = "My scene.scenic") -> Path:
@@ -84,14 +85,14 @@ def test_line_ends_and_marks_of_windows_are_understood(tmp_path: Path) -> None:
     assert read_foreign(path)[0].program.digest == foreign_program("w", MINE).digest
 
 
-def test_a_foreign_program_is_driven_and_searched_like_our_own(backend: SandboxedBackend) -> None:
+def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: ConfinedSimulator) -> None:
     program = foreign_program("mine", MINE)
-    episode = backend.run(program, probe_scenes(program, 0)[0], RuleBased(), through_collisions=True)
+    episode = simulate(simulator, program, probe_scenes(program, 0)[0], RuleBased(), through_collisions=True)
     assert isinstance(episode, Episode)
     assert [track.kind for track in episode.adversaries] == ["Truck"]
     assert episode.adversaries[0].speed.max() > 2.0
     settings = SearchSettings(scenes=4, block=2, keep=1)
-    first, second = explore(program, Slots(), 0, backend=backend, ego=RuleBased(), settings=settings)
+    first, second = explore(program, Slots(), 0, simulator=simulator, ego=RuleBased(), settings=settings)
     assert len(first.ran) == len(second.ran) == 2
 
 

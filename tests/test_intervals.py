@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.stats import binomtest
 
 from chatscene.errors import SettingsError
-from chatscene.evaluate.intervals import METRICS, bootstrap, percentiles, resample, resample_scores
-from chatscene.evaluate.score import score, wilson
+from chatscene.measure.intervals import METRICS, bootstrap, percentiles, resample, resample_scores
+from chatscene.measure.score import score, wilson
 from chatscene.terms.metrics import Measurements, Mode
 
 few = settings(max_examples=25)
@@ -69,6 +70,12 @@ def test_the_interval_of_a_mean_is_that_of_student_for_many_draws() -> None:
     assert (low, high) == pytest.approx((4.5 - 2.262 * 0.957, 4.5 + 2.262 * 0.957), abs=0.1)
 
 
+def test_the_percentiles_of_five_routes_are_taken_out_by_the_table_of_student() -> None:
+    """t with 4 degrees of freedom is 2.7764 in every table; the tail is Φ(-√(5/4) 2.7764)."""
+    low, high = percentiles(np.linspace(0.0, 1.0, 1_000_001), [5])
+    assert (low, 1 - high) == pytest.approx((0.000954, 0.000954), abs=1e-6)
+
+
 def test_more_confidence_is_a_wider_interval() -> None:
     groups = [[float(k)] for k in range(10)]
     narrow = bootstrap(groups, mean, seed=0, level=0.8)
@@ -117,6 +124,13 @@ def test_resampled_scores_are_scores_of_resampled_routes(
 )
 def test_the_wilson_interval_is_the_published_one(successes: int, trials: int, low: float, high: float) -> None:
     assert wilson(successes, trials) == pytest.approx((low, high), abs=5e-5)
+
+
+@given(st.integers(1, 500), st.floats(0, 1))
+def test_the_wilson_interval_is_that_of_scipy(trials: int, share: float) -> None:
+    successes = round(share * trials)
+    theirs = binomtest(successes, trials).proportion_ci(0.95, "wilson")
+    assert wilson(successes, trials) == pytest.approx((theirs.low, theirs.high), abs=1e-8)
 
 
 def test_wilson_holds_a_mean_rate_that_is_no_whole_count() -> None:

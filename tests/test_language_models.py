@@ -17,6 +17,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
+from chatscene.caches import cache_folder
 from chatscene.errors import LanguageModelError, MissingExtra, SettingsError
 from chatscene.language_models.checked import CheckedModel
 from chatscene.language_models.completion import FREE, Completer, Message, Price
@@ -29,7 +30,7 @@ from chatscene.language_models.protocol import (
     Prompt,
     load_language_model,
 )
-from chatscene.language_models.reply_cache import question_key, read_reply, user_folder, write_reply
+from chatscene.language_models.reply_cache import question_key, read_reply, write_reply
 from chatscene.language_models.scripted import Scripted, from_file
 from chatscene.language_models.structured import LONGEST_REPLY, Unusable, read_answer, strict_schema
 from fault_server import chat, fault_server
@@ -248,7 +249,7 @@ def test_what_was_spent_never_exceeds_the_budget(questions: list[str], limit: in
 
 
 def test_every_name_in_the_table_leads_somewhere() -> None:
-    for target in LANGUAGE_MODELS.values():
+    for target in LANGUAGE_MODELS.built_in.values():
         module, _, attribute = target.partition(":")
         assert callable(getattr(importlib.import_module(module), attribute))
 
@@ -454,7 +455,12 @@ def test_a_damaged_entry_is_not_read(tmp_path: Path, damage: Callable[[bytes], b
 
 def test_the_users_folder_is_where_caches_belong(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    assert user_folder() == tmp_path / "chatscene" / "replies"
+    assert cache_folder("replies") == tmp_path / "chatscene" / "replies"
+
+
+def test_a_kept_reply_is_for_its_user_alone(tmp_path: Path) -> None:
+    write_reply(tmp_path, "k", "text")
+    assert (tmp_path / "k.json").stat().st_mode & 0o077 == 0
 
 
 def test_an_entry_under_another_name_is_not_read(tmp_path: Path) -> None:

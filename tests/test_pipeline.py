@@ -17,9 +17,10 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.snippets.library import load_library
-from chatscene.terms.scenario import AdversaryKind, Slots
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -32,8 +33,8 @@ PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptio
 
 
 @pytest.fixture(scope="module")
-def backend() -> Backend:
-    return load_backend("embedded", resolve_map("town"), SimulationSettings())
+def simulator() -> Simulator:
+    return load_simulator(resolve_map("town"), SimulationSettings())
 
 
 @pytest.mark.parametrize("name", SENTENCES)
@@ -43,9 +44,9 @@ def test_a_sentence_makes_the_program_in_its_golden_file(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", SENTENCES)
-def test_a_golden_program_means_its_sentence(name: str, backend: Backend) -> None:
+def test_a_golden_program_means_its_sentence(name: str, simulator: Simulator) -> None:
     understood = pipeline.understand(SENTENCES[name])
-    checked = check(understood.program, understood.scenario.slots, backend, RuleBased())
+    checked = check(understood.program, understood.scenario.slots, simulator, RuleBased())
     assert len(checked.episodes) == 3
 
 
@@ -86,7 +87,7 @@ def test_a_part_that_lacks_a_name_is_told_which() -> None:
         assemble(decompose("a car brakes"), (triple[0], triple[1], triple[2]), AdversaryKind.CAR)
 
 
-def test_a_program_that_can_never_be_placed_says_why(backend: Backend) -> None:
+def test_a_program_that_can_never_be_placed_says_why(simulator: Simulator) -> None:
     source = """
 model chatscene.world.model
 egoRoute = selectRoute(maneuver="straight")
@@ -101,7 +102,7 @@ AdvAgent = new Car at pointOn(egoRoute, globalParameters.OPT_GEO_Y), facing 0, w
     p = ParameterRange(name="OPT_GEO_Y", low=0.0, high=1.0, unit="m")
     program = ScenicProgram(scenario_id="stuck", source=source, parameters=(p,), snippet_ids=(), digest="stuck")
     with pytest.raises(Unsatisfiable, match="adversary overlaps ego"):
-        check(program, Slots(), backend, RuleBased())
+        check(program, Slots(), simulator, RuleBased())
     assert {scene.values["OPT_GEO_Y"] for scene in probe_scenes(program, 0)} >= {0.5, 0.25}
 
 
@@ -145,6 +146,6 @@ def _paper() -> list[str]:
 
 @pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
 @pytest.mark.parametrize("number", range(40))
-def test_each_sentence_of_the_paper_becomes_a_program_that_means_it(number: int, backend: Backend) -> None:
+def test_each_sentence_of_the_paper_becomes_a_program_that_means_it(number: int, simulator: Simulator) -> None:
     understood = pipeline.understand(_paper()[number])
-    check(understood.program, understood.scenario.slots, backend, RuleBased())
+    check(understood.program, understood.scenario.slots, simulator, RuleBased())

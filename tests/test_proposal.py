@@ -23,15 +23,16 @@ from chatscene.language_models.scripted import Scripted
 from chatscene.maps.network import resolve_map
 from chatscene.program.lint import Finding
 from chatscene.proposing import review
-from chatscene.proposing.draft import Draft, as_text, code_faults, slug, snippet_of
+from chatscene.proposing.draft import Draft, code_faults, slug, snippet_of
 from chatscene.proposing.prompt import draft_of, shots, system, vocabulary
 from chatscene.proposing.propose import Summary, propose
 from chatscene.proposing.shelf import Shelf
 from chatscene.proposing.trying import Judge
 from chatscene.proposing.wordings import Rephrased, rephrase
-from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.settings import SimulationSettings
 from chatscene.snippets.library import Library, load_library, load_snippet
+from chatscene.snippets.snippet_file import as_text
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 
@@ -88,7 +89,7 @@ def quiet(what: str, done: int, total: int) -> None:
 
 
 def reads_only(library: Library) -> Judge:
-    return ReadsOnly(library, backend=None, ego=RuleBased())  # type: ignore[arg-type]
+    return ReadsOnly(library, simulator=None, ego=RuleBased())  # type: ignore[arg-type]
 
 
 class Words:
@@ -109,9 +110,9 @@ WORDS = Words()
 
 
 @pytest.fixture(scope="module")
-def sandbox() -> Iterator[SandboxedBackend]:
-    with SandboxedBackend(resolve_map("town"), SimulationSettings()) as backend:
-        yield backend
+def sandbox() -> Iterator[ConfinedSimulator]:
+    with ConfinedSimulator(resolve_map("town"), SimulationSettings()) as simulator:
+        yield simulator
 
 
 def small_library() -> Library:
@@ -164,7 +165,8 @@ def test_a_packaged_snippet_survives_being_a_draft_and_a_file(snippet: Snippet, 
     path.write_text(as_text(again), encoding="utf-8")
     read = load_snippet(path)
     assert read.source.strip() == again.source.strip() == snippet.source.strip()
-    assert (read.parameters, read.rephrasings) == (again.parameters, again.rephrasings)
+    assert set(read.parameters) == set(again.parameters)
+    assert (read.requires, read.provides) == (again.requires, again.provides)
 
 
 def test_the_header_is_computed_from_the_code() -> None:
@@ -211,6 +213,7 @@ def test_code_beyond_the_allow_list_is_refused_unrun(code: str) -> None:
         ({"code": CODE + "AdvAgent2 = new Car\n"}, "names"),
         ({"code": CODE + "z = Uniform(1, 2)\n"}, "randomness"),
         ({"parameters": []}, "parameters"),
+        ({"code": CODE.replace("45)\nparam", "45),")}, "parameters"),
         ({"slots": {}}, "slots"),
         ({"slots": {"actions": ["cross"], "occluder": "kiosk"}}, "slots"),
         ({"adversaries": []}, "slots"),
@@ -248,6 +251,11 @@ def test_the_snippet_of_the_documents_keeps_its_contract(tmp_path: Path) -> None
     path = tmp_path / "behavior" / "drop-and-fetch.scenic"
     path.parent.mkdir()
     path.write_text(shown, encoding="utf-8")
+    (wordings,) = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
+    beside = tmp_path / "wordings" / "behavior" / "drop-and-fetch.txt"
+    beside.parent.mkdir(parents=True)
+    beside.write_text(wordings, encoding="utf-8")
+    assert len(load_snippet(path).rephrasings) == 5
     assert code_faults(load_snippet(path), load_library()) == ()
 
 
@@ -261,12 +269,15 @@ def test_what_passes_waits_with_its_record(tmp_path: Path) -> None:
     assert files(tmp_path) == {
         "proposed/behavior/count-your-change-halfway.scenic",
         "proposed/behavior/count-your-change-halfway.json",
+        "proposed/wordings/behavior/count-your-change-halfway.txt",
         "proposed/history.jsonl",
     }
     record = json.loads(kept.path.with_suffix(".json").read_text(encoding="utf-8"))
     assert (record["model"], record["base"], record["drafts"]) == ("scripted", "straight-obstacle", 1)
     assert record["spending"]["calls"] == 1
-    assert load_snippet(kept.path).description == DRAFT["description"]
+    read = load_snippet(kept.path)
+    assert read.description == DRAFT["description"]
+    assert list(read.rephrasings) == DRAFT["rephrasings"]
 
 
 def test_a_draft_is_mended_with_the_reasons(tmp_path: Path) -> None:
@@ -328,19 +339,19 @@ def test_a_model_that_says_nothing_usable_is_not_asked_for_ever(tmp_path: Path) 
 # Trials, behind both walls
 
 
-def test_a_sound_proposal_passes_its_trials(sandbox: SandboxedBackend) -> None:
+def test_a_sound_proposal_passes_its_trials(sandbox: ConfinedSimulator) -> None:
     snippet = made()
     assert isinstance(snippet, Snippet)
     assert Judge(small_library(), sandbox, RuleBased(), scenes=3).faults(snippet, BASE) == ()
 
 
-def test_a_claim_that_the_drives_do_not_show_is_refused(sandbox: SandboxedBackend) -> None:
-    snippet = made(slots={"actions": ["reverse"]})
+def test_a_claim_that_the_drives_do_not_show_is_refused(sandbox: ConfinedSimulator) -> None:
+    snippet = made(slots={"actions": ["weave"]})
     assert isinstance(snippet, Snippet)
     assert rungs(Judge(small_library(), sandbox, RuleBased(), scenes=2).faults(snippet, BASE)) == {"means"}
 
 
-def test_a_copy_of_a_snippet_is_found_on_its_tracks(sandbox: SandboxedBackend) -> None:
+def test_a_copy_of_a_snippet_is_found_on_its_tracks(sandbox: ConfinedSimulator) -> None:
     cross = load_library().get("behavior/cross-and-stop")
     copy = json.loads(draft_of(cross)) | {key: DRAFT[key] for key in ("name", "description", "rephrasings")}
     snippet = snippet_of(
@@ -355,7 +366,7 @@ def test_a_copy_of_a_snippet_is_found_on_its_tracks(sandbox: SandboxedBackend) -
 def test_a_geometry_of_another_base_scenario_is_refused() -> None:
     library = load_library()
     left = library.get("geometry/left-turn")
-    judge = Judge(library, backend=None, ego=RuleBased())  # type: ignore[arg-type]
+    judge = Judge(library, simulator=None, ego=RuleBased())  # type: ignore[arg-type]
     assert rungs(judge.faults(left, BASE)) == {"base"}
 
 
@@ -375,12 +386,22 @@ def test_what_waits_is_listed_and_a_damaged_file_says_so(tmp_path: Path) -> None
     assert "TOML" in broken.fault
 
 
+def test_a_proposal_that_is_no_plan_waits_and_says_so(tmp_path: Path) -> None:
+    code = DRAFT["code"].replace(HALT, f"{HALT}\n    wait")
+    (kept,) = asked(tmp_path, {**DRAFT, "code": code}).kept
+    (one,) = review.pending(Shelf(tmp_path))
+    assert (one.id, one.fault) == (kept.id, "")
+    assert one.says.startswith(f"{DRAFT['description']} (no plan: line 10: 'wait'")
+
+
 def test_an_accepted_proposal_is_a_snippet_of_the_library(tmp_path: Path) -> None:
     shelf, one = queued(tmp_path)
     path = review.accept(shelf, one, make_judge=reads_only, embedder=Words)
     assert path == tmp_path / f"{one}.scenic"
     assert shelf.library().get(one).description == DRAFT["description"]
+    assert list(shelf.library().get(one).rephrasings) == DRAFT["rephrasings"]
     assert shelf.ids() == ()
+    assert files(tmp_path / "proposed") == {"history.jsonl"}
     assert [event["event"] for event in shelf.history()] == ["proposed", "accepted"]
 
 
@@ -473,7 +494,7 @@ def test_the_commands_say_what_waits_and_what_was_done(tmp_path: Path) -> None:
 
 
 def test_proposing_says_how_many_were_refused_and_why(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("chatscene.language_models.reply_cache.user_folder", lambda: tmp_path / "cache")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     script = tmp_path / "replies.json"
     script.write_text(json.dumps([draft(code="import os\n" + CODE)] * 2), encoding="utf-8")
     done = CliRunner().invoke(

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.agent.decompose import decompose
+from chatscene.agent.decompose import hear, understood
 from chatscene.errors import NothingFits
 from chatscene.snippets.bind import Triple, bound, distances, out_of_reach
 from chatscene.snippets.library import load_library, names_of
+from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
 
 LIBRARY = load_library()
@@ -36,7 +35,7 @@ TRIPLE = (
     ],
 )
 def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value: float) -> None:
-    found = {q.measure: q.value for q in decompose(text).quantities}
+    found = {q.measure: q.value for q in hear(text).quantities}
     assert found == {measure: pytest.approx(value)}
 
 
@@ -44,7 +43,7 @@ def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value
     "text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes.", "It brakes at 4 m/s²."]
 )
 def test_other_numbers_are_no_quantity_of_the_adversary(text: str) -> None:
-    assert decompose(text).quantities == ()
+    assert hear(text).quantities == ()
 
 
 def said(measure: Measure, value: float) -> Quantity:
@@ -52,7 +51,7 @@ def said(measure: Measure, value: float) -> Quantity:
 
 
 def scenario(*quantities: Quantity, distance: Distance | None = None) -> Scenario:
-    return replace(decompose("A car brakes."), slots=Slots(distance=distance), quantities=quantities)
+    return understood(Frame(text="A car brakes.", quantities=quantities), Slots(distance=distance), ())
 
 
 def start_of(triple: Triple) -> tuple[float, float]:

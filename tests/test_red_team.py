@@ -14,8 +14,8 @@ from chatscene.maps.network import resolve_map
 from chatscene.pipeline import understand
 from chatscene.program.foreign import foreign_program
 from chatscene.sandbox.allow_list import check_foreign
-from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.sandbox.nursery import Nursery
+from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import BACKSTOP, PATIENCE
 from chatscene.terms.scene import ScenicProgram
@@ -86,13 +86,13 @@ def test_no_process_is_started_for_what_the_allow_list_refuses(monkeypatch: pyte
         raise AssertionError("a process was started")
 
     monkeypatch.setattr(subprocess, "Popen", start)
-    backend = SandboxedBackend(resolve_map("town"), SimulationSettings())
+    simulator = ConfinedSimulator(resolve_map("town"), SimulationSettings())
     for attack in REFUSED[::12]:
         program = ScenicProgram(
             scenario_id="x", source=attack.source, parameters=(), snippet_ids=(), digest=attack.name
         )
         with pytest.raises(ForeignCodeRefused):
-            backend.routes(program)
+            simulator.routes(program)
 
 
 @pytest.mark.parametrize("sentence", SENTENCES)

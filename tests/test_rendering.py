@@ -15,19 +15,10 @@ from chatscene.agent.grammar import deed_pairs, deeds, roads, where, who
 from chatscene.agent.grammar.inflection import Form, conjugated, plural, with_article
 from chatscene.agent.grammar.quoting import predicate
 from chatscene.agent.rendering import implied, render
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
 from chatscene.terms.description import Style
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Side,
-    Slots,
-)
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 
 CYCLIST = Slots(
     adversary=AdversaryKind.BICYCLE,

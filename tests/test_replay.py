@@ -57,7 +57,7 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def _driven(folder: Path) -> str:
-    return next(row["scene_id"] for row in runs.read_scenes(runs.Run(folder)) if row["status"] == "ran")
+    return next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(folder)) if row["status"] == "ran")
 
 
 @pytest.mark.usefixtures("unread")
@@ -72,13 +72,13 @@ def test_the_program_of_a_run_is_joined_again_with_the_ranges_it_was_bound_to(wh
     scenario, program = pipeline.rebuild(runs.open_run(whole))
     speed = next(p for p in program.parameters if p.name == "OPT_ADV_SPEED")
     assert (speed.low, speed.high) == (4.5, 5.0)
-    assert program.source == runs.read_programs(runs.Run(whole))[scenario.id]
+    assert program.source == runs.read_programs(runs.Workspace(whole))[scenario.id]
     assert scenario.text == QUANTIFIED
     assert scenario.slots.side == "left"
 
 
 def _stored(tmp_path: Path, told: dict[str, Any]) -> tuple[Scenario, runs.Choice | None]:
-    run = runs.Run(tmp_path)
+    run = runs.Workspace(tmp_path)
     runs.write_explanation(run, told)
     return runs.read_choice(run)
 
@@ -128,7 +128,7 @@ def _forge(folder: Path, name: str, change: dict[str, Any]) -> None:
 def test_a_stored_program_that_is_another_one_is_not_executed(folder: Path, tmp_path: Path) -> None:
     program = next(folder.glob("programs/*.scenic"))
     program.write_text(program.read_text() + f"\nopen({str(tmp_path / 'ran')!r}, 'w')\n")
-    as_by_an_older_version(runs.Run(folder))
+    as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match="now make another program"):
         pipeline.replay(folder, _driven(folder))
     assert not (tmp_path / "ran").exists()
@@ -143,9 +143,9 @@ def test_a_stored_program_that_is_another_one_is_not_executed(folder: Path, tmp_
 )
 def test_other_snippets_than_those_of_the_program_diverge(folder: Path, chosen: dict[str, str]) -> None:
     _forge(folder, "explanation.json", {"chosen": chosen})
-    as_by_an_older_version(runs.Run(folder))
+    as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match="the library has changed"):
-        pipeline.rebuild(runs.Run(folder))
+        pipeline.rebuild(runs.Workspace(folder))
 
 
 def test_ranges_beyond_those_of_a_snippet_diverge(folder: Path) -> None:
@@ -153,20 +153,20 @@ def test_ranges_beyond_those_of_a_snippet_diverge(folder: Path) -> None:
     table = pq.read_table(path)
     high = np.full(table.num_rows, 900.0)
     pq.write_table(table.set_column(table.column_names.index("high"), "high", pa.array(high)), path)
-    as_by_an_older_version(runs.Run(folder))
+    as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match=r"lies between .* not .* and 900"):
-        pipeline.rebuild(runs.Run(folder))
+        pipeline.rebuild(runs.Workspace(folder))
 
 
 def test_a_run_that_came_to_no_choice_cannot_be_rebuilt(folder: Path) -> None:
     _forge(folder, "explanation.json", {"chosen": {}})
-    as_by_an_older_version(runs.Run(folder))
+    as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(RunError, match="names no snippets"):
-        pipeline.rebuild(runs.Run(folder))
+        pipeline.rebuild(runs.Workspace(folder))
 
 
 def _with_other_versions(folder: Path, **versions: str) -> None:
-    run = runs.Run(folder)
+    run = runs.Workspace(folder)
     record = runs.read_record(run)
     _forge(folder, "run.json", {"versions": {**record.versions, **versions}})
     as_by_an_older_version(run)
@@ -180,7 +180,7 @@ def test_a_replay_that_differs_names_every_version_that_does(folder: Path) -> No
     x[3] += 1e-9
     pq.write_table(table.set_column(table.column_names.index("x"), "x", pa.array(x)), path)
     _with_other_versions(folder, numpy="1.0.0", scenic="3.0.0")
-    now = runs.changed_versions(runs.read_record(runs.Run(folder)))
+    now = runs.changed_versions(runs.read_record(runs.Workspace(folder)))
     assert list(now) == ["scenic", "numpy"]
     answer = CliRunner().invoke(main, ["replay", str(folder), scene])
     assert answer.exit_code == 1
@@ -195,7 +195,7 @@ def test_a_program_that_another_version_makes_otherwise_is_said_with_the_version
     program.write_text(program.read_text() + "\n")
     _with_other_versions(folder, chatscene="0.0.1")
     with pytest.raises(Diverged, match=r"chatscene 0\.0\.1 then"):
-        pipeline.rebuild(runs.Run(folder))
+        pipeline.rebuild(runs.Workspace(folder))
 
 
 def test_an_identical_replay_under_other_versions_is_identical(folder: Path) -> None:

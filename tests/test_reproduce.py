@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from chatscene import benchmark as benchmarks
-from chatscene import finetune as finetuning
 from chatscene import reproduce as reproducing
 from chatscene.errors import SettingsError
-from chatscene.evaluate import drive as driving
-from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
-from chatscene.evaluate.tables import ABBREVIATIONS, BASES
-from chatscene.finetune import FinetuneSettings
+from chatscene.learn import finetune as finetuning
+from chatscene.learn.finetune import FinetuneSettings
+from chatscene.measure import drive as driving
+from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
+from chatscene.measure.tables import ABBREVIATIONS, BASES
 from chatscene.report.beside_paper import beside_paper
 from chatscene.report.figures import two_curves
 from chatscene.reproduce import BEFORE, BUDGETS, METHODS, TABLES, Budget, reproduce
@@ -26,7 +26,7 @@ def silent(_what: str, _done: int, _total: int) -> None:
     pass
 
 
-def one_ordinary_drive(_ego: object, **_: object) -> OrdinaryResult:
+def one_ordinary_drive(_ego: object, _simulator: object, **_: object) -> OrdinaryResult:
     one = OrdinaryDrive(course=0, completion=1.0, speed=7.0, off_road=0.0, collided=False)
     return OrdinaryResult(ego="e", drives=(one,), rejected=0)
 

@@ -4,32 +4,30 @@ import itertools
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chatscene.agent import decompose
+from chatscene.agent.clauses import cut
 from chatscene.errors import NothingFits
+from chatscene.pipeline import understand
 from chatscene.settings import RetrievalSettings
+from chatscene.snippets import reading
 from chatscene.snippets.compatibility import compatibility, incompatibility
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import Library, load_library
+from chatscene.snippets.nearest import nearest
 from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import NO_SIDE, nearest, retrieve, settled
-from chatscene.snippets.slot_classifier import NOT_SAID, VALUES, Probabilities
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Component,
-    Maneuver,
-    Place,
-    Position,
-    Scenario,
-    Side,
-    Slots,
-    SubDescriptions,
-)
+from chatscene.snippets.retrieve import NO_SIDE, retrieve, settle
+from chatscene.snippets.slot_classifier import VALUES, as_value
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.frame import Beliefs, Clauses, Frame
+from chatscene.terms.scenario import Component, Maneuver, Place, Position, Scenario, Side, Slots, SubDescriptions
 from chatscene.terms.snippet import Retrieval
 
 FIXTURES = Path(__file__).parent / "fixtures"
@@ -230,39 +228,79 @@ def test_each_sentence_of_the_paper_finds_a_triple_that_contradicts_nothing() ->
             assert set(understood.slots.actions) & set(chosen.behavior.snippet.slots.actions), text
 
 
+# What was believed is handed on
+
+
+def test_retrieval_goes_by_what_was_believed_and_asks_no_text_again() -> None:
+    understood = read("The bloke in front jumps on the anchors for no reason at all.")
+    told = retrieve(understood, load_library(), load_embedder(), ANYTHING)
+    other = replace(understood, text="A pedestrian crosses from the left.")
+    assert retrieve(other, load_library(), load_embedder(), ANYTHING) == told
+
+
+def test_a_behavior_that_the_classifier_does_not_know_is_believed_by_its_wordings(
+    small: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own = replace(small.get("behavior/brake"), id="behavior/own-brake")
+    stranger = replace(small.get("behavior/cross"), id="behavior/own-cross", rephrasings=("The sun sets over hills.",))
+    library = Library((*(s for s in small if s.component is not Component.BEHAVIOR), own, stranger))
+
+    def other(_: str) -> Library:
+        return library
+
+    monkeypatch.setattr(reading, "library_with", other)
+    frame = read(own.description).frame
+    assert frame is not None
+    assert frame.beliefs.others.keys() == {"behavior/own-brake", "behavior/own-cross"}
+    assert frame.beliefs.meant("behavior/own-brake") > 0.5 > frame.beliefs.meant("behavior/own-cross")
+
+
+def test_a_text_is_mended_and_cut_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    cuts: list[str] = []
+
+    def counting(text: str) -> Clauses:
+        cuts.append(text)
+        return cut(text)
+
+    monkeypatch.setattr(decompose, "cut", counting)
+    understand("A motorcycle overtakes us and cuts in.")
+    assert len(cuts) == 1
+
+
 # Facts read together
 
 
-def unsure(**likely: dict[str, float]) -> Probabilities:
-    """What a classifier that is sure of nothing but these values of slots would say."""
-    slots = {name: {NOT_SAID: 1.0} | dict.fromkeys(values, 0.0) for name, values in VALUES.items()}
-    return Probabilities(
+def unsure(**likely: dict[Any, float]) -> Beliefs:
+    """What a reader that is sure of nothing but these values of slots would say."""
+    slots: dict[str, dict[Any, float]] = {
+        name: {None: 1.0} | {as_value(name, value): 0.0 for value in values} for name, values in VALUES.items()
+    }
+    return Beliefs(
         slots=slots | likely,
         actions=dict.fromkeys(Action, 0.0) | {Action.CROSS: 1.0},
         behaviors={"behavior/cross": 0.9, "behavior/brake": 0.05, "behavior/junction-turn-left": 0.05},
-        in_scope=1.0,
     )
 
 
-def together(slots: Slots, rules: Slots, small: Library, **likely: dict[str, float]) -> Slots:
-    return settled(scenario(slots), rules, small, load_embedder(), unsure(**likely))
+def together(slots: Slots, outright: Slots, small: Library, **likely: dict[Any, float]) -> Slots:
+    return settle(Frame(outright=outright, beliefs=unsure(**likely)), slots, small)
 
 
 def test_a_fact_that_the_best_triple_contradicts_is_read_as_what_it_does_if_it_may_be(small: Library) -> None:
     ahead = Slots(adversary=AdversaryKind.PEDESTRIAN, position=Position.AHEAD)
-    likely = {"ahead": 0.6, "roadside": 0.4, NOT_SAID: 0.0}
+    likely = {Position.AHEAD: 0.6, Position.ROADSIDE: 0.4, None: 0.0}
     assert together(ahead, Slots(), small, position=likely).position is Position.ROADSIDE
 
 
 def test_a_fact_that_is_sure_stands_though_nothing_does_it(small: Library) -> None:
     ahead = Slots(adversary=AdversaryKind.PEDESTRIAN, position=Position.AHEAD)
-    likely = {"ahead": 0.95, "roadside": 0.05, NOT_SAID: 0.0}
+    likely = {Position.AHEAD: 0.95, Position.ROADSIDE: 0.05, None: 0.0}
     assert together(ahead, Slots(), small, position=likely).position is Position.AHEAD
 
 
 def test_a_fact_that_the_patterns_read_may_be_what_was_meant(small: Library) -> None:
     ahead = Slots(adversary=AdversaryKind.PEDESTRIAN, position=Position.AHEAD)
-    likely = {"ahead": 0.8, "roadside": 0.0, NOT_SAID: 0.2}
+    likely = {Position.AHEAD: 0.8, Position.ROADSIDE: 0.0, None: 0.2}
     assert together(ahead, Slots(), small, position=likely).position is Position.AHEAD
     rules = Slots(position=Position.ROADSIDE)
     assert together(ahead, rules, small, position=likely).position is Position.ROADSIDE
@@ -277,9 +315,10 @@ def test_an_action_that_was_hardly_heard_is_dropped_where_the_choice_is_doubtful
     read = Slots(adversary=AdversaryKind.PEDESTRIAN, actions=(Action.CROSS, Action.HESITATE))
     assert together(read, Slots(), small).actions == small.get("behavior/cross").slots.actions
     doubtful = replace(unsure(), behaviors={"behavior/cross": 0.01, "behavior/brake": 0.9})
-    kept = settled(scenario(read), Slots(), small, load_embedder(), doubtful)
+    kept = settle(Frame(beliefs=doubtful), read, small)
     assert kept.actions == (Action.CROSS,)
-    told = settled(scenario(read), Slots(actions=(Action.HESITATE,)), small, load_embedder(), doubtful)
+    said = Frame(outright=Slots(actions=(Action.HESITATE,)), beliefs=doubtful)
+    told = settle(said, read, small)
     assert told.actions == (Action.CROSS, Action.HESITATE)
 
 

@@ -19,8 +19,8 @@ from hypothesis import strategies as st
 from chatscene.errors import RunError, SettingsError
 from chatscene.runs import (
     SCHEMA_VERSION,
-    Run,
     Status,
+    Workspace,
     create,
     finish,
     metrics_of,
@@ -135,7 +135,7 @@ def test_the_same_blocks_in_any_order_give_the_same_bytes(tmp_path: Path) -> Non
         run = started(folder)
         for block in order:
             write_block(run, block)
-        finish(run, selected=selection(done), expected=(), timings={"search": 1.0})
+        finish(run, selected=selection(done), expected=())
     assert _contents(folders[0]) == _contents(folders[1])
 
 
@@ -287,7 +287,7 @@ def test_a_new_run_may_start_where_one_was_killed_before_it_began(tmp_path: Path
     assert not list(tmp_path.glob(".*"))
 
 
-def _spoil(run: Run, **changes: object) -> None:
+def _spoil(run: Workspace, **changes: object) -> None:
     path = run.file("run.json")
     path.write_text(json.dumps(json.loads(path.read_text()) | changes))
 
@@ -351,7 +351,8 @@ def test_seconds_add_up_over_a_resumed_run_and_a_failure_is_forgotten(tmp_path: 
     update(run, status=Status.FAILED, reason="no more coffee", timings={"search": 1.5})
     assert read_record(run).reason == "no more coffee"
     resume(run)
-    record = finish(run, selected={}, expected=(), timings={"search": 2.0, "report": 1.0})
+    finish(run, selected={}, expected=())
+    record = update(run, timings={"search": 2.0, "report": 1.0})
     assert (record.status, record.reason, record.timings) == (Status.DONE, "", {"search": 3.5, "report": 1.0})
 
 
@@ -367,7 +368,7 @@ def test_programs_explanation_and_drawing_read_back(tmp_path: Path) -> None:
 
 @given(name=st.text(min_size=1, max_size=30))
 def test_no_scenario_can_name_a_file_outside_the_folder(name: str) -> None:
-    run = Run(Path("/run"))
+    run = Workspace(Path("/run"))
     for path in (run.episodes(name.replace("\0", ""), 0, 0), run.part(name.replace("\0", ""), 0, 0)):
         assert Path(os.path.normpath(path)).parent.parent == run.path
 

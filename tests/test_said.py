@@ -19,9 +19,10 @@ from chatscene.errors import NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
 from chatscene.settings import Settings, SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator
 from chatscene.snippets.suggesting import SERVED
-from chatscene.terms.scenario import Action, Why
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Why
 
 ROOT = Path(__file__).parents[1]
 _SHOWN = re.compile(r"chatscene (?:run|explain) \"([^\"…]+)\"([^\n]*)")
@@ -61,8 +62,8 @@ def test_a_sentence_that_the_tool_shows_is_read_and_climbs_the_ladder_unless_the
             pipeline.understand(text)
         return
     understood = pipeline.understand(text)
-    backend = load_backend("embedded", resolve_map("town"), SimulationSettings())
-    check(understood.program, understood.scenario.slots, backend, load_ego("rule-based"))
+    simulator = load_simulator(resolve_map("town"), SimulationSettings())
+    check(understood.program, understood.scenario.slots, simulator, load_ego("rule-based"))
 
 
 @pytest.mark.parametrize(
@@ -139,7 +140,7 @@ def test_what_the_slots_hold_is_not_listed(text: str) -> None:
 
 
 def test_a_number_that_no_snippet_can_be_set_to_is_listed_by_explain_and_in_its_json() -> None:
-    text = "A truck runs the red light from the left when we are 15 m away for 3 seconds and 40 tons."
+    text = "A truck of 40 tons runs the red light from the left."
     answer = CliRunner().invoke(main, ["explain", text, "--json"])
     assert answer.exit_code == 0, answer.output
     listed = {one["said"] for one in json.loads(answer.stdout)["scenarios"][0]["unused"]}
@@ -197,7 +198,7 @@ def test_a_refused_folder_with_a_user_s_file_in_it_is_left_alone(tmp_path: Path)
     with pytest.raises(Exception, match="not empty"):
         runs.create(folder, text="better", settings=Settings(), map_name="town", ego="sac")
     assert (folder / "notes.txt").read_text() == "mine"
-    assert runs.read_record(runs.Run(folder)).status is runs.Status.REFUSED
+    assert runs.read_record(runs.Workspace(folder)).status is runs.Status.REFUSED
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from chatscene.terms.snippet import ParameterRange
 
 NEEDS = {"tpe": "optuna", "cma-es": "cmaes", "quality-diversity": "ribs"}
 LEARNING = ("paper", "policy-gradient", "cross-entropy", "tpe", "cma-es", "quality-diversity")
-every_sampler = pytest.mark.parametrize("name", sorted(SAMPLERS))
+every_sampler = pytest.mark.parametrize("name", sorted(SAMPLERS.built_in))
 
 Values = dict[str, float]
 Scene = Callable[[Values], Outcome]
@@ -30,20 +30,6 @@ DECLARED = (
     ParameterRange(name="OPT_OFFSET", low=-10.0, high=10.0, unit="m"),
     ParameterRange(name="OPT_DELAY", low=1.0, high=3.0, unit="s"),
 )
-AWKWARD = (
-    ParameterRange(name="OPT_LONG", low=-0.12345678, high=0.87654321, unit="rad"),  # bounds finer than the rounding
-    ParameterRange(name="OPT_FIXED", low=2.5, high=2.5, unit="m"),
-    ParameterRange(name="OPT_NARROW", low=7.0, high=7.0000004, unit="m"),  # narrower than the rounding
-    ParameterRange(name="OPT_WIDE", low=-1000.0, high=1e6, unit="m"),
-)
-SHAPES = {
-    "three": DECLARED,
-    "awkward": AWKWARD,
-    "one": DECLARED[:1],
-    "all fixed": AWKWARD[1:2],
-    "none": (),
-}
-every_shape = pytest.mark.parametrize("declared", SHAPES.values(), ids=SHAPES.keys())
 
 
 def loaded(name: str) -> Sampler:
@@ -76,12 +62,6 @@ def two_regions(values: Values) -> Outcome:
     return Outcome(values=values, collided=True, distance=0.0, impact_speed=20.0 * speed, completion=place)
 
 
-def any_outcome(values: Values) -> Outcome:
-    """Something that follows from the values, whatever their ranges."""
-    gap = abs(sum(values.values())) % 7.0
-    return Outcome(values=values, collided=gap < 2.0, distance=gap, impact_speed=2.0 * gap, completion=gap / 7.0)
-
-
 def drawn(proposal: Proposal, block: int, count: int) -> list[Values]:
     return [proposal.draw(scene_seed(0, f"block-{block}/scene-{index}")) for index in range(count)]
 
@@ -109,80 +89,13 @@ def hit_rate(name: str) -> float:
     return float(np.mean([outcome.collided for block in last for outcome in block]))
 
 
-# What every sampler keeps to.
-
-
-@every_sampler
-@every_shape
-def test_every_value_lies_in_its_declared_range(name: str, declared: tuple[ParameterRange, ...]) -> None:
-    for block in searched(name, declared, any_outcome, sizes=[10, 10, 10]):
-        for outcome in block:
-            assert list(outcome.values) == [p.name for p in declared]
-            for p in declared:
-                value = outcome.values[p.name]
-                assert type(value) is float
-                assert p.low <= value <= p.high
-                assert value in (p.low, p.high) or value == round(value, 6)
-
-
-@every_sampler
-@every_shape
-def test_the_same_input_gives_the_same_output(name: str, declared: tuple[ParameterRange, ...]) -> None:
-    sizes = [10, 7, 10]
-    assert searched(name, declared, any_outcome, sizes=sizes) == searched(name, declared, any_outcome, sizes=sizes)
-
-
-@every_sampler
-def test_a_search_that_was_cut_goes_on_as_if_it_had_not_been(name: str) -> None:
-    sizes = [10, 10, 0, 3, 10]
-    whole = searched(name, DECLARED, corner, sizes=sizes)
-    for cut in range(1, len(sizes)):
-        assert searched(name, DECLARED, corner, sizes=sizes, done=whole[:cut]) == whole
-
-
-@every_sampler
-def test_a_proposal_leaves_the_outcomes_alone(name: str) -> None:
-    done = searched(name, DECLARED, corner, sizes=[10, 0, 5])
-    before = [list(block) for block in done]
-    drawn(loaded(name).propose(DECLARED, done, count=10, seed=1), 3, 10)
-    assert done == before
-
-
-@every_sampler
-@pytest.mark.parametrize("sizes", [[0, 10], [0, 0, 0, 10], [1, 10], [10, 1, 0, 10]], ids=str)
-def test_blocks_in_which_little_could_be_placed_stop_no_search(name: str, sizes: list[int]) -> None:
-    assert len(searched(name, DECLARED, corner, sizes=sizes)[-1]) == 10
-
-
-@every_sampler
-@pytest.mark.parametrize("count", [1, 2, 3])
-def test_a_block_can_be_small(name: str, count: int) -> None:
-    done: list[list[Outcome]] = []
-    for block in range(4):
-        proposal = loaded(name).propose(DECLARED, done, count=count, seed=block)
-        done.append([corner(values) for values in drawn(proposal, block, count)])
-    assert all(len(block) == count for block in done)
-
-
-@every_sampler
-@pytest.mark.parametrize("blocks", [0, 1, 4])
-def test_a_scene_that_cannot_be_placed_is_followed_by_another(name: str, blocks: int) -> None:
-    done = searched(name, DECLARED, corner, sizes=[10] * blocks)
-    proposal = loaded(name).propose(DECLARED, done, count=10, seed=5)
-    values = [tuple(each.values()) for each in drawn(proposal, blocks, 40)]
-    assert len(set(values)) > 30  # a sampler may come back to a bound
+# What every sampler keeps to besides `chatscene.testing.check_sampler`.
 
 
 @every_sampler
 def test_outcomes_of_another_sampler_do_no_harm(name: str) -> None:
     done = searched("random", DECLARED, corner, sizes=[10, 10], seed=9)
     assert len(drawn(loaded(name).propose(DECLARED, done, count=10, seed=1), 2, 10)) == 10
-
-
-@every_sampler
-def test_the_ranges_of_a_proposal_are_those_of_the_parameters(name: str) -> None:
-    proposal = loaded(name).propose(DECLARED, [], count=10, seed=0)
-    assert proposal.ranges == DECLARED
 
 
 def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
@@ -197,7 +110,7 @@ def test_a_missing_package_ends_in_the_extra_to_install(
     name: str, package: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
-    monkeypatch.delitem(sys.modules, SAMPLERS[name].partition(":")[0], raising=False)
+    monkeypatch.delitem(sys.modules, SAMPLERS.built_in[name].partition(":")[0], raising=False)
     with pytest.raises(MissingExtra, match=r"chatscene\[search\]"):
         load_sampler(name)
 

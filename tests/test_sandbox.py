@@ -35,11 +35,11 @@ from chatscene.program.check import check, probe_scenes
 from chatscene.program.foreign import foreign_program
 from chatscene.program.lint import world_names
 from chatscene.sandbox.allow_list import check_foreign
-from chatscene.sandbox.backend import SandboxedBackend, SandboxedDrive
 from chatscene.sandbox.confinement import AUDIT, LIMITS, SECCOMP, Limits
 from chatscene.sandbox.landlock import landlock_version
 from chatscene.sandbox.nursery import Confined, Nursery
 from chatscene.sandbox.plain_text import check_text
+from chatscene.sandbox.simulator import ConfinedSession, ConfinedSimulator
 from chatscene.sandbox.wire import (
     decode,
     encode,
@@ -51,7 +51,7 @@ from chatscene.sandbox.wire import (
 )
 from chatscene.sandbox.words import PYTHON_NAMES, SCENIC_NAMES, world_words
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.snippets.library import load_library
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
@@ -81,14 +81,14 @@ def scene(route: int = 0, **values: float) -> Scene:
 
 
 @pytest.fixture(scope="module")
-def backend() -> Iterator[SandboxedBackend]:
-    with SandboxedBackend(TOWN, SimulationSettings(), Limits(answer=3.0, memory=256)) as backend:
-        yield backend
+def simulator() -> Iterator[ConfinedSimulator]:
+    with ConfinedSimulator(TOWN, SimulationSettings(), Limits(answer=3.0, memory=256)) as simulator:
+        yield simulator
 
 
 @pytest.fixture(scope="module")
-def trusting() -> Backend:
-    return load_backend("embedded", TOWN, SimulationSettings())
+def trusting() -> Simulator:
+    return load_simulator(TOWN, SimulationSettings())
 
 
 # The first wall
@@ -198,15 +198,15 @@ def test_any_text_is_either_refused_or_fine(text: str) -> None:
 # The second wall
 
 
-def test_a_confined_drive_is_bit_for_bit_that_of_the_trusting_backend(
-    backend: SandboxedBackend, trusting: Backend
+def test_a_confined_drive_is_bit_for_bit_that_of_the_trusting_simulator(
+    simulator: ConfinedSimulator, trusting: Simulator
 ) -> None:
     for path in sorted(GOLDEN.glob("*.scenic")):
         source = foreign_program(path.stem, path.read_text())
-        assert backend.routes(source) == trusting.routes(source)
-        assert backend.route(source, 0).line.points.tolist() == trusting.route(source, 0).line.points.tolist()
+        assert simulator.routes(source) == trusting.routes(source)
+        assert simulator.route(source, 0).line.points.tolist() == trusting.route(source, 0).line.points.tolist()
         placed = probe_scenes(source, 0)[0]
-        confined, free = (b.run(source, placed, RuleBased()) for b in (backend, trusting))
+        confined, free = (simulate(where, source, placed, RuleBased()) for where in (simulator, trusting))
         assert isinstance(confined, Episode)
         assert isinstance(free, Episode)
         assert _same(confined, free)
@@ -228,13 +228,13 @@ def _same(a: Episode, b: Episode) -> bool:
     )
 
 
-def test_a_stranger_climbs_the_same_ladder(backend: SandboxedBackend) -> None:
-    checked = check(CROSSES, Slots(), backend, RuleBased(), drives=1)
+def test_a_stranger_climbs_the_same_ladder(simulator: ConfinedSimulator) -> None:
+    checked = check(CROSSES, Slots(), simulator, RuleBased(), drives=1)
     assert checked.episodes[0].adversaries[0].kind == "Pedestrian"
 
 
-def test_every_layer_that_this_kernel_has_is_in_force(backend: SandboxedBackend) -> None:
-    layers = backend.layers(CROSSES)
+def test_every_layer_that_this_kernel_has_is_in_force(simulator: ConfinedSimulator) -> None:
+    layers = simulator.layers(CROSSES)
     assert {LIMITS, SECCOMP, AUDIT} <= set(layers)
     assert ("landlock" in layers) == (landlock_version() > 0)
 
@@ -253,12 +253,12 @@ def test_the_walls_of_the_kernel_hold_without_the_watchman(tmp_path: Path) -> No
 STUCK = program("while True:\n    if 1 > 2:\n        wait")
 
 
-def test_a_behavior_that_never_yields_is_stopped_and_the_next_scene_runs(backend: SandboxedBackend) -> None:
+def test_a_behavior_that_never_yields_is_stopped_and_the_next_scene_runs(simulator: ConfinedSimulator) -> None:
     with pytest.raises(StuckBehavior, match="did not come back within 3 s of processor time"):
-        backend.run(STUCK, scene(), RuleBased())
+        simulate(simulator, STUCK, scene(), RuleBased())
     assert STUCK.digest != CROSSES.digest
-    assert backend.routes(STUCK) == 10
-    assert isinstance(backend.run(CROSSES, scene(), RuleBased()), Episode)
+    assert simulator.routes(STUCK) == 10
+    assert isinstance(simulate(simulator, CROSSES, scene(), RuleBased()), Episode)
 
 
 @contextmanager
@@ -289,41 +289,41 @@ def test_a_process_that_never_answers_is_stopped_without_blaming_a_loop() -> Non
 
 
 def test_processor_time_is_limited_over_the_life_of_a_process() -> None:
-    with SandboxedBackend(TOWN, SimulationSettings(), Limits(processor=1)) as backend:
+    with ConfinedSimulator(TOWN, SimulationSettings(), Limits(processor=1)) as simulator:
         with pytest.raises(SandboxError, match="used up its processor time"):
-            backend.run(STUCK, scene(), RuleBased())
-        assert isinstance(backend.run(CROSSES, scene(), RuleBased()), Episode)
+            simulate(simulator, STUCK, scene(), RuleBased())
+        assert isinstance(simulate(simulator, CROSSES, scene(), RuleBased()), Episode)
 
 
-def test_a_program_that_wants_too_much_memory_is_stopped(backend: SandboxedBackend) -> None:
+def test_a_program_that_wants_too_much_memory_is_stopped(simulator: ConfinedSimulator) -> None:
     greedy = program("do Halt()", setup="x = 'x'\nfor i in range(90):\n    x += x\n")
     with pytest.raises(SandboxError, match="used up its memory"):
-        backend.routes(greedy)
+        simulator.routes(greedy)
 
 
-def test_faults_of_a_program_are_told_as_by_the_trusting_backend(backend: SandboxedBackend) -> None:
+def test_faults_of_a_program_are_told_as_by_the_trusting_simulator(simulator: ConfinedSimulator) -> None:
     with pytest.raises(DoesNotCompile, match=r"^<toy> fails while it is set up"):
-        backend.routes(program("do Halt()", setup="x = later\nlater = 1\n"))
+        simulator.routes(program("do Halt()", setup="x = later\nlater = 1\n"))
     with pytest.raises(MapError):
-        backend.route(CROSSES, 99)
+        simulator.route(CROSSES, 99)
     with pytest.raises(ProgramError, match="has values for"):
-        backend.run(CROSSES, scene(OPT_X=1.0), RuleBased())
+        simulate(simulator, CROSSES, scene(OPT_X=1.0), RuleBased())
     with pytest.raises(ForeignCodeRefused, match="import"):
-        backend.routes(replace(CROSSES, source=CROSSES.source + "import os\n", digest="other"))
+        simulator.routes(replace(CROSSES, source=CROSSES.source + "import os\n", digest="other"))
 
 
-def test_a_scene_that_cannot_be_placed_is_rejected_in_words(backend: SandboxedBackend) -> None:
+def test_a_scene_that_cannot_be_placed_is_rejected_in_words(simulator: ConfinedSimulator) -> None:
     twice = program(
         "do Halt()", setup="param OPT_A = Range(0, 1)\nx = globalParameters.OPT_A\nnew Kiosk at pointOn(egoRoute, x)\n"
     )
-    outcome = backend.run(twice, scene(OPT_A=0.5), RuleBased())
+    outcome = simulate(simulator, twice, scene(OPT_A=0.5), RuleBased())
     assert isinstance(outcome, Rejected)
     assert "overlaps" in outcome.reason
 
 
-def test_a_drive_is_stepped_from_outside(backend: SandboxedBackend) -> None:
-    drive = backend.open(CROSSES, scene(), observation="actors", pedals="full-brake")
-    assert isinstance(drive, SandboxedDrive)
+def test_a_drive_is_stepped_from_outside(simulator: ConfinedSimulator) -> None:
+    drive = simulator.open(CROSSES, scene(), observation="actors", pedals="full-brake")
+    assert isinstance(drive, ConfinedSession)
     assert drive.ending is None
     for _ in range(20):
         drive.step((1.0, 0.0))
@@ -342,10 +342,10 @@ class _Broken:
         raise ValueError("no idea")
 
 
-def test_an_ego_that_fails_is_to_blame_itself(backend: SandboxedBackend) -> None:
+def test_an_ego_that_fails_is_to_blame_itself(simulator: ConfinedSimulator) -> None:
     with pytest.raises(EgoError, match="fails at step 0: ValueError: no idea"):
-        backend.run(CROSSES, scene(), _Broken())
-    assert isinstance(backend.run(CROSSES, scene(), RuleBased()), Episode)
+        simulate(simulator, CROSSES, scene(), _Broken())
+    assert isinstance(simulate(simulator, CROSSES, scene(), RuleBased()), Episode)
 
 
 def test_a_map_that_is_none_is_told_as_such(tmp_path: Path) -> None:
@@ -371,8 +371,8 @@ def test_nothing_is_left_when_a_nursery_is_closed(tmp_path: Path, monkeypatch: p
 
 
 @pytest.fixture(scope="module")
-def honest(trusting: Backend) -> Episode:
-    episode = trusting.run(CROSSES, scene(), RuleBased())
+def honest(trusting: Simulator) -> Episode:
+    episode = simulate(trusting, CROSSES, scene(), RuleBased())
     assert isinstance(episode, Episode)
     return episode
 
@@ -382,7 +382,7 @@ def _read(message: dict[str, Any], episode: Episode) -> Episode:
     return episode_from_json(message, scene_id=episode.scene_id, ego=episode.ego, dt=episode.dt, steps=steps)
 
 
-def test_an_honest_episode_and_route_come_back_as_they_were(honest: Episode, trusting: Backend) -> None:
+def test_an_honest_episode_and_route_come_back_as_they_were(honest: Episode, trusting: Simulator) -> None:
     assert _same(_read(decode(encode(episode_to_json(honest)).strip()), honest), honest)
     route = trusting.route(CROSSES, 0)
     again: Route = route_from_json(decode(encode(route_to_json(route)).strip()))

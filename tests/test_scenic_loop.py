@@ -9,11 +9,11 @@ from chatscene.ego.observation import Observation
 from chatscene.ego.rule_based import RuleBased
 from chatscene.maps.network import resolve_map
 from chatscene.program.foreign import foreign_program
-from chatscene.sandbox.backend import SandboxedBackend
+from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import Backend, load_backend
-from chatscene.simulate.embedded.simulation import EmbeddedSimulator
-from chatscene.simulate.embedded.staging import Stage
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.simulate.staging import Stage
+from chatscene.simulate.stock import scenic_simulator
 from chatscene.terms.episode import Ending, Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
@@ -93,8 +93,8 @@ def stage() -> Stage:
 
 
 @pytest.fixture(scope="module")
-def backend() -> Backend:
-    return load_backend("embedded", TOWN, SETTINGS)
+def simulator() -> Simulator:
+    return load_simulator(TOWN, SETTINGS)
 
 
 def by_scenic(stage: Stage, program: ScenicProgram) -> tuple[str, int]:
@@ -102,7 +102,7 @@ def by_scenic(stage: Stage, program: ScenicProgram) -> tuple[str, int]:
     placed: Any = stage.place(program, SCENE)
     assert not isinstance(placed, Rejected)
     try:
-        simulation = EmbeddedSimulator().createSimulation(
+        simulation = scenic_simulator(SETTINGS.simulator, str(TOWN)).createSimulation(
             placed, maxSteps=SETTINGS.max_steps, name="x", timestep=SETTINGS.dt
         )
     except (RejectSimulationException, GuardViolation) as rejection:
@@ -110,8 +110,8 @@ def by_scenic(stage: Stage, program: ScenicProgram) -> tuple[str, int]:
     return "ended", simulation.currentTime
 
 
-def by_us(backend: Backend, program: ScenicProgram) -> tuple[str, int]:
-    drive = backend.open(program, SCENE)
+def by_us(simulator: Simulator, program: ScenicProgram) -> tuple[str, int]:
+    drive = simulator.open(program, SCENE)
     if isinstance(drive, Rejected):
         return "rejected", 0
     try:
@@ -127,9 +127,9 @@ def by_us(backend: Backend, program: ScenicProgram) -> tuple[str, int]:
 
 
 @pytest.mark.parametrize("name", ENDINGS)
-def test_a_drive_ends_as_scenic_ends_it_and_after_as_many_steps(name: str, stage: Stage, backend: Backend) -> None:
+def test_a_drive_ends_as_scenic_ends_it_and_after_as_many_steps(name: str, stage: Stage, simulator: Simulator) -> None:
     program = toy(*ENDINGS[name])
-    assert by_us(backend, program) == by_scenic(stage, program)
+    assert by_us(simulator, program) == by_scenic(stage, program)
 
 
 def test_the_differing_programs_end_in_every_way(stage: Stage) -> None:
@@ -138,17 +138,17 @@ def test_the_differing_programs_end_in_every_way(stage: Stage) -> None:
     assert len({steps for _, steps in outcomes}) >= 8
 
 
-def test_a_time_limit_of_two_seconds_ends_after_two_seconds(backend: Backend) -> None:
-    episode = backend.run(toy(AWAY, "terminate after 2 seconds"), SCENE, RuleBased())
+def test_a_time_limit_of_two_seconds_ends_after_two_seconds(simulator: Simulator) -> None:
+    episode = simulate(simulator, toy(AWAY, "terminate after 2 seconds"), SCENE, RuleBased())
     assert isinstance(episode, Episode)
     assert episode.ending is Ending.SCENARIO_DONE
     assert len(episode.ego_track.x) == 21
 
 
-def test_a_drive_that_ends_by_a_collision_is_rejected_if_what_must_happen_did_not(backend: Backend) -> None:
+def test_a_drive_that_ends_by_a_collision_is_rejected_if_what_must_happen_did_not(simulator: Simulator) -> None:
     crash = toy("do Park()", "")
-    assert isinstance(backend.run(crash, SCENE, _Blind()), Episode)
-    outcome = backend.run(toy("do Park()", "require eventually 1 > 2 as never"), SCENE, _Blind())
+    assert isinstance(simulate(simulator, crash, SCENE, _Blind()), Episode)
+    outcome = simulate(simulator, toy("do Park()", "require eventually 1 > 2 as never"), SCENE, _Blind())
     assert isinstance(outcome, Rejected)
     assert "never" in outcome.reason
 
@@ -160,8 +160,8 @@ class _Blind:
         return 1.0, 0.0
 
 
-def test_a_stranger_s_drive_is_judged_behind_the_walls_as_before_them(backend: Backend) -> None:
-    with SandboxedBackend(TOWN, SETTINGS) as confined:
+def test_a_stranger_s_drive_is_judged_behind_the_walls_as_before_them(simulator: Simulator) -> None:
+    with ConfinedSimulator(TOWN, SETTINGS) as confined:
         for name in (
             "a time in seconds",
             "eventually, broken",
@@ -169,4 +169,4 @@ def test_a_stranger_s_drive_is_judged_behind_the_walls_as_before_them(backend: B
             "a condition that holds at once",
         ):
             program = foreign_program("toy", PROGRAM.format(behavior=ENDINGS[name][0], rest=ENDINGS[name][1]))
-            assert by_us(confined, program) == by_us(backend, program)
+            assert by_us(confined, program) == by_us(simulator, program)

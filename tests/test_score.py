@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
-from chatscene.evaluate.score import COLUMNS, average_displacement, columns, measure, score, wilson
+from chatscene.measure.score import COLUMNS, average_displacement, columns, measure, score, wilson
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 

@@ -1,4 +1,4 @@
-"""The embedded backend on small programs whose outcome is known."""
+"""The embedded simulator on small programs whose outcome is known."""
 
 import math
 import signal
@@ -16,9 +16,8 @@ from chatscene.ego.rule_based import TARGET_SPEED, RuleBased
 from chatscene.errors import DoesNotCompile, EgoError, MapError, ProgramError, SettingsError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
-from chatscene.simulate import watchdog
-from chatscene.simulate.backend import BACKENDS, Backend, load_backend
-from chatscene.simulate.embedded import staging
+from chatscene.simulate import staging, watchdog
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Ending, Episode, EventKind, Role
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
@@ -42,9 +41,9 @@ class Coast:
         return 0.0, 0.0
 
 
-@pytest.fixture(scope="module", params=sorted(BACKENDS))
-def backend(request: pytest.FixtureRequest) -> Backend:
-    return load_backend(request.param, resolve_map("town"), SimulationSettings())
+@pytest.fixture(scope="module")
+def simulator() -> Simulator:
+    return load_simulator(resolve_map("town"), SimulationSettings())
 
 
 def program(source: str) -> ScenicProgram:
@@ -60,9 +59,9 @@ def moving(body: str, *, kind: str = "Car", ahead: float = 30, left: float = 0, 
 
 
 @pytest.fixture
-def drive(backend: Backend) -> Callable[..., Episode]:
+def drive(simulator: Simulator) -> Callable[..., Episode]:
     def run(what: ScenicProgram, ego: EgoPolicy | None = None, **options: bool) -> Episode:
-        episode = backend.run(what, scene(), ego or RuleBased(), **options)
+        episode = simulate(simulator, what, scene(), ego or RuleBased(), **options)
         assert isinstance(episode, Episode)
         return episode
 
@@ -143,78 +142,80 @@ def test_a_behavior_that_asks_for_a_speed_at_once_gets_it_within_limits(drive: C
     assert np.diff(track.speed).max() <= 0.451
 
 
-def test_an_episode_is_the_same_whatever_ran_before(backend: Backend) -> None:
-    def once(what: Backend) -> list[bytes]:
-        episode = what.run(moving("do WeaveOnPath(egoRoute, 7, 1.5, 3)", ahead=15), scene(), RuleBased())
+def test_an_episode_is_the_same_whatever_ran_before(simulator: Simulator) -> None:
+    def once(what: Simulator) -> list[bytes]:
+        episode = simulate(what, moving("do WeaveOnPath(egoRoute, 7, 1.5, 3)", ahead=15), scene(), RuleBased())
         assert isinstance(episode, Episode)
         return [a.tobytes() for t in episode.tracks for a in (t.x, t.y, t.heading, t.speed)]
 
-    fresh = load_backend("embedded", resolve_map("town"), SimulationSettings())
+    fresh = load_simulator(resolve_map("town"), SimulationSettings())
     first = once(fresh)
-    backend.run(program(WALL), scene(), RuleBased())
-    assert once(backend) == first
-    assert once(backend) == first
+    simulate(simulator, program(WALL), scene(), RuleBased())
+    assert once(simulator) == first
+    assert once(simulator) == first
 
 
-def test_actors_that_stand_in_each_other_are_rejected_with_their_names(backend: Backend) -> None:
+def test_actors_that_stand_in_each_other_are_rejected_with_their_names(simulator: Simulator) -> None:
     tuned = moving("do Park()", ahead=0).source.replace("egoRoute, 0, 0)", "egoRoute, globalParameters.OPT_GEO_Y, 0)")
-    outcome = backend.run(program("param OPT_GEO_Y = Range(0, 9)\n" + tuned), scene(OPT_GEO_Y=2.0), RuleBased())
+    outcome = simulate(simulator, program("param OPT_GEO_Y = Range(0, 9)\n" + tuned), scene(OPT_GEO_Y=2.0), RuleBased())
     assert isinstance(outcome, Rejected)
     assert outcome.reason == "adversary overlaps ego at the start"
 
 
-def test_a_requirement_that_fails_is_a_rejection(backend: Backend) -> None:
+def test_a_requirement_that_fails_is_a_rejection(simulator: Simulator) -> None:
     source = (
         HEAD + "param OPT_GEO_Y = Range(10, 20)\ny = globalParameters.OPT_GEO_Y\n" + EGO + "require y > 15 as far\n"
     )
-    low = backend.run(program(source), scene(OPT_GEO_Y=11.0), RuleBased())
+    low = simulate(simulator, program(source), scene(OPT_GEO_Y=11.0), RuleBased())
     assert isinstance(low, Rejected)
     assert "far" in low.reason
-    assert isinstance(backend.run(program(source), scene(OPT_GEO_Y=16.0), RuleBased()), Episode)
+    assert isinstance(simulate(simulator, program(source), scene(OPT_GEO_Y=16.0), RuleBased()), Episode)
 
 
-def test_a_place_that_is_not_there_is_a_rejection(backend: Backend) -> None:
+def test_a_place_that_is_not_there_is_a_rejection(simulator: Simulator) -> None:
     source = (
         HEAD.replace('"straight"', '"straight", place="four-way"')
         + "param OPT_GEO_Y = Range(10, 60)\n"
         + EGO
         + 'new Pedestrian at besideRoad(egoRoute, globalParameters.OPT_GEO_Y, "left", 1)\n'
     )
-    along_the_crossing_road = backend.run(program(source), scene(OPT_GEO_Y=56.0), RuleBased())
+    along_the_crossing_road = simulate(simulator, program(source), scene(OPT_GEO_Y=56.0), RuleBased())
     assert isinstance(along_the_crossing_road, Rejected)
     assert "edge of the road" in along_the_crossing_road.reason
-    assert isinstance(backend.run(program(source), scene(OPT_GEO_Y=12.0), RuleBased()), Episode)
+    assert isinstance(simulate(simulator, program(source), scene(OPT_GEO_Y=12.0), RuleBased()), Episode)
 
 
-def test_a_place_that_is_never_there_does_not_compile(backend: Backend) -> None:
+def test_a_place_that_is_never_there_does_not_compile(simulator: Simulator) -> None:
     source = HEAD.replace('"straight"', '"straight", place="four-way"') + EGO
     with pytest.raises(DoesNotCompile, match="no left edge"):
-        backend.run(program(source + 'new Pedestrian at besideRoad(egoRoute, 56, "left", 1)\n'), scene(), RuleBased())
+        simulate(
+            simulator, program(source + 'new Pedestrian at besideRoad(egoRoute, 56, "left", 1)\n'), scene(), RuleBased()
+        )
 
 
-def test_values_must_be_those_the_program_tunes(backend: Backend) -> None:
+def test_values_must_be_those_the_program_tunes(simulator: Simulator) -> None:
     with pytest.raises(ProgramError, match="OPT_GEO_Y"):
-        backend.run(program(HEAD + EGO), scene(OPT_GEO_Y=1.0), RuleBased())
+        simulate(simulator, program(HEAD + EGO), scene(OPT_GEO_Y=1.0), RuleBased())
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # where the first alarm was lost
-def test_a_behavior_that_never_yields_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_behavior_that_never_yields_is_stopped(simulator: Simulator, monkeypatch: pytest.MonkeyPatch) -> None:
     stuck = moving("while True:\n        x = 1\n    take SetThrottleAction(0)")
-    backend.routes(stuck)  # compiled in its own time
+    simulator.routes(stuck)  # compiled in its own time
     monkeypatch.setattr(watchdog, "PATIENCE", 0.5)
     with pytest.raises(StuckBehavior, match=r"0\.5 s of processor time.*loops without"):
-        backend.run(stuck, scene(), RuleBased())
+        simulate(simulator, stuck, scene(), RuleBased())
     monkeypatch.undo()
-    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # where the first alarm was lost
-def test_a_program_that_never_compiles_is_stopped(backend: Backend, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_program_that_never_compiles_is_stopped(simulator: Simulator, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(watchdog, "PATIENCE", 0.5)
     with pytest.raises(StuckBehavior, match=r"'toy', being compiled, did not come back within 0\.5 s of processor"):
-        backend.routes(program(HEAD + "while True:\n    pass\n"))
+        simulator.routes(program(HEAD + "while True:\n    pass\n"))
     monkeypatch.undo()
-    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
 
 
 class _Does:
@@ -229,19 +230,19 @@ class _Does:
 
 
 def test_time_in_which_a_drive_has_not_the_processor_is_not_counted(
-    backend: Backend, monkeypatch: pytest.MonkeyPatch
+    simulator: Simulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    backend.routes(program(WALL))
+    simulator.routes(program(WALL))
     monkeypatch.setattr(watchdog, "PATIENCE", 1.0)
     breaks = iter([1.2])  # as for a process that does not get its turn
-    outcome = backend.run(program(WALL), scene(), _Does(lambda: time.sleep(next(breaks, 0.0))))
+    outcome = simulate(simulator, program(WALL), scene(), _Does(lambda: time.sleep(next(breaks, 0.0))))
     assert isinstance(outcome, Episode)
 
 
 def test_what_a_program_takes_to_compile_is_not_counted_as_driving(
-    backend: Backend, monkeypatch: pytest.MonkeyPatch
+    simulator: Simulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    backend.run(program(WALL), scene(), RuleBased())
+    simulate(simulator, program(WALL), scene(), RuleBased())
     another = program(WALL + "# another program\n")
     left: list[float] = []
 
@@ -250,7 +251,7 @@ def test_what_a_program_takes_to_compile_is_not_counted_as_driving(
         return compile_program(*arguments, **named)
 
     monkeypatch.setattr(staging, "compile_program", slowly)
-    backend.run(another, scene(), _Does(lambda: left.append(signal.getitimer(signal.ITIMER_PROF)[0])))
+    simulate(simulator, another, scene(), _Does(lambda: left.append(signal.getitimer(signal.ITIMER_PROF)[0])))
     assert watchdog.PATIENCE - left[0] < 0.4
 
 
@@ -271,29 +272,29 @@ def test_the_clocks_of_a_time_limit_stand_while_another_runs_within_it() -> None
     assert signal.getitimer(signal.ITIMER_PROF) == signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 
-def test_an_ego_that_waits_for_ever_is_stopped_by_the_clock_on_the_wall(backend: Backend) -> None:
+def test_an_ego_that_waits_for_ever_is_stopped_by_the_clock_on_the_wall(simulator: Simulator) -> None:
     def block() -> None:
         signal.setitimer(signal.ITIMER_REAL, 0.01)  # the minutes have passed
         time.sleep(600)
 
     with pytest.raises(EgoError, match=r"_Does.*step 0.*after 300 s, in which it computed for .*waits.*too much else"):
-        backend.run(program(WALL), scene(), _Does(block))
-    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+        simulate(simulator, program(WALL), scene(), _Does(block))
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
 
 
-def test_a_fault_in_an_ego_names_the_ego(backend: Backend) -> None:
+def test_a_fault_in_an_ego_names_the_ego(simulator: Simulator) -> None:
     class Broken:
         def act(self, observation: Observation) -> tuple[float, float]:
             raise OSError("no camera")
 
     with pytest.raises(EgoError, match=r"Broken.*step 0.*no camera"):
-        backend.run(program(HEAD + EGO), scene(), Broken())
+        simulate(simulator, program(HEAD + EGO), scene(), Broken())
 
 
-def test_a_fault_in_a_behavior_names_the_program(backend: Backend) -> None:
+def test_a_fault_in_a_behavior_names_the_program(simulator: Simulator) -> None:
     with pytest.raises(ProgramError, match=r"toy.*TypeError"):
-        backend.run(moving("take SetThrottleAction(1 + 'x')"), scene(), RuleBased())
-    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+        simulate(simulator, moving("take SetThrottleAction(1 + 'x')"), scene(), RuleBased())
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
 
 
 RAISED = r"(ZeroDivision|Key|FileNotFound|Index|Value|Name|Runtime)Error|StopIteration"
@@ -302,7 +303,9 @@ RAISED = r"(ZeroDivision|Key|FileNotFound|Index|Value|Name|Runtime)Error|StopIte
 @pytest.mark.parametrize(
     "fault", ["1 / 0", "{}['x']", "open('no/such/file')", "next(iter(()))", "[].pop()", "int('x')", "no_such_name"]
 )
-def test_whatever_a_program_s_own_code_raises_is_one_error_that_names_the_program(backend: Backend, fault: str) -> None:
+def test_whatever_a_program_s_own_code_raises_is_one_error_that_names_the_program(
+    simulator: Simulator, fault: str
+) -> None:
     compiling = program(HEAD + f"x = {fault}\n" + EGO)
     placing = program(
         HEAD
@@ -313,20 +316,20 @@ def test_whatever_a_program_s_own_code_raises_is_one_error_that_names_the_progra
     driving = moving(f"x = {fault}\n    take SetThrottleAction(0)")
     for broken, where in ((compiling, scene()), (placing, scene(OPT_X=0.5)), (driving, scene())):
         with pytest.raises(ProgramError, match=rf"toy.*({RAISED})"):
-            backend.run(broken, where, RuleBased())
-    assert isinstance(backend.run(program(WALL), scene(), RuleBased()), Episode)
+            simulate(simulator, broken, where, RuleBased())
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
 
 
 @pytest.mark.parametrize("line", ["ego = new Car at (", "x = undefinedName + 1", "import no_such_module_at_all"])
-def test_a_program_that_scenic_refuses_is_named_with_its_line(backend: Backend, line: str) -> None:
+def test_a_program_that_scenic_refuses_is_named_with_its_line(simulator: Simulator, line: str) -> None:
     with pytest.raises((DoesNotCompile, ProgramError)):
-        backend.run(program(HEAD + line + "\n"), scene(), RuleBased())
+        simulate(simulator, program(HEAD + line + "\n"), scene(), RuleBased())
 
 
-def test_a_route_that_the_map_has_not_is_refused(backend: Backend) -> None:
+def test_a_route_that_the_map_has_not_is_refused(simulator: Simulator) -> None:
     with pytest.raises(MapError, match="10 routes"):
-        backend.run(program(HEAD + EGO), scene(route=10), RuleBased())
-    assert backend.routes(program(HEAD + EGO)) == 10
+        simulate(simulator, program(HEAD + EGO), scene(route=10), RuleBased())
+    assert simulator.routes(program(HEAD + EGO)) == 10
 
 
 def placed(what: str, *, head: str = HEAD, body: str = "do FollowLaneBehavior(6)") -> ScenicProgram:
@@ -378,16 +381,16 @@ def test_a_speed_that_a_program_gives_is_the_speed_at_the_start(drive: Callable[
         ("with width 0", "a Car of 4.9 m by 0 m"),
     ],
 )
-def test_what_a_body_cannot_do_is_refused(backend: Backend, given: str, message: str) -> None:
+def test_what_a_body_cannot_do_is_refused(simulator: Simulator, given: str, message: str) -> None:
     with pytest.raises(ProgramError, match=message):
-        backend.run(placed(f"new Car ahead of ego by 20, facing 0, {given}"), scene(), RuleBased())
+        simulate(simulator, placed(f"new Car ahead of ego by 20, facing 0, {given}"), scene(), RuleBased())
 
 
-def test_things_that_may_overlap_do(backend: Backend) -> None:
+def test_things_that_may_overlap_do(simulator: Simulator) -> None:
     tuned = f"{HEAD}param OPT_X = Range(0, 9)\n{EGO}new Kiosk at pointOn(egoRoute, 60, -9), facing 0\n"
     other = "new Kiosk at pointOn(egoRoute, 60 + globalParameters.OPT_X, -9), facing 0"
     for given, refused in (("", True), (", with allowCollisions True", False)):
-        outcome = backend.run(program(f"{tuned}{other}{given}\n"), scene(OPT_X=1.0), RuleBased())
+        outcome = simulate(simulator, program(f"{tuned}{other}{given}\n"), scene(OPT_X=1.0), RuleBased())
         assert isinstance(outcome, Rejected) == refused
 
 
@@ -402,16 +405,16 @@ def test_a_vehicle_that_is_not_turned_faces_along_its_road(drive: Callable[..., 
 
 
 @pytest.mark.parametrize("kind", ["Car", "Pedestrian", "Kiosk"])
-def test_a_thing_that_is_given_no_place_is_refused(backend: Backend, kind: str) -> None:
+def test_a_thing_that_is_given_no_place_is_refused(simulator: Simulator, kind: str) -> None:
     with pytest.raises(DoesNotCompile, match="no place; say where it stands"):
-        backend.run(program(f"{HEAD}{EGO}new {kind}\n"), scene(), RuleBased())
+        simulate(simulator, program(f"{HEAD}{EGO}new {kind}\n"), scene(), RuleBased())
 
 
-def test_an_ego_that_drives_itself_is_refused(backend: Backend) -> None:
+def test_an_ego_that_drives_itself_is_refused(simulator: Simulator) -> None:
     own = EGO.replace("with route", "with behavior FollowLaneBehavior(), with route")
     with pytest.raises(ProgramError, match=r"a behavior of its own, FollowLaneBehavior.*leave its `with behavior"):
-        backend.run(program(HEAD + own), scene(), RuleBased())
-    assert isinstance(backend.run(program(HEAD + EGO), scene(), RuleBased()), Episode)
+        simulate(simulator, program(HEAD + own), scene(), RuleBased())
+    assert isinstance(simulate(simulator, program(HEAD + EGO), scene(), RuleBased()), Episode)
 
 
 @pytest.mark.parametrize(
@@ -423,14 +426,14 @@ def test_an_ego_that_drives_itself_is_refused(backend: Backend) -> None:
         ("record final ego.speed as fastest\n", "a program records nothing"),
     ],
 )
-def test_what_a_drive_here_has_not_is_refused_by_name(backend: Backend, part: str, message: str) -> None:
+def test_what_a_drive_here_has_not_is_refused_by_name(simulator: Simulator, part: str, message: str) -> None:
     with pytest.raises(DoesNotCompile, match=message):
-        backend.run(program(HEAD + EGO + part), scene(), RuleBased())
+        simulate(simulator, program(HEAD + EGO + part), scene(), RuleBased())
 
 
-def test_a_vehicle_on_no_lane_cannot_follow_one_and_is_told_so(backend: Backend) -> None:
+def test_a_vehicle_on_no_lane_cannot_follow_one_and_is_told_so(simulator: Simulator) -> None:
     with pytest.raises(ProgramError, match="stands on no lane that it could follow"):
-        backend.run(placed("new Car at (5000, 5000)"), scene(), RuleBased())
+        simulate(simulator, placed("new Car at (5000, 5000)"), scene(), RuleBased())
 
 
 JUNCTION = """
@@ -463,6 +466,6 @@ def test_leaving_the_road_is_seen(drive: Callable[..., Episode]) -> None:
     assert episode.off_road.any()
 
 
-def test_an_unknown_backend_is_named_with_the_nearest() -> None:
+def test_an_unknown_simulator_is_named_with_the_nearest() -> None:
     with pytest.raises(SettingsError, match="did you mean 'embedded'"):
-        load_backend("embeded", Path("x.xodr"), SimulationSettings())
+        load_simulator(Path("x.xodr"), SimulationSettings(simulator="embeded"))

@@ -16,18 +16,21 @@ from chatscene.snippets.composing import Labelled, compose, wordings
 from chatscene.snippets.embedding import MiniLM
 from chatscene.snippets.fitting import fit, fit_trust, heads_of
 from chatscene.snippets.library import Library, load_library
-from chatscene.snippets.reading import read
+from chatscene.snippets.reading import likeliest, read
+from chatscene.snippets.retrieve import guessed
 from chatscene.snippets.slot_classifier import (
+    PACKAGED,
     TRUSTED,
     VALUES,
     SlotClassifier,
     Trust,
     load_classifier,
-    said,
     save_classifier,
 )
 from chatscene.snippets.wording_index import stem
-from chatscene.terms.scenario import Action, AdversaryKind, Component, Side, Slots
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Side, Slots
 
 States = Callable[[str], list[Any]]  # of a sentence, from each member's encoder
 WORDS = ("now", "then", "soon", "late", "fast", "slow", "far", "near")
@@ -68,7 +71,7 @@ def states(trained: SlotClassifier) -> States:
 def test_words_that_no_pattern_knows_are_learned_from_sentences(trained: SlotClassifier, states: States) -> None:
     text = "a zorp glides over the way x"
     found = trained.classify(states(text), decompose(text).slots)
-    assert said(found, {}).adversary is AdversaryKind.PEDESTRIAN
+    assert likeliest(found, {}).adversary is AdversaryKind.PEDESTRIAN
     assert found.actions[Action.CROSS] > found.actions[Action.BRAKE]
     assert found.behaviors["behavior/cross"] > 0.5
 
@@ -83,8 +86,8 @@ def test_probabilities_are_probabilities(trained: SlotClassifier, states: States
 def test_what_the_patterns_found_counts_for_it(trained: SlotClassifier, states: States) -> None:
     trusting = replace(trained, trust=dict.fromkeys(trained.trust, Trust(found=4.0)))
     seen = states("the krell anchors up")
-    plain = trusting.classify(seen, Slots()).slots["side"]["left"]
-    told = trusting.classify(seen, Slots(side=Side.LEFT)).slots["side"]["left"]
+    plain = trusting.classify(seen, Slots()).of("side", Side.LEFT)
+    told = trusting.classify(seen, Slots(side=Side.LEFT)).of("side", Side.LEFT)
     assert told > plain
 
 
@@ -102,6 +105,26 @@ def test_untrained_layers_are_written_as_they_were_read() -> None:
     same = MiniLM(Tuned(frozen=3, columns=[2], dropout=0.0).changes())
     text = "a bus pulls out"
     np.testing.assert_allclose(same.states(text), MiniLM().states(text), atol=1e-4)
+
+
+def test_trained_weights_are_whole_steps_from_the_old_ones_and_stay_int8() -> None:
+    pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    from chatscene.snippets.tuned_encoder import STEP, in_steps
+
+    old = np.array([0, 0, 0, 126, -127, 127], np.int8)
+    new = in_steps(old, np.array([0.9, 1.1, -2.6, 127.0, -127.0, -127.0]))
+    assert new.dtype == np.int8
+    assert new.tolist() == [0, 2, -2, 126, -127, -127]
+    assert not np.any((new.astype(int) - old) % STEP)
+
+
+def test_a_classifier_of_an_older_form_is_refused(tmp_path: Path) -> None:
+    with np.load(PACKAGED) as arrays:
+        older = dict(arrays)
+    older["changes"] = np.zeros((2, int(older["lengths"].sum())), np.uint8)
+    np.savez_compressed(tmp_path / "older.npz", **older)
+    with pytest.raises(SnippetError, match="train it again"):
+        load_classifier(tmp_path / "older.npz")
 
 
 def test_a_classifier_comes_back_from_its_file(trained: SlotClassifier, tmp_path: Path) -> None:
@@ -170,6 +193,8 @@ def test_the_packaged_classifier_knows_the_behaviors_of_the_library() -> None:
 
 def test_a_fact_that_only_the_classifier_saw_is_called_a_guess() -> None:
     scenario = read("The bloke in front jumps on the anchors for no reason at all.")
-    assert set(scenario.guessed) <= {*VALUES, "actions"}
-    assert all(getattr(scenario.slots, name) for name in scenario.guessed)
-    assert not any(getattr(decompose(scenario.text).slots, name) for name in scenario.guessed)
+    assert scenario.frame is not None
+    found = guessed(scenario.slots, scenario.frame)
+    assert "actions" in found
+    assert all(getattr(scenario.slots, name) for name in found)
+    assert not any(getattr(decompose(scenario.text).slots, name) for name in found)

@@ -10,7 +10,9 @@ import pytest
 
 from chatscene.snippets.compatibility import incompatibility
 from chatscene.snippets.library import load_library
-from chatscene.terms.scenario import Action, AdversaryKind, Component, Control, Maneuver, Occluder, Position, Side
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Control, Maneuver, Occluder, Position, Side
 from chatscene.terms.snippet import Snippet
 
 LIBRARY = load_library()

@@ -16,18 +16,19 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.meaning import check_meaning
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.snippets.compatibility import incompatibility
 from chatscene.snippets.library import load_library
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import AdversaryKind, Component, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Scene
 from chatscene.terms.snippet import Snippet
 
 LIBRARY = load_library()
 SPAWNS, GEOMETRIES = LIBRARY.of(Component.SPAWN), LIBRARY.of(Component.GEOMETRY)
-BACKEND = load_backend("embedded", resolve_map("town"), SimulationSettings(max_steps=1))
+SIMULATOR = load_simulator(resolve_map("town"), SimulationSettings(max_steps=1))
 EGO = load_ego("rule-based")
 SHARES = (0.05, 0.5, 0.95)  # of each range
 APART = 0.3  # [m] or [rad], by which two starts are seen to differ
@@ -62,9 +63,9 @@ def _starts(spawn_id: str) -> tuple[tuple[Episode, Route], ...]:
     for i, share in enumerate(SHARES):
         values = {p.name: p.low + share * (p.high - p.low) for p in program.parameters}
         scene = Scene(id=f"{i}", scenario_id=spawn.id, route=0, block=0, seed=i, values=values)
-        outcome = BACKEND.run(program, scene, EGO, through_collisions=True)
+        outcome = simulate(SIMULATOR, program, scene, EGO, through_collisions=True)
         assert isinstance(outcome, Episode), outcome
-        found.append((outcome, BACKEND.route(program, 0)))
+        found.append((outcome, SIMULATOR.route(program, 0)))
     return tuple(found)
 
 

@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import RunError
-from chatscene.evaluate.score import wilson
-from chatscene.evaluate.tables import (
+from chatscene.measure.score import wilson
+from chatscene.measure.tables import (
     Which,
     avoidability_table,
     diagnostic_table,

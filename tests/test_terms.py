@@ -6,7 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from chatscene.terms import episode, metrics, route, scenario, scene, snippet
-from chatscene.terms.scenario import Action, AdversaryKind, BaseScenario, Component, Side, Slots, SubDescriptions
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import BaseScenario, Component, Side, Slots, SubDescriptions
 from chatscene.terms.snippet import ParameterRange
 
 NOUNS = [

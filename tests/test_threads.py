@@ -21,7 +21,7 @@ import json
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import load_backend
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.scene import Scene, ScenicProgram
 from threadpoolctl import threadpool_info
 source = '''
@@ -31,7 +31,7 @@ ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with rou
 '''
 program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=(), digest="x")
 scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
-load_backend("embedded", resolve_map("town"), SimulationSettings()).run(program, scene, load_ego("sac"))
+simulate(load_simulator(resolve_map("town"), SimulationSettings()), program, scene, load_ego("sac"))
 print(json.dumps([library["num_threads"] for library in threadpool_info()]))
 """
 MANY = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")

@@ -12,14 +12,15 @@ import pytest
 
 pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
 
-from chatscene import train as training
 from chatscene.ego import driving_env
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
-from chatscene.evaluate.ordinary import OrdinaryDrive, OrdinaryResult
+from chatscene.learn import train as training
+from chatscene.learn.train import TrainSettings, train
+from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
-from chatscene.train import TrainSettings, train
+from chatscene.simulate.simulator import Simulator
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::DeprecationWarning"),
@@ -42,7 +43,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(training.ALGORITHMS["ppo"], "batch_size", 40)
     monkeypatch.setitem(training.ALGORITHMS["ppo"], "n_epochs", 2)
 
-    def evaluated(ego: Any, *, map_name: str, scenes: int, seed: int) -> OrdinaryResult:
+    def evaluated(ego: Any, simulator: Simulator, *, scenes: int, seed: int) -> OrdinaryResult:
         speed = float(ego.act(np.array((0.0, 0.0, 5.0, 0.0)))[0])
         one = OrdinaryDrive(course=0, completion=0.5, speed=speed, off_road=0.0, collided=False)
         return OrdinaryResult(ego="e", drives=(one,), rejected=0)

@@ -11,19 +11,9 @@ import pytest
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.library import load_library
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Component,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Side,
-    Slots,
-)
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 from chatscene.terms.snippet import Snippet
 from chatscene.understanding import (
     Judged,

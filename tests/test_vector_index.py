@@ -168,7 +168,7 @@ def test_a_damaged_index_is_built_again(home: Path, damage: bytes | str) -> None
     again = build_cached(ROWS, exact_up_to=100)
     np.testing.assert_array_equal(again.search(QUERIES, 10)[1], built.search(QUERIES, 10)[1])
     assert file.read_bytes() == whole
-    assert not list(home.rglob("*.part"))
+    assert not list(home.rglob("*.tmp"))
 
 
 def test_a_cache_that_cannot_be_written_stops_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

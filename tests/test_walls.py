@@ -28,28 +28,28 @@ from chatscene.curation import lint_library
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, ForeignCodeRefused, RunError, SandboxError, SnippetError
-from chatscene.finetune import scenes
-from chatscene.finetune.scenes import kept_scenes
+from chatscene.learn.finetune import scenes
+from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.lint import Finding, Triple
 from chatscene.program.twins import scenario_of
-from chatscene.report.terminal import print_understanding, printable
+from chatscene.report.terminal import print_understanding, visible
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
 from chatscene.sandbox import nursery as nurseries
-from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.sandbox.confinement import LAYERS, Limits
 from chatscene.sandbox.nursery import Confined
-from chatscene.search.generator import GENERATORS, load_generator
+from chatscene.sandbox.simulator import ConfinedSimulator
+from chatscene.search.generator import GENERATORS, load_generator, simulator_of
 from chatscene.search.own_program import text_of
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
-from chatscene.simulate.backend import Backend
-from chatscene.simulate.embedded.backend import EmbeddedBackend
-from chatscene.snippets.library import PACKAGED, Library, library_with, load_snippet
+from chatscene.simulate.simulator import Simulator
+from chatscene.snippets.library import Library, library_with, load_library, load_snippet
 from chatscene.snippets.slot_classifier import load_classifier, save_classifier
-from chatscene.terms.scenario import AdversaryKind
+from chatscene.snippets.snippet_file import as_text
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import ScenicProgram
 from chatscene.trust import Repeated, follow
 from chatscene.workers import spread
@@ -63,12 +63,13 @@ def silent(_what: str, _done: int, _total: int) -> None:
     pass
 
 
-def told(run: runs.Run, **changes: Any) -> runs.Run:
-    """A run whose record says something else; ``retrieval`` goes into its settings."""
+def told(run: runs.Workspace, **changes: Any) -> runs.Workspace:
+    """A run whose record says something else; ``retrieval`` and ``search`` go into its settings."""
     path = run.file("run.json")
     record = json.loads(path.read_text())
     del record["digest"]
-    record["settings"]["retrieval"] |= changes.pop("retrieval", {})
+    for part in ("retrieval", "search"):
+        record["settings"][part] |= changes.pop(part, {})
     write_sealed(path, record | changes)  # a digest keeps nobody from making another
     return run
 
@@ -83,7 +84,7 @@ def canary(tmp_path: Path) -> Path:
 def hostile(tmp_path: Path, canary: Path) -> Path:
     """A library with one snippet, sound but for a line that makes a file."""
     folder = tmp_path / "library"
-    text = (PACKAGED / "behavior" / "cross.scenic").read_text()
+    text = as_text(load_library().get("behavior/cross"))
     evil = text + f'\nopened = open("{canary}", "w")\n'
     (folder / "behavior").mkdir(parents=True)
     (folder / "behavior" / "evil.scenic").write_text(evil)
@@ -98,7 +99,13 @@ FOLLOWERS: dict[str, Callable[[Path], object]] = {
 }
 
 
-# Libraries
+# Libraries, and plug-ins that are not packaged
+
+
+def naming(run: runs.Workspace, option: str, value: str) -> runs.Workspace:
+    if option == "generator":
+        return told(run, generator=value)
+    return told(run, search={option: value}) if option == "sampler" else told(run, retrieval={option: value})
 
 
 READ_BY = [("embedder", "sentence-t5:weights"), ("language_model", "gguf:weights.gguf")]
@@ -107,18 +114,26 @@ READ_BY = [("embedder", "sentence-t5:weights"), ("language_model", "gguf:weights
 @pytest.mark.parametrize(
     ("command", "option", "value"),
     [(command, "library", "snippets") for command in ("resume", "replay", "evaluate")]
+    + [(command, "generator", "mine:make") for command in ("resume", "replay", "evaluate")]
+    + [("resume", "sampler", "antigravity:x")]
     + [("resume", option, value) for option, value in READ_BY],
 )
 def test_a_record_that_names_what_is_not_packaged_is_not_followed(
     command: str, option: str, value: str, tmp_path: Path
 ) -> None:
-    run = told(finished(tmp_path / "run", count=1), retrieval={option: value})
+    run = naming(finished(tmp_path / "run", count=1), option, value)
     with pytest.raises(RunError, match=rf"names the .* '{value}'.*--{option.replace('_', '-')} {value}"):
         FOLLOWERS[command](run.path)
 
 
 def test_nobody_trains_on_a_folders_snippets(tmp_path: Path) -> None:
     run = told(finished(tmp_path / "run", count=1), retrieval={"library": "snippets"})
+    with pytest.raises(RunError, match="code that is not packaged"):
+        kept_scenes([run.path])
+
+
+def test_nobody_trains_on_scenes_of_a_generator_that_is_not_packaged(tmp_path: Path) -> None:
+    run = told(finished(tmp_path / "run", count=1), generator="sys:exit")
     with pytest.raises(RunError, match="code that is not packaged"):
         kept_scenes([run.path])
 
@@ -130,7 +145,7 @@ def test_who_read_the_sentence_need_not_be_named_where_it_is_not_read_again(
 ) -> None:
     run = told(finished(tmp_path / "run", count=1), retrieval={option: value})
 
-    def rebuild(_run: runs.Run) -> None:
+    def rebuild(_run: runs.Workspace) -> None:
         raise Seen
 
     for module in (pipeline, evaluation, scenes):
@@ -163,29 +178,29 @@ def test_the_commands_hand_on_what_is_repeated(tmp_path: Path) -> None:
 
 def test_programs_with_a_folders_snippets_run_in_the_confined_process(hostile: Path, canary: Path) -> None:
     settings = Settings(retrieval=RetrievalSettings(library=str(hostile)))
-    assert isinstance(Retrieved().backend(TOWN, Settings()), EmbeddedBackend)
-    backend = Retrieved().backend(TOWN, settings)
-    assert isinstance(backend, SandboxedBackend)
+    assert simulator_of(Retrieved(), TOWN, Settings()).identity.name == "embedded"
+    simulator = simulator_of(Retrieved(), TOWN, settings)
+    assert isinstance(simulator, ConfinedSimulator)
     library = library_with(str(hostile))
     parts = [library.get(i) for i in ("behavior/evil", "geometry/straight-road", "spawn/roadside-right")]
     triple = (parts[0], parts[1], parts[2])
     program = assemble(scenario_of(triple), triple, AdversaryKind.PEDESTRIAN)
     with pytest.raises(ForeignCodeRefused, match="open"):
-        backend.routes(program)
+        simulator.routes(program)
     assert not canary.exists()
 
 
 def test_a_folders_snippets_pass_the_allow_list_and_run_confined_in_lint(
     hostile: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (hostile / "behavior" / "mine.scenic").write_text((PACKAGED / "behavior" / "cross.scenic").read_text())
+    (hostile / "behavior" / "mine.scenic").write_text(as_text(load_library().get("behavior/cross")))
     library = library_with(str(hostile))
     ids = ("behavior/evil", "behavior/mine", "geometry/straight-road", "spawn/roadside-right")
     few = Library(tuple(library.get(i) for i in ids))
-    tried: list[tuple[str, type[Backend]]] = []
+    tried: list[tuple[str, type[Simulator]]] = []
 
-    def try_triple(triple: Triple, _kind: AdversaryKind, backend: Backend, *_: object) -> tuple[Finding, ...]:
-        tried.append((triple[0].id, type(backend)))
+    def try_triple(triple: Triple, _kind: AdversaryKind, simulator: Simulator, *_: object) -> tuple[Finding, ...]:
+        tried.append((triple[0].id, type(simulator)))
         return ()
 
     monkeypatch.setattr(curation, "library_with", Mock(return_value=few))
@@ -193,7 +208,7 @@ def test_a_folders_snippets_pass_the_allow_list_and_run_confined_in_lint(
     monkeypatch.setattr(curation, "alike", Mock(return_value=set[Finding]()))
     _, findings = lint_library(str(hostile), scenes=1, progress=silent)
     assert {(f.snippet_id, f.rung) for f in findings} == {("behavior/evil", "allow-list")}
-    assert set(tried) == {("behavior/mine", SandboxedBackend)}
+    assert set(tried) == {("behavior/mine", ConfinedSimulator)}
     assert not canary.exists()
 
 
@@ -210,7 +225,7 @@ def test_a_folders_classifier_changes_only_weights_of_the_encoder(tmp_path: Path
 # Egos that a record names
 
 
-def forged(tmp_path: Path, ego: str, digests: dict[str, str] | None = None) -> runs.Run:
+def forged(tmp_path: Path, ego: str, digests: dict[str, str] | None = None) -> runs.Workspace:
     return told(finished(tmp_path / "run", count=1), ego=ego, ego_digests=digests or {})
 
 
@@ -391,23 +406,25 @@ def test_an_evaluation_drives_a_strangers_program_in_the_confined_process(
     told(run, generator="program", text=text_of(own))
     runs.write_explanation(run, {"text": text_of(own), "scenarios": [{**scenario, "text": text_of(own)}]})
     as_by_an_older_version(run)
-    backends: list[Backend] = []
+    simulators: list[Simulator] = []
 
-    def drive(_program: ScenicProgram, *_: Any, backend: Backend, **__: Any) -> None:
-        backends.append(backend)
+    def drive(_program: ScenicProgram, *_: Any, simulator: Simulator, **__: Any) -> None:
+        simulators.append(simulator)
         raise Seen
 
     monkeypatch.setattr(evaluation, "drive", drive)
     with pytest.raises(Seen):
         evaluation.evaluate([run.path], tmp_path / "e", egos=["idm"], progress=silent)
-    assert [type(backend) for backend in backends] == [SandboxedBackend]
+    assert [type(simulator) for simulator in simulators] == [ConfinedSimulator]
 
 
 def test_only_what_is_packaged_is_run_in_the_process_of_the_command() -> None:
     trusted = {
-        name for name in GENERATORS if isinstance(load_generator(name).backend(TOWN, Settings()), EmbeddedBackend)
+        name
+        for name in GENERATORS.built_in
+        if not isinstance(simulator_of(load_generator(name), TOWN, Settings()), ConfinedSimulator)
     }
-    assert trusted == set(GENERATORS) - {"program"}
+    assert trusted == set(GENERATORS.built_in) - {"program"}
 
 
 # Layers of the second wall
@@ -536,12 +553,12 @@ def test_brackets_in_a_text_are_shown_and_not_obeyed() -> None:
 
 
 def test_what_steers_a_terminal_is_shown_as_its_code() -> None:
-    assert printable("ä \x1b[2J\x07\u202e\ud800\n\tend") == "ä \\x1b[2J\\x07\\u202e\\ud800\n\tend"
+    assert visible("ä \x1b[2J\x07\u202e\ud800\n\tend") == "ä \\x1b[2J\\x07\\u202e\\ud800\n\tend"
 
 
 @pytest.mark.parametrize("command", [["list"], ["search", "a pedestrian"], ["show", "behavior/loud"]])
 def test_descriptions_of_a_strangers_library_do_not_steer_the_terminal(command: list[str], tmp_path: Path) -> None:
-    text = (PACKAGED / "behavior" / "cross.scenic").read_text()
+    text = as_text(load_library().get("behavior/cross"))
     loud = text.replace('description = "', 'description = "A pedestrian [/] \\u001b]0;owned\\u0007', 1)
     (tmp_path / "behavior").mkdir()
     (tmp_path / "behavior" / "loud.scenic").write_text(loud)

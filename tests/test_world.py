@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from chatscene.errors import MapError
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.simulate.embedded.dynamics import VehicleBody
-from chatscene.simulate.embedded.signals import MODES, signal_states
-from chatscene.terms.limits import LIMITS
+from chatscene.simulate.signals import MODES, signal_states
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import CURVE_ACCELERATION, Tracker, curve_speeds, pedals
 from chatscene.world.places import (

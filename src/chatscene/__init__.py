@@ -1,6 +1,68 @@
-"""From a sentence about a dangerous traffic situation to scenes worth testing on."""
+"""From a sentence about a dangerous traffic situation to scenes worth testing on.
+
+::
+
+    import chatscene
+
+    run = chatscene.run("a cyclist cuts across from the left while we turn right", scenes=20)
+    run                                # in a notebook: the report, with a replay of the scenes
+    run.scenes.to_pandas()             # a row per scene
+    run.best.replay()                  # simulated again: the same tracks, bit for bit
+
+Each verb of the command line is a function of the same name, with its options as keywords. What is named here is
+loaded when it is first used: to import the package costs nothing.
+"""
+
+from __future__ import annotations
 
 import os
+
+TYPE_CHECKING = False  # as in `typing`, which costs more to load than all of this; type checkers know the name
+if TYPE_CHECKING:
+    from chatscene.api import (
+        DrivenScene,
+        Run,
+        describe,
+        evaluate,
+        explain,
+        finetune,
+        replay,
+        resume,
+        run,
+        train,
+    )
+    from chatscene.ego.policy import load_ego
+    from chatscene.search.sampler import load_sampler
+    from chatscene.settings import Settings
+    from chatscene.simulate.simulator import load_simulator
+
+    __version__: str
+
+__all__ = [
+    "DrivenScene",
+    "Run",
+    "Settings",
+    "__version__",
+    "describe",
+    "evaluate",
+    "explain",
+    "finetune",
+    "load_ego",
+    "load_sampler",
+    "load_simulator",
+    "replay",
+    "resume",
+    "run",
+    "train",
+]
+
+_ELSEWHERE = {
+    "Settings": "chatscene.settings",
+    "load_ego": "chatscene.ego.policy",
+    "load_sampler": "chatscene.search.sampler",
+    "load_simulator": "chatscene.simulate.simulator",
+}
+"""Where a public name is defined, if not in `chatscene.api`."""
 
 # One thread for linear algebra, in every process that imports us and every process that it starts, said before NumPy
 # is loaded and reads it. The networks that drive are so small that a second thread slows them by up to two, the
@@ -8,3 +70,25 @@ import os
 os.environ |= dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
 )
+
+
+if not TYPE_CHECKING:  # else a type checker would take any name for one of ours
+
+    def __getattr__(name: str) -> object:
+        """Load a public name where it is first used."""
+        if name not in __all__:
+            raise AttributeError(f"module 'chatscene' has no attribute {name!r}")
+        if name == "__version__":
+            from importlib.metadata import version
+
+            found = version("chatscene")
+        else:
+            from importlib import import_module
+
+            found = getattr(import_module(_ELSEWHERE.get(name, "chatscene.api")), name)
+        globals()[name] = found
+        return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

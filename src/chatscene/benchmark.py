@@ -23,9 +23,10 @@ from chatscene.evaluation import EGOS, Evaluated, carry_on, evaluate
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress, search
 from chatscene.runs.atomic import read_json, write_json, writing
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import load_generator, simulator_of
 from chatscene.search.sampler import load_sampler
-from chatscene.settings import SearchSettings, Settings
+from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.scenario import BaseScenario
 from chatscene.trust import Repeated, follow
 from chatscene.workers import spread
@@ -98,6 +99,7 @@ def benchmark(
     map_name: str = "town",
     seed: int = 0,
     sampler: str = "paper",
+    simulator: str = SimulationSettings().simulator,
     avoidable_only: bool = False,
     jobs: int = 1,
     progress: Progress,
@@ -105,13 +107,17 @@ def benchmark(
     """Run a benchmark, or go on with one that was cut.
 
     Raises:
-        SettingsError: There is no such generator or budget.
+        SettingsError: There is no such generator, simulator or budget.
         RunError: The folder holds something else, or a benchmark with other settings.
         MapError: The map serves none of the scenarios.
     """
     load_sampler(sampler)
     scenarios, search = _share(generator, budget)
-    settings = Settings(search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler))
+    settings = Settings(
+        search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler),
+        simulation=SimulationSettings(simulator=simulator),
+    )
+    load_simulator(resolve_map(map_name), settings.simulation)
     setup = _Setup(generator=generator, settings=settings, map_name=map_name, surrogate=surrogate)
     with runs.alone(folder):
         record = _open(folder, {"generator": generator, "budget": budget, "egos": list(egos), **asdict(setup)})
@@ -131,9 +137,11 @@ def benchmark(
 
         where = folder / "evaluation"
         if (where / "run.json").exists():
-            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=Repeated(ego=tuple(egos)))
+            repeated = Repeated(ego=tuple(egos), generator=(generator,), simulator=(simulator,))
+            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=repeated)
         else:
-            evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress)
+            repeated = Repeated(generator=(generator,), simulator=(simulator,))
+            evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=progress, repeated=repeated)
         record = _spent(folder, record, "evaluation", evaluated.seconds)
         return Benchmarked(
             folder=folder, evaluated=evaluated, refused=refused, counts=record["counts"], seconds=record["seconds"]
@@ -213,17 +221,26 @@ class _Searcher:
         setup = self._setup
         if (task.folder / "run.json").exists():
             run = runs.open_run(task.folder)
-            follow(Repeated(ego=(setup.surrogate,)), egos_of=[run], reading_of=[run])
+            named = Repeated(
+                ego=(setup.surrogate,),
+                generator=(setup.generator,),
+                sampler=(setup.settings.search.sampler,),
+                simulator=(setup.settings.simulation.simulator,),
+            )
+            follow(named, egos_of=[run], simulators_of=[run], reading_of=[run])
         else:
+            map_path = resolve_map(setup.map_name)
+            simulator = simulator_of(load_generator(setup.generator), map_path, setup.settings)
             run = runs.create(
                 task.folder,
                 text=task.text,
                 settings=setup.settings,
                 map_name=setup.map_name,
-                map_path=resolve_map(setup.map_name),
+                map_path=map_path,
                 ego=setup.surrogate,
                 generator=setup.generator,
                 senses={setup.surrogate: senses_of(load_ego(setup.surrogate))},
+                simulator=simulator.identity,
             )
         record = runs.read_record(run)
         if record.status is runs.Status.REFUSED:

@@ -20,10 +20,13 @@ from chatscene.cli_finetune import finetune
 from chatscene.cli_library import (
     EGO_AGAIN,
     EMBEDDER_AGAIN,
+    GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
     MODEL_AGAIN,
     READING,
+    SAMPLER_AGAIN,
+    SIMULATOR_AGAIN,
     Reading,
     console,
     library,
@@ -32,11 +35,12 @@ from chatscene.cli_library import (
 )
 from chatscene.cli_proposal import COMMANDS, describe
 from chatscene.cli_reproduce import reproduce
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.settings import SimulationSettings
 
 if TYPE_CHECKING:
+    from chatscene.api import Run
     from chatscene.evaluation import Evaluated
-    from chatscene.pipeline import Summary
 
 MAP = click.option(
     "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
@@ -46,7 +50,15 @@ SAMPLER = click.option(
     "--sampler",
     default="paper",
     show_default=True,
-    help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, quality-diversity.",
+    help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, quality-diversity, "
+    "or package.module:factory.",
+)
+
+SIMULATOR = click.option(
+    "--simulator",
+    default=SimulationSettings().simulator,
+    show_default=True,
+    help="What scenes run in: this, confined (behind the sandbox's walls), or package.module:factory.",
 )
 
 
@@ -55,8 +67,6 @@ class _Errors(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            if any("\0" in word for word in ctx.args):
-                raise SettingsError("no argument may hold a NUL character; leave it out")
             return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse) as error:
             _complain(error)
@@ -100,6 +110,7 @@ def main() -> None:
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
+@SIMULATOR
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -124,6 +135,7 @@ def run(
     seed: int,
     avoidable: bool,
     sampler: str,
+    simulator: str,
     out: Path | None,
     jobs: int | None,
     as_json: bool,
@@ -137,34 +149,39 @@ def run(
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run --program mine.scenic --routes 4
     """
-    from chatscene import pipeline
-    from chatscene.settings import RetrievalSettings, SearchSettings, Settings
+    from chatscene import api, pipeline
 
-    settings = Settings(
-        search=SearchSettings(scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler),
-        retrieval=RetrievalSettings(**reading),
-    )
-    for name, one in _texts(text, program).items():
+    if (text is None) == (program is None):
+        raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    for name, one in _programs(program).items() if program else [(text or "", None)]:
         folder = (out / name if program and program.is_dir() else out) if out else None
-        folder = folder or pipeline.free_folder(Path("runs"), name)
-        with _refusing("" if program else one, reading["embedder"], as_json):
-            summary = pipeline.run(
-                one,
-                folder,
-                settings=settings,
-                map_name=map_name,
-                ego_name=ego,
+        with _refusing(text or "", reading["embedder"], as_json):
+            done = api.run(
+                text or "",
+                folder or pipeline.free_folder(Path("runs"), name),
+                program=one,
+                map=map_name,
+                ego=ego,
+                scenes=scenes,
+                routes=routes,
+                seed=seed,
+                avoidable=avoidable,
+                sampler=sampler,
+                simulator=simulator,
                 jobs=jobs or _jobs(scenes, routes),
-                generator="program" if program else "chatscene",
                 progress=progress(),
+                **reading,
             )
-        _say_done(folder, summary, as_json)
+        _say_done(done, as_json)
 
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
 @EGO_AGAIN
+@GENERATOR_AGAIN
+@SAMPLER_AGAIN
+@SIMULATOR_AGAIN
 @LIBRARY_AGAIN
 @EMBEDDER_AGAIN
 @MODEL_AGAIN
@@ -173,6 +190,9 @@ def resume(
     folder: Path,
     jobs: int | None,
     ego: tuple[str, ...],
+    generator: tuple[str, ...],
+    sampler: tuple[str, ...],
+    simulator: tuple[str, ...],
     library: tuple[str, ...],
     embedder: tuple[str, ...],
     language_model: tuple[str, ...],
@@ -186,19 +206,27 @@ def resume(
     chatscene resume runs/cyclist
     chatscene resume runs/my-stack --ego mypackage.stack:make_ego
     """
-    from chatscene import evaluation, pipeline, runs
-    from chatscene.trust import Repeated
+    from chatscene import api, runs
 
-    repeated = Repeated(ego=ego, library=library, embedder=embedder, language_model=language_model)
-    record = runs.read_record(runs.Run(folder))
-    if record.command == "evaluate":
-        run = runs.Run(folder)
-        _say_evaluated(evaluation.carry_on(run, jobs=jobs or 1, progress=progress(), repeated=repeated), as_json)
-        return
+    record = runs.read_record(runs.Workspace(folder))
     text = "" if record.generator == "program" else record.text
     with _refusing(text, record.settings["retrieval"]["embedder"], as_json):
-        summary = pipeline.resume(folder, jobs=jobs or 1, progress=progress(), repeated=repeated)
-    _say_done(folder, summary, as_json)
+        done = api.resume(
+            folder,
+            jobs=jobs or 1,
+            ego=ego,
+            generator=generator,
+            sampler=sampler,
+            simulator=simulator,
+            library=library,
+            embedder=embedder,
+            language_model=language_model,
+            progress=progress(),
+        )
+    if isinstance(done, api.Run):
+        _say_done(done, as_json)
+    else:
+        _say_evaluated(done, as_json)
 
 
 @main.command()
@@ -207,16 +235,20 @@ def resume(
     "--ego", "egos", multiple=True, help="By name, file or package.module:factory; repeat.  [default: sac, ppo, td3]"
 )
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
+@click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@GENERATOR_AGAIN
 @LIBRARY_AGAIN
 @JSON
 def evaluate(
     scenes: tuple[Path, ...],
     egos: tuple[str, ...],
     every_scene: bool,
+    simulator: str,
     out: Path | None,
     jobs: int,
+    generator: tuple[str, ...],
     library: tuple[str, ...],
     as_json: bool,
 ) -> None:
@@ -226,17 +258,18 @@ def evaluate(
     chatscene evaluate runs/cyclist --ego sac --ego idm
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
-    from chatscene import evaluation, pipeline
-    from chatscene.trust import Repeated
+    from chatscene import api, pipeline
 
-    evaluated = evaluation.evaluate(
+    evaluated = api.evaluate(
         scenes,
         out or pipeline.free_folder(Path("runs"), "evaluation"),
-        egos=egos or evaluation.EGOS,
-        every_scene=every_scene,
+        ego=egos,
+        all=every_scene,
+        simulator=simulator or None,
         jobs=jobs,
+        generator=generator,
+        library=library,
         progress=progress(),
-        repeated=Repeated(library=library),
     )
     _say_evaluated(evaluated, as_json)
 
@@ -254,6 +287,7 @@ def evaluate(
 @MAP
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
+@SIMULATOR
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
@@ -266,6 +300,7 @@ def benchmark(
     map_name: str,
     avoidable: bool,
     sampler: str,
+    simulator: str,
     seed: int,
     out: Path,
     jobs: int,
@@ -290,6 +325,7 @@ def benchmark(
         map_name=map_name,
         avoidable_only=avoidable,
         sampler=sampler,
+        simulator=simulator,
         seed=seed,
         jobs=jobs,
         progress=progress(),
@@ -302,11 +338,14 @@ def benchmark(
 @main.command()
 @click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
 @MAP
+@SIMULATOR
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
-def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Path | None, jobs: int) -> None:
+def drive(
+    egos: tuple[str, ...], map_name: str, simulator: str, scenes: int, seed: int, out: Path | None, jobs: int
+) -> None:
     """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
 
     \b
@@ -316,7 +355,16 @@ def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Pat
     from chatscene import driving
     from chatscene.report.tables import as_text
 
-    table = driving.drive(egos, folder=out, map_name=map_name, scenes=scenes, seed=seed, jobs=jobs, progress=progress())
+    table = driving.drive(
+        egos,
+        folder=out,
+        map_name=map_name,
+        simulation=SimulationSettings(simulator=simulator),
+        scenes=scenes,
+        seed=seed,
+        jobs=jobs,
+        progress=progress(),
+    )
     say(as_text(table))
 
 
@@ -329,6 +377,7 @@ def drive(egos: tuple[str, ...], map_name: str, scenes: int, seed: int, out: Pat
 @click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
 @click.option("--seed", default=0, show_default=True)
 @MAP
+@SIMULATOR
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 def train(
     algorithm: str,
@@ -339,6 +388,7 @@ def train(
     round_: int,
     seed: int,
     map_name: str,
+    simulator: str,
     out: Path,
 ) -> None:
     """Train an ego on the ordinary drives of a map. Needs the extra 'train'.
@@ -347,10 +397,10 @@ def train(
     chatscene train --algorithm sac --out egos/sac
     chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
     """
-    from chatscene.train import TrainSettings
-    from chatscene.train import train as train_ego
+    from chatscene import api
 
-    settings = TrainSettings(
+    trained = api.train(
+        out,
         algorithm=algorithm,
         observation=observation,
         reward=reward,
@@ -358,9 +408,10 @@ def train(
         steps=steps,
         round=round_,
         seed=seed,
-        map_name=map_name,
+        map=map_name,
+        simulator=simulator,
+        progress=progress(),
     )
-    trained = train_ego(out, settings, progress=progress())
     say(" steps  completion  collisions  mean speed")
     for row in trained.curve:
         say(
@@ -374,18 +425,27 @@ def train(
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("scene_id")
 @EGO_AGAIN
+@GENERATOR_AGAIN
+@SIMULATOR_AGAIN
 @LIBRARY_AGAIN
 @JSON
-def replay(folder: Path, scene_id: str, ego: tuple[str, ...], library: tuple[str, ...], as_json: bool) -> None:
+def replay(
+    folder: Path,
+    scene_id: str,
+    ego: tuple[str, ...],
+    generator: tuple[str, ...],
+    simulator: tuple[str, ...],
+    library: tuple[str, ...],
+    as_json: bool,
+) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
     """
-    from chatscene import pipeline
-    from chatscene.trust import Repeated
+    from chatscene import api
 
-    outcome = pipeline.replay(folder, scene_id, repeated=Repeated(ego=ego, library=library))
+    outcome = api.replay(folder, scene_id, ego=ego, generator=generator, simulator=simulator, library=library)
     if as_json:
         say(json.dumps(outcome.as_dict()))
     else:
@@ -431,11 +491,10 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Read
     chatscene explain "a motorbike cuts us off from the right"
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
     """
-    from chatscene import pipeline
-    from chatscene.settings import RetrievalSettings, Settings
+    from chatscene import api
 
     with _refusing(text, reading["embedder"], as_json):
-        understood = pipeline.understand(text, Settings(retrieval=RetrievalSettings(**reading)))
+        understood = api.explain(text, **reading)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
         return
@@ -519,16 +578,11 @@ def doctor(as_json: bool) -> None:
         sys.exit(1)
 
 
-def _texts(text: str | None, program: Path | None) -> dict[str, str]:
-    """What to run, by a name for its folder: a sentence, a program, or each program of a folder."""
-    if (text is None) == (program is None):
-        raise click.UsageError("say what to run: either a TEXT or --program FILE")
-    if program is None:
-        return {text or "": text or ""}
+def _programs(program: Path) -> dict[str, Path]:
+    """The files of a program or of a folder of them, by a name for the run's folder; all are read before any is run."""
     from chatscene.program.foreign import read_foreign
-    from chatscene.search.own_program import text_of
 
-    return {own.path.stem: text_of(own) for own in read_foreign(program)}
+    return {own.path.stem: own.path for own in read_foreign(program)}
 
 
 @contextmanager
@@ -586,9 +640,8 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
         sys.exit(1)
 
 
-def _say_done(folder: Path, summary: Summary, as_json: bool) -> None:
+def _say_done(run: Run, as_json: bool) -> None:
     if as_json:
-        say(json.dumps({"folder": str(folder), "seconds": summary.seconds, **summary.counts}))
+        say(json.dumps({"folder": str(run.folder), "seconds": run.summary.seconds, **run.summary.counts}))
     else:
-        say(summary.in_words())
-        say(f"report: {folder / 'report.html'}")
+        say(str(run))

@@ -13,7 +13,7 @@ from chatscene.cli_library import JSON, console, progress, say
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from chatscene.finetune import Finetuned
+    from chatscene.learn.finetune import Finetuned
 
 _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", "completion": "completion"}
 
@@ -28,6 +28,7 @@ _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", 
 @click.option("--train-routes", default=8, show_default=True, help="The first so many routes train, the rest test.")
 @click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
 @click.option("--ordinary-share", default=0.0, show_default=True, help="Share of the episodes on ordinary routes.")
+@click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @JSON
@@ -41,6 +42,7 @@ def finetune(
     train_routes: int,
     reward: str,
     ordinary_share: float,
+    simulator: str,
     seed: int,
     out: Path,
     as_json: bool,
@@ -56,24 +58,23 @@ def finetune(
     chatscene finetune bench/scenes --teacher planner --ordinary-share 0.4 --out egos/taught
     chatscene evaluate bench/scenes/turning-obstacle --ego egos/hardened/policy.npz
     """
-    from chatscene.errors import SettingsError, no_such
-    from chatscene.finetune import PRESETS, FinetuneSettings
-    from chatscene.finetune import finetune as finetune_ego
+    from chatscene import api
 
-    if preset not in PRESETS:
-        raise SettingsError(no_such("preset", preset, PRESETS))
-    settings = FinetuneSettings(
+    tuned = api.finetune(
+        sources,
+        out,
         ego=ego,
         teacher=teacher,
-        reward=reward,
+        preset=preset,
         choice=choice,
         episodes=episodes,
         train_routes=train_routes,
+        reward=reward,
         ordinary_share=ordinary_share,
+        simulator=simulator,
         seed=seed,
-        **PRESETS[preset],
+        progress=progress(),
     )
-    tuned = finetune_ego(out, sources, settings, progress=progress())
     if as_json:
         say(json.dumps({"folder": str(out), "chosen": tuned.chosen, "before": tuned.before, "after": tuned.after}))
         return

@@ -40,6 +40,9 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
 # What the user says again of what a run names beyond what is packaged (`chatscene.trust.Repeated`).
 _AGAIN = "again, if the run names one: that its files say so is not enough."
 LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {_AGAIN}")
+GENERATOR_AGAIN = click.option("--generator", multiple=True, help=f"The generator {_AGAIN}")
+SAMPLER_AGAIN = click.option("--sampler", multiple=True, help=f"The sampler {_AGAIN}")
+SIMULATOR_AGAIN = click.option("--simulator", multiple=True, help=f"The simulator {_AGAIN}")
 EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
 MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
 EGO_AGAIN = click.option(
@@ -64,9 +67,9 @@ def console() -> Console:
 
 def say(text: str, *, err: bool = False) -> None:
     """Print a line; what could steer the terminal is shown as its code."""
-    from chatscene.report.terminal import printable
+    from chatscene.report.terminal import visible
 
-    click.echo(printable(text), err=err)
+    click.echo(visible(text), err=err)
 
 
 @click.group()
@@ -123,7 +126,7 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
     """
     from chatscene.snippets.embedding import load_embedder
     from chatscene.snippets.library import library_with
-    from chatscene.snippets.retrieve import nearest
+    from chatscene.snippets.nearest import nearest
     from chatscene.terms.scenario import Component
 
     found = nearest(text, Component(component), library_with(own), load_embedder(), count=top)

@@ -6,7 +6,7 @@ import json
 import sys
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -237,30 +237,20 @@ def describe(
     chatscene describe --instruction "dangerous cyclists at junctions"
     chatscene describe --base right-turn --language-model openai:MODEL
     """
-    from chatscene.search.describe import describe as describe_offline
-    from chatscene.search.describe_with_model import describe_with
+    from chatscene.search.describe_with_model import describe_for
     from chatscene.settings import RetrievalSettings
     from chatscene.snippets.embedding import load_embedder
-    from chatscene.snippets.library import library_with
     from chatscene.terms.scenario import BaseScenario
 
     settings = RetrievalSettings(**reading)
-    library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+    embedder = load_embedder(settings.embedder)
     wanted = BaseScenario(base) if base else None
-    offline = describe_offline(wanted, count, library=library, seed=seed, instruction=instruction)
+    unaided = replace(settings, language_model=OFFLINE)
+    offline = describe_for(unaided, wanted, count, seed=seed, instruction=instruction).descriptions
     if settings.language_model == OFFLINE:
         _say_described(offline, {"offline": offline}, embedder, as_json)
         return
-    told = describe_with(
-        _model(settings.language_model),
-        wanted,
-        count,
-        library=library,
-        embedder=embedder,
-        settings=settings,
-        seed=seed,
-        instruction=instruction,
-    )
+    told = describe_for(settings, wanted, count, seed=seed, instruction=instruction)
     sets = {"language model": told.by_model, "kept": told.descriptions, "offline": offline}
     refused = [asdict(one) for one in told.unserved]
     _say_described(told.descriptions, sets, embedder, as_json, topped_up=len(told.topped_up), refused=refused)
@@ -316,13 +306,13 @@ def _model(name: str) -> LanguageModel:
     Raises:
         SettingsError: There is none of this name.
     """
+    from chatscene.caches import cache_folder
     from chatscene.errors import SettingsError
     from chatscene.language_models.protocol import Limits, load_language_model
-    from chatscene.language_models.reply_cache import user_folder
 
     if name == OFFLINE:
         raise SettingsError("proposals need a language model; give --language-model openai:MODEL or gguf:FILE")
-    return load_language_model(name, limits=Limits(reply_tokens=2048), cache=user_folder())
+    return load_language_model(name, limits=Limits(reply_tokens=2048), cache=cache_folder("replies"))
 
 
 @contextmanager
@@ -331,12 +321,12 @@ def _judges(scenes: int) -> Generator[MakeJudge]:
     from chatscene.ego.policy import load_ego
     from chatscene.maps.network import resolve_map
     from chatscene.proposing.trying import Judge
-    from chatscene.sandbox.backend import SandboxedBackend
+    from chatscene.sandbox.simulator import ConfinedSimulator
     from chatscene.settings import SimulationSettings
 
-    with SandboxedBackend(resolve_map("town"), SimulationSettings()) as backend:
+    with ConfinedSimulator(resolve_map("town"), SimulationSettings()) as simulator:
         ego = load_ego("rule-based")
-        yield lambda library: Judge(library, backend, ego, scenes=scenes)
+        yield lambda library: Judge(library, simulator, ego, scenes=scenes)
 
 
 COMMANDS: tuple[click.Command, ...] = (propose, pending, accept, reject, edit)

@@ -12,15 +12,15 @@ from chatscene.maps.network import resolve_map
 from chatscene.pipeline import Progress
 from chatscene.program.directions import Joint, joints
 from chatscene.program.lint import Finding, alike, sifted, sound_part, trials, try_joint, try_triple, unpartnered
+from chatscene.search.generator import simulator_of
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.snippets.composing import Labelled, compose, wordings
-from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.fitting import fit, heads_of, joined
 from chatscene.snippets.library import library_with, load_library
 from chatscene.snippets.slot_classifier import NAME, PACKAGED, TRUSTED, save_classifier
-from chatscene.snippets.wording_vectors import save_vectors
-from chatscene.terms.scenario import AdversaryKind, Component
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Component
 from chatscene.understanding import Sentence, load_sentences
 from chatscene.workers import spread
 
@@ -45,17 +45,17 @@ class _Checker:
         self._setup = setup
         self._library, _ = sound_part(library_with(setup.own), setup.only)
         settings = Settings(retrieval=RetrievalSettings(library=setup.own))
-        self._backend = Retrieved().backend(resolve_map("town"), settings)
+        self._simulator = simulator_of(Retrieved(), resolve_map("town"), settings)
         self._ego = load_ego("rule-based")
 
     def __call__(self, trial: _Trial) -> set[Finding]:
         if trial is None:
-            return alike(self._library, self._backend, self._ego, self._setup.only)
+            return alike(self._library, self._simulator, self._ego, self._setup.only)
         if isinstance(trial, Joint):
-            return set(try_joint(trial, self._library, self._backend, self._ego))
+            return set(try_joint(trial, self._library, self._simulator, self._ego))
         (b, g, s), kind = trial
         triple = (self._library.get(b), self._library.get(g), self._library.get(s))
-        return set(try_triple(triple, kind, self._backend, self._ego, self._setup.scenes))
+        return set(try_triple(triple, kind, self._simulator, self._ego, self._setup.scenes))
 
 
 def lint_library(
@@ -122,9 +122,6 @@ def fit_classifier(own: str, *, count: int, epochs: int, seed: int, progress: Pr
     classifier = joined(members, classes, [_labelled(s) for s in by_hand if kept_back(s)])
     path = Path(own) / NAME if own else PACKAGED
     save_classifier(classifier, path)
-    if not own:
-        behaviors = library.of(Component.BEHAVIOR)
-        save_vectors([text for s in behaviors for text in (s.description, *s.rephrasings)], load_embedder())
     return path
 
 

@@ -9,13 +9,15 @@ from pathlib import Path
 import numpy as np
 
 from chatscene.ego.policy import load_ego, name_of
-from chatscene.evaluate.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
+from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
 from chatscene.pipeline import MARGIN, Progress
 from chatscene.report.animation import animate
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import write_bytes
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.episode import Episode
 from chatscene.terms.results import ResultTable
 from chatscene.workers import spread
@@ -31,6 +33,7 @@ class _Setup:
     """What every process needs to know."""
 
     map_name: str
+    simulation: SimulationSettings
     scenes: int
     seed: int
     folder: Path | None
@@ -41,6 +44,7 @@ def drive(
     *,
     folder: Path | None = None,
     map_name: str = "town",
+    simulation: SimulationSettings | None = None,
     scenes: int = 5,
     seed: int = SEED,
     jobs: int = 1,
@@ -52,6 +56,7 @@ def drive(
         egos: By name, file or ``package.module:factory``.
         folder: Where the table and a GIF of each ego go; None for nowhere.
         map_name: Where they drive.
+        simulation: In what, and with which step and limits.
         scenes: Draws of traffic per course.
         seed: Of the traffic.
         jobs: Processes; an ego is driven by one.
@@ -59,10 +64,13 @@ def drive(
 
     Raises:
         EgoError: An ego cannot be loaded, or fails.
+        SettingsError: There is no such simulator.
     """
     for ego in egos:
         load_ego(ego)
-    setup = _Setup(map_name=map_name, scenes=scenes, seed=seed, folder=folder)
+    simulation = simulation or SimulationSettings()
+    load_simulator(resolve_map(map_name), simulation)  # an unknown one is told here, and once
+    setup = _Setup(map_name=map_name, simulation=simulation, scenes=scenes, seed=seed, folder=folder)
     results: dict[str, OrdinaryResult] = {}
     for count, (ego, result) in enumerate(spread(_Driver, setup, egos, jobs=jobs), 1):
         results[ego] = result
@@ -78,17 +86,18 @@ class _Driver:
 
     def __init__(self, setup: _Setup) -> None:
         self._setup = setup
+        self._simulator = load_simulator(resolve_map(setup.map_name), setup.simulation)
 
     def __call__(self, ego: str) -> tuple[str, OrdinaryResult]:
         setup = self._setup
         policy = load_ego(ego)
         if setup.folder is not None:
-            drives = ordinary_episodes(policy, map_name=setup.map_name, scenes=1, seed=setup.seed)
+            drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed)
             shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
             if isinstance(shown, Episode):
                 picture = animate(shown, _drawing(shown, setup.map_name), frames=FRAMES, widest=WIDEST)
                 write_bytes(setup.folder / f"{name_of(policy)}.gif", picture)
-        return ego, drive_ordinary(policy, map_name=setup.map_name, scenes=setup.scenes, seed=setup.seed)
+        return ego, drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed)
 
 
 def _drawing(episode: Episode, map_name: str) -> dict[str, object]:

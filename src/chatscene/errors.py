@@ -42,8 +42,8 @@ class SettingsError(ChatSceneError):
 class MissingExtra(ChatSceneError):  # noqa: N818
     """Something needs an optional package; the message names the extra that brings it."""
 
-    def __init__(self, what: str, *, extra: str) -> None:
-        super().__init__(f'{what}, which is not installed; install it with: pip install "chatscene[{extra}]"')
+    def __init__(self, what: str, *, extra: str, package: str = "chatscene") -> None:
+        super().__init__(f'{what}, which is not installed; install it with: pip install "{package}[{extra}]"')
 
 
 class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits

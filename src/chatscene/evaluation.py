@@ -15,9 +15,9 @@ from pathlib import Path
 from chatscene import runs
 from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import ChatSceneError, EgoError, RunError, SettingsError
-from chatscene.evaluate.drive import Ran, drive
-from chatscene.evaluate.score import average_displacement
-from chatscene.evaluate.tables import (
+from chatscene.measure.drive import Ran, drive
+from chatscene.measure.score import average_displacement
+from chatscene.measure.tables import (
     avoidability_table,
     diagnostic_table,
     ego_table,
@@ -28,9 +28,9 @@ from chatscene.pipeline import Progress, map_of, rebuild
 from chatscene.report.egos import egos_in_words
 from chatscene.report.tables import write_tables
 from chatscene.search.explore import Block
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import Settings, SimulationSettings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Scenario
@@ -77,6 +77,7 @@ def evaluate(
     egos: Sequence[str] = EGOS,
     every_scene: bool = False,
     first_route: int = 0,
+    simulator: str = "",
     jobs: int = 1,
     progress: Progress,
     repeated: Repeated | None = None,
@@ -89,6 +90,7 @@ def evaluate(
         egos: By name, file or ``package.module:factory``.
         every_scene: Not only the kept scenes but all that ran.
         first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
+        simulator: In what they are driven; empty for that of the runs.
         jobs: Processes.
         progress: Told what is done.
         repeated: What the runs name and the user as well, besides egos.
@@ -97,7 +99,7 @@ def evaluate(
         RunError: A source is not finished, they lie on different maps, or the folder is taken; or a source names what
             must be repeated (`chatscene.trust.follow`).
         EgoError: An ego cannot be loaded.
-        SettingsError: There is no ego, or one is named twice.
+        SettingsError: There is no ego, or one is named twice; or there is no such simulator.
     """
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
@@ -106,13 +108,13 @@ def evaluate(
     senses = {ego: senses_of(load_ego(ego)) for ego in egos}
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     repeated = repeated or Repeated()
-    follow(repeated, joining_of=found)
+    follow(repeated, simulators_of=() if simulator else found, joining_of=found)
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
-        if _where(record) != _where(records[0]):
-            raise RunError(f"{run.path} and {found[0].path} differ in map or step; evaluate them one by one")
+        if _where(record, simulator) != _where(records[0], simulator):
+            raise RunError(f"{run.path} and {found[0].path} differ in map, step or simulator; evaluate them one by one")
     told = [
         _source(run, record, first_route, kept_for="" if every_scene else record.ego)
         for run, record in zip(found, records, strict=True)
@@ -123,25 +125,34 @@ def evaluate(
                 f"{twin.folder} and {source.folder} hold scenes of one and the same sentence, which the tables cannot "
                 "tell apart; evaluate them one by one"
             )
+    map_path = map_of(records[0])
+    settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator)[-1])
     with runs.alone(folder):
         kept = runs.create(
             folder,
             text="all scenes" if every_scene else "kept scenes",
-            settings=runs.settings_of(records[0]),
+            settings=settings,
             map_name=records[0].map_name,
-            map_path=map_of(records[0]),
+            map_path=map_path,
             ego=",".join(egos),
             sources=told,
             senses=senses,
+            simulator=load_simulator(map_path, settings.simulation).identity,
         )
-        return _carry_on(kept, jobs, progress, replace(repeated, ego=tuple(egos)))
+        return _carry_on(
+            kept, jobs, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
+        )
 
 
-def _where(record: runs.RunRecord) -> tuple[str, str, SimulationSettings]:
-    return record.map_name, record.map_digest, runs.settings_of(record).simulation
+def _where(record: runs.RunRecord, simulator: str) -> tuple[str, str, SimulationSettings]:
+    """The map of a run and how its scenes are simulated: as they were, or in another simulator."""
+    simulation = runs.settings_of(record).simulation
+    if simulator:
+        simulation = replace(simulation, simulator=simulator)
+    return record.map_name, record.map_digest, simulation
 
 
-def _source(run: runs.Run, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
+def _source(run: runs.Workspace, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
     scenario, _ = runs.read_choice(run)
     if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
@@ -155,7 +166,7 @@ def _source(run: runs.Run, record: runs.RunRecord, first_route: int, *, kept_for
     )
 
 
-def carry_on(run: runs.Run, *, jobs: int, progress: Progress, repeated: Repeated | None = None) -> Evaluated:
+def carry_on(run: runs.Workspace, *, jobs: int, progress: Progress, repeated: Repeated | None = None) -> Evaluated:
     """Do what is left of an evaluation.
 
     Raises:
@@ -166,10 +177,10 @@ def carry_on(run: runs.Run, *, jobs: int, progress: Progress, repeated: Repeated
         return _carry_on(runs.open_run(run.path, holds="evaluate"), jobs, progress, repeated or Repeated())
 
 
-def _carry_on(run: runs.Run, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
+def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
-    sources = [runs.Run(Path(source.folder)) for source in runs.read_record(run).sources]
-    follow(repeated, egos_of=[run], joining_of=sources)
+    sources = [runs.Workspace(Path(source.folder)) for source in runs.read_record(run).sources]
+    follow(repeated, egos_of=[run], simulators_of=[run], joining_of=sources)
     runs.resume(run, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(run)
     failures = dict(record.failures)
@@ -190,7 +201,7 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress, repeated: Repeated) 
     return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
 
 
-def _tasks(run: runs.Run, record: runs.RunRecord) -> list[_Task]:
+def _tasks(run: runs.Workspace, record: runs.RunRecord) -> list[_Task]:
     """Every ego that did not fail on every route with scenes of every source.
 
     Raises:
@@ -208,7 +219,7 @@ def _tasks(run: runs.Run, record: runs.RunRecord) -> list[_Task]:
 
 
 def _drive_all(
-    run: runs.Run,
+    run: runs.Workspace,
     record: runs.RunRecord,
     tasks: Sequence[_Task],
     failed: dict[str, str],
@@ -232,7 +243,7 @@ def _drive_all(
 
 def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, dict[str, object]]]:
     """The rows of a source that are to be driven, each with its route."""
-    rows = runs.read_scenes(runs.Run(Path(source.folder)))
+    rows = runs.read_scenes(runs.Workspace(Path(source.folder)))
     every = record.text == "all scenes"
     return [
         (runs.route_index(row["route_id"]), row)
@@ -252,43 +263,43 @@ class _Evaluator:
     def __init__(self, record: runs.RunRecord) -> None:
         self._record = record
         self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
-        self._backends: dict[tuple[str, Settings], Backend] = {}
+        self._simulators: dict[tuple[str, Settings], Simulator] = {}
         self._failed: dict[str, str] = {}
 
     def __call__(self, task: _Task) -> tuple[_Task, str]:
         """Drive and keep; the reason if the ego failed, now or before."""
         if task.ego in self._failed:
             return task, self._failed[task.ego]
-        source = runs.Run(Path(task.source.folder))
+        source = runs.Workspace(Path(task.source.folder))
         if task.source.folder not in self._programs:
             self._programs[task.source.folder] = rebuild(source)
         scenario, program = self._programs[task.source.folder]
         scenes = [runs.scene_of(row, program) for route, row in _kept(task.source, self._record) if route == task.route]
         try:
-            block = self._block(task, scenario, program, scenes, self._backend_of(source))
+            block = self._block(task, scenario, program, scenes, self._simulator_of(source))
         except EgoError as error:
             self._failed[task.ego] = str(error)
             return task, str(error)
-        runs.write_block(runs.Run(task.folder), block)
+        runs.write_block(runs.Workspace(task.folder), block)
         return task, ""
 
-    def _backend_of(self, source: runs.Run) -> Backend:
+    def _simulator_of(self, source: runs.Workspace) -> Simulator:
         """Where the programs of a source are run, which is for its own generator to say; one for all that are alike."""
         record = runs.read_record(source)
         settings = Settings(
             simulation=runs.settings_of(self._record).simulation, retrieval=runs.settings_of(record).retrieval
         )
         key = (record.generator, settings)
-        if key not in self._backends:
+        if key not in self._simulators:
             generator = load_generator(record.generator)
-            self._backends[key] = generator.backend(map_of(self._record), settings)
-        return self._backends[key]
+            self._simulators[key] = simulator_of(generator, map_of(self._record), settings)
+        return self._simulators[key]
 
     def _block(
-        self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene], backend: Backend
+        self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene], simulator: Simulator
     ) -> Block:
         ego = load_ego(task.ego)
-        outcomes = [drive(program, scenario.slots, scene, backend=backend, ego=ego) for scene in scenes]
+        outcomes = [drive(program, scenario.slots, scene, simulator=simulator, ego=ego) for scene in scenes]
         return Block(
             scenario_id=scenario.id,
             route=task.route,
@@ -299,7 +310,7 @@ class _Evaluator:
         )
 
 
-def tabulate(run: runs.Run) -> dict[str, ResultTable]:
+def tabulate(run: runs.Workspace) -> dict[str, ResultTable]:
     """The tables of a finished evaluation, by name."""
     record = runs.read_record(run)
     drives = read_drives(run, record)
@@ -317,7 +328,7 @@ def tabulate(run: runs.Run) -> dict[str, ResultTable]:
     return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
 
 
-def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
+def read_drives(run: runs.Workspace, record: runs.RunRecord) -> list[Drive]:
     """Every drive of an evaluation that was not rejected."""
     sources = {source.scenario_id: source for source in record.sources}
     egos = record.egos
@@ -343,7 +354,7 @@ def read_drives(run: runs.Run, record: runs.RunRecord) -> list[Drive]:
     return drives
 
 
-def read_displacements(run: runs.Run, record: runs.RunRecord) -> list[Displacement]:
+def read_displacements(run: runs.Workspace, record: runs.RunRecord) -> list[Displacement]:
     """The ADE of each scenario, route and ego of which at least two scenes were driven."""
     sources = {source.scenario_id: source for source in record.sources}
     egos = record.egos

@@ -26,19 +26,19 @@ from chatscene.errors import (
     RunError,
     SnippetError,
 )
-from chatscene.evaluate.score import wilson
 from chatscene.maps.drawing import map_drawing
 from chatscene.maps.network import load_network, resolve_map
+from chatscene.measure.score import wilson
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
 from chatscene.report.viewer import write_report
 from chatscene.runs.digests import digest_of
-from chatscene.search.generator import climb, load_generator
+from chatscene.search.generator import climb, load_generator, simulator_of
 from chatscene.search.retrieved import Retrieved
 from chatscene.search.sampler import load_sampler
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
@@ -64,6 +64,18 @@ class Understood:
         explanation = runs.explain(self.scenario.text, [(self.scenario, self.retrieval)])
         return {**explanation, "program": self.program.source}
 
+    def __str__(self) -> str:
+        """For a person, as the command line prints it."""
+        from chatscene.report.terminal import understanding_text
+
+        return understanding_text(self)
+
+    def _repr_html_(self) -> str:
+        """For a notebook, as the report shows it."""
+        from chatscene.report.notebook import understanding_frame
+
+        return understanding_frame(self.scenario, self.as_dict())
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Summary:
@@ -78,6 +90,11 @@ class Summary:
     counts: Mapping[str, int]
     seconds: float
     ego: str
+
+    @classmethod
+    def of(cls, record: runs.RunRecord) -> Summary:
+        """The summary of a run by its record."""
+        return cls(counts=record.counts, seconds=record.timings["total"], ego=egos_in_words(record)[0])
 
     def in_words(self) -> str:
         """Two lines for a person: what came of it, and what the ego could see."""
@@ -162,8 +179,10 @@ def run(
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     settings = settings or Settings()
-    load_generator(generator).read(text, settings.retrieval)  # an empty text leaves no folder behind
+    maker = load_generator(generator)
+    maker.read(text, settings.retrieval)  # an empty text leaves no folder behind
     map_path = resolve_map(map_name)
+    simulator = simulator_of(maker, map_path, settings)
     senses = {ego_name: senses_of(load_ego(ego_name))}
     load_sampler(settings.search.sampler)
     with runs.alone(folder):
@@ -176,8 +195,9 @@ def run(
             ego=ego_name,
             generator=generator,
             senses=senses,
+            simulator=simulator.identity,
         )
-        return _carry_on(kept, jobs, progress or _silent)
+        return _carry_on(kept, jobs, progress or silent)
 
 
 def resume(
@@ -190,12 +210,12 @@ def resume(
             be repeated (`chatscene.trust.follow`).
     """
     run = runs.open_run(folder, holds="run")
-    follow(repeated or Repeated(), egos_of=[run], reading_of=[run])
+    follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], reading_of=[run])
     with runs.alone(folder):
-        return _carry_on(run, jobs, progress or _silent)
+        return _carry_on(run, jobs, progress or silent)
 
 
-def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
+def _carry_on(run: runs.Workspace, jobs: int, progress: Progress) -> Summary:
     since = time.monotonic()
 
     def clock() -> runs.RunRecord:
@@ -217,11 +237,10 @@ def _carry_on(run: runs.Run, jobs: int, progress: Progress) -> Summary:
     except ChatSceneError as error:
         runs.update(run, status=runs.Status.FAILED, reason=str(error))
         raise
-    record = clock()
-    return Summary(counts=record.counts, seconds=record.timings["total"], ego=egos_in_words(record)[0])
+    return Summary.of(clock())
 
 
-def search(run: runs.Run, jobs: int, progress: Progress) -> None:
+def search(run: runs.Workspace, jobs: int, progress: Progress) -> None:
     """Steps 2 to 7 for a run folder, from where it stands."""
     settings = runs.settings_of(runs.read_record(run))
     done = runs.resume(run, told=lambda said: progress(said, 0, 0))
@@ -242,12 +261,12 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     runs.write_program(run, scenario.id, written.program.source)
 
     progress("checking that drives show what was read", 0, 0)
-    backend = generator.backend(map_path, settings)
-    written, _ = climb(generator, scenario, written, settings=settings.retrieval, backend=backend, ego=ego)
+    simulator = simulator_of(generator, map_path, settings)
+    written, _ = climb(generator, scenario, written, settings=settings.retrieval, simulator=simulator, ego=ego)
     program = written.program
     explain(scenario, written.retrieval)
     runs.write_program(run, scenario.id, program.source)
-    routes = _routes(backend, program, settings.search.routes)
+    routes = routes_of(simulator, program, settings.search.routes)
     if len(routes) < settings.search.routes:
         progress(f"map {record.map_name!r} has {len(routes)} of the {settings.search.routes} routes asked for", 0, 0)
     runs.write_drawing(run, _drawing(map_path, routes, scenario.id))
@@ -269,7 +288,7 @@ def search(run: runs.Run, jobs: int, progress: Progress) -> None:
     runs.finish(run, selected=_selected(run, settings.search), expected=every)
 
 
-def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
+def _selected(run: runs.Workspace, settings: SearchSettings) -> dict[str, bool]:
     """Step 7 for every scenario and route: scene id to whether it is a fill-in."""
     jobs: dict[tuple[str, str], list[Candidate]] = {}
     for row in runs.read_scenes(run):
@@ -291,13 +310,13 @@ def _selected(run: runs.Run, settings: SearchSettings) -> dict[str, bool]:
     }
 
 
-def _routes(backend: Backend, program: ScenicProgram, wanted: int) -> dict[int, Route]:
-    """The first routes of a program's geometry on which its adversary has a way, by number."""
+def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route]:
+    """The first routes of a program's geometry on which its adversary has a way, by number; as many as there are."""
     found: dict[int, Route] = {}
-    for index in range(backend.routes(program)):
+    for index in range(simulator.routes(program)):
         if len(found) < wanted:
             with suppress(MapError):
-                found[index] = backend.route(program, index)
+                found[index] = simulator.route(program, index)
     return found
 
 
@@ -310,7 +329,7 @@ def _drawing(map_path: Path, routes: Mapping[int, Route], scenario_id: str) -> d
     return {**drawing, "routes": lines}
 
 
-def _report(run: runs.Run, progress: Progress) -> None:
+def _report(run: runs.Workspace, progress: Progress) -> None:
     progress("writing the report", 0, 0)
     write_report(run.path)
     write_gif(run.path)
@@ -324,15 +343,15 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
             (`chatscene.trust.follow`).
     """
     run = runs.open_run(folder, holds="run")
-    follow(repeated or Repeated(), egos_of=[run], joining_of=[run])
+    follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     record = runs.read_record(run)
     stored = runs.read_episode(run, scene_id)
     row = next(row for row in runs.read_scenes(run) if row["scene_id"] == scene_id)
     settings = runs.settings_of(record)
     _, program = rebuild(run)
     scene = runs.scene_of(row, program)
-    backend = load_generator(record.generator).backend(map_of(record), settings)
-    again = backend.run(program, scene, load_ego(record.ego))
+    simulator = simulator_of(load_generator(record.generator), map_of(record), settings)
+    again = simulate(simulator, program, scene, load_ego(record.ego))
     return Replayed(scene_id=scene_id, difference=_difference(stored, again), versions=runs.changed_versions(record))
 
 
@@ -352,7 +371,7 @@ def map_of(record: runs.RunRecord) -> Path:
     return path
 
 
-def rebuild(run: runs.Run) -> tuple[Scenario, ScenicProgram]:
+def rebuild(run: runs.Workspace) -> tuple[Scenario, ScenicProgram]:
     """The scenario and the program of a run, from what was understood and chosen then; the text is not read again.
 
     The program that lies in the folder is never executed: it is joined again, of snippets of the library, and compared.
@@ -422,5 +441,5 @@ def free_folder(parent: Path, text: str) -> Path:
     return next(folder for folder in taken if not folder.exists())
 
 
-def _silent(_what: str, _done: int, _total: int) -> None:
-    pass
+def silent(_what: str, _done: int, _total: int) -> None:
+    """Tell nobody what is done."""

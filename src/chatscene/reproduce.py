@@ -17,10 +17,10 @@ from statistics import fmean
 from chatscene import runs
 from chatscene.benchmark import benchmark
 from chatscene.errors import SettingsError, no_such
-from chatscene.evaluate.score import score
-from chatscene.evaluate.tables import avoidability_table, diagnostic_table, ego_table, generation_table
 from chatscene.evaluation import carry_on, evaluate, read_displacements, read_drives
-from chatscene.finetune import PRESETS, FinetuneSettings, finetune
+from chatscene.learn.finetune import PRESETS, FinetuneSettings, finetune
+from chatscene.measure.score import score
+from chatscene.measure.tables import avoidability_table, diagnostic_table, ego_table, generation_table
 from chatscene.pipeline import Progress
 from chatscene.report.beside_paper import beside_paper
 from chatscene.report.egos import egos_in_words
@@ -124,7 +124,7 @@ def reproduce(
         tables: Which, of `TABLES`.
         budget: One of `BUDGETS`.
         avoidable_only: Keep no collision that a careful driver would not have avoided.
-        preset: How often a fine-tuning learns, of `chatscene.finetune.PRESETS`.
+        preset: How often a fine-tuning learns, of `chatscene.learn.finetune.PRESETS`.
         choice: Who chooses its checkpoint.
         seed: Of everything.
         jobs: Processes; any number gives the same.

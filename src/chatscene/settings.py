@@ -79,15 +79,17 @@ class SearchSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SimulationSettings:
-    """How an episode is stepped and when it ends (SafeBench v1, ``carla_env.py``).
+    """How an episode is stepped, by what, and when it ends (SafeBench v1, ``carla_env.py``).
 
     Attributes:
         dt: Step [s] (0.1).
         max_steps: Steps after which an episode is cut (300).
+        simulator: What runs it, one of `chatscene.simulate.simulator.SIMULATORS`.
     """
 
     dt: float = 0.1
     max_steps: int = 300
+    simulator: str = "embedded"
 
     def __post_init__(self) -> None:
         _check(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})

@@ -1,8 +1,9 @@
 """What a run folder may name without the user saying it again.
 
-A `run.json` may come from a stranger, and what it names is loaded and run when it is followed: an ego, snippets, an
-encoder, a language model. Followed without asking is only what cannot carry code: names of what is packaged, and files
-of an ego's plain weights that are still those of the record. All else the user must name, too, on the command line.
+A `run.json` may come from a stranger, and what it names is loaded and run when it is followed: an ego, a generator, a
+sampler, a simulator, snippets, an encoder, a language model. Followed without asking is only what cannot carry code:
+names of what is packaged, and files of an ego's plain weights that are still those of the record. All else the user
+must name, too, on the command line.
 """
 
 from __future__ import annotations
@@ -11,17 +12,24 @@ import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 from chatscene import runs
 from chatscene.ego.files import is_plain
 from chatscene.ego.policy import EGOS
 from chatscene.errors import RunError
+from chatscene.plugins import Kind
 from chatscene.runs.digests import digest_of
+from chatscene.search.generator import GENERATORS
+from chatscene.search.sampler import SAMPLERS
 from chatscene.settings import RetrievalSettings
+from chatscene.simulate.simulator import SIMULATORS
 
 _PACKAGED = asdict(RetrievalSettings())
-_JOINING = ("library",)
-_READING = (*_JOINING, "embedder", "language_model")
+_PROGRAMS: dict[str, Kind[Any]] = {"generator": GENERATORS, "sampler": SAMPLERS, "simulator": SIMULATORS}
+_SIMULATING = ("simulator",)
+_JOINING = ("generator", "library")
+_READING = (*_JOINING, "sampler", "embedder", "language_model")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,12 +38,18 @@ class Repeated:
 
     Attributes:
         ego: Egos.
+        generator: Who made scenes.
+        sampler: Who said where to look next.
+        simulator: What ran scenes.
         library: Folders of snippets.
         embedder: Who measures wording.
         language_model: Who reads sentences.
     """
 
     ego: tuple[str, ...] = ()
+    generator: tuple[str, ...] = ()
+    sampler: tuple[str, ...] = ()
+    simulator: tuple[str, ...] = ()
     library: tuple[str, ...] = ()
     embedder: tuple[str, ...] = ()
     language_model: tuple[str, ...] = ()
@@ -45,7 +59,7 @@ class Repeated:
 class _Named:
     """One thing that a record names, and why it is not followed unasked; empty if it is."""
 
-    run: runs.Run
+    run: runs.Workspace
     option: str
     value: str
     doubt: str
@@ -54,15 +68,17 @@ class _Named:
 def follow(
     repeated: Repeated,
     *,
-    egos_of: Sequence[runs.Run] = (),
-    reading_of: Sequence[runs.Run] = (),
-    joining_of: Sequence[runs.Run] = (),
+    egos_of: Sequence[runs.Workspace] = (),
+    simulators_of: Sequence[runs.Workspace] = (),
+    reading_of: Sequence[runs.Workspace] = (),
+    joining_of: Sequence[runs.Workspace] = (),
 ) -> None:
     """Refuse to follow run folders that name what only the user may.
 
     Args:
         repeated: What the user named as well.
         egos_of: Runs whose egos will be loaded.
+        simulators_of: Runs whose simulators will be loaded.
         reading_of: Runs whose texts will be read and made into programs.
         joining_of: Runs whose programs will be joined again from the snippets that were chosen; no text is read.
 
@@ -72,6 +88,7 @@ def follow(
     """
     named = [
         *(one for run in egos_of for one in _egos(run)),
+        *(one for run in simulators_of for one in _settings(run, _SIMULATING)),
         *(one for run in reading_of for one in _settings(run, _READING)),
         *(one for run in joining_of for one in _settings(run, _JOINING)),
     ]
@@ -86,7 +103,7 @@ def follow(
         known = {one.value for one in named if one.option == option}
         if wrong := [value for value in values if value not in known]:
             there = f"it names {', '.join(map(repr, sorted(known)))}" if known else "it names none"
-            where = (*egos_of, *reading_of, *joining_of)[0].path
+            where = (*egos_of, *simulators_of, *reading_of, *joining_of)[0].path
             raise RunError(f"{where} does not name the {_words(option)} {wrong[0]!r}; {there}")
 
 
@@ -94,25 +111,29 @@ def _words(option: str, joint: str = " ") -> str:
     return option.replace("_", joint)
 
 
-def _egos(run: runs.Run) -> Iterator[_Named]:
+def _egos(run: runs.Workspace) -> Iterator[_Named]:
     record = runs.read_record(run)
     for ego in record.egos:
         path, kept = Path(ego), record.ego_digests.get(ego)
         if kept is not None and path.is_file() and digest_of(path) != kept:
             raise RunError(f"the ego {ego} is not the file that {run.path} was made with (its SHA-256 differs)")
-        plain = ego in EGOS or is_plain(path)
+        packaged = ego in EGOS.built_in
+        plain = packaged or is_plain(path)
         doubt = "which may run code of its own" if not plain else "of whose file it holds no SHA-256"
-        yield _Named(run=run, option="ego", value=ego, doubt="" if ego in EGOS or (plain and kept) else doubt)
+        yield _Named(run=run, option="ego", value=ego, doubt="" if packaged or (plain and kept) else doubt)
 
 
-def _settings(run: runs.Run, options: Sequence[str]) -> Iterator[_Named]:
-    settings = asdict(runs.settings_of(runs.read_record(run)).retrieval)
+def _settings(run: runs.Workspace, options: Sequence[str]) -> Iterator[_Named]:
+    record = runs.read_record(run)
+    settings = runs.settings_of(record)
+    named = asdict(settings.retrieval) | {
+        "generator": record.generator,
+        "sampler": settings.search.sampler,
+        "simulator": settings.simulation.simulator,
+    }
     for option in options:
-        value = settings[option]
-        if value or _PACKAGED[option]:
-            yield _Named(
-                run=run,
-                option=option,
-                value=value,
-                doubt="" if value == _PACKAGED[option] else "which is not the packaged one",
-            )
+        value, kind = named[option], _PROGRAMS.get(option)
+        packaged = value in kind.built_in if kind else value == _PACKAGED[option]
+        if value or not packaged:
+            doubt = "" if packaged else f"which is not {'a' if kind else 'the'} packaged one"
+            yield _Named(run=run, option=option, value=value, doubt=doubt)

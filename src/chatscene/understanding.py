@@ -17,30 +17,32 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from chatscene.agent.base import ALONG, concluded
+from chatscene.agent.base import concluded
 from chatscene.bounded import parse_json
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
-from chatscene.evaluate.score import wilson
 from chatscene.maps.network import resolve_map
+from chatscene.measure.score import wilson
 from chatscene.pipeline import Progress
 from chatscene.program.check import unshown
-from chatscene.search.generator import Written, climb
+from chatscene.search.generator import Written, climb, simulator_of
 from chatscene.search.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator
 from chatscene.snippets.bind import distances
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import Library, library_with
+from chatscene.snippets.nearest import nearest
 from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import OF_COMPONENT, nearest, retrieve
+from chatscene.snippets.retrieve import OF_COMPONENT, retrieve
+from chatscene.terms.acts import BRINGS, TURNS, Action
 from chatscene.terms.results import Cell, ResultTable
-from chatscene.terms.scenario import Action, Component, Maneuver, Position, Scenario, Side, Slots, includes
+from chatscene.terms.scenario import Component, Maneuver, Position, Scenario, Side, Slots, includes
 from chatscene.terms.snippet import Snippet
 from chatscene.workers import spread
 
 HELD_OUT = "held-out"
-STAGES = ("encoder only", "+ rephrasings", "+ lexical", "+ slots", "+ contracts")
+STAGES = ("encoder only", "+ lexical", "+ slots", "+ contracts")
 LEXICAL_SHARE = 0.3  # of shared words against the cosine, in the ablation
 BROUGHT = ("occluder", "leader", "blocker", "group")  # what stands or drives about if nobody asked for it
 _OPPOSITES = (
@@ -166,9 +168,7 @@ def essential(slots: Slots) -> frozenset[Action]:
     actions = {Action.STOP if action is Action.BLOCK else action for action in slots.actions}
     if slots.position is Position.ONCOMING or Action.WRONG_WAY in actions:
         actions -= {Action.ONCOMING}
-    for action, along in ALONG.items():
-        if action in actions:
-            actions -= along
+    actions = actions.difference(*(BRINGS[action] for action in actions))
     if len(actions) > 1 or slots.position is Position.ONCOMING:
         actions -= {Action.FOLLOW}
     return frozenset(actions)
@@ -183,9 +183,8 @@ def flipped(said: Slots, found: Sequence[Snippet]) -> bool:
     if any(said.maneuver in pair and turns & (set(pair) - {said.maneuver}) for pair in _OPPOSITES):
         return True
     done = {action for snippet in found for action in snippet.slots.actions}
-    pair = {Action.TURN_LEFT, Action.TURN_RIGHT}
-    wanted = pair & set(said.actions)
-    return len(wanted) == 1 and bool(done & pair) and not wanted & done
+    wanted = TURNS.keys() & set(said.actions)
+    return len(wanted) == 1 and bool(done & TURNS.keys()) and not wanted & done
 
 
 # The measurement
@@ -222,23 +221,23 @@ def judge(sentence: Sentence, settings: RetrievalSettings, *, drive: bool) -> Ju
 
 
 @lru_cache(maxsize=1)
-def _backend(settings: RetrievalSettings) -> Backend:
-    return Retrieved().backend(resolve_map("town"), Settings(retrieval=settings))
+def _simulator(settings: RetrievalSettings) -> Simulator:
+    return simulator_of(Retrieved(), resolve_map("town"), Settings(retrieval=settings))
 
 
 def _driven(
     sentence: Sentence, scenario: Scenario, first: Written, settings: RetrievalSettings
 ) -> tuple[Written, bool, tuple[str, ...]]:
     """What climbed the ladder, whether it ran, and what its drives never showed of what was written down."""
-    backend = _backend(settings)
+    simulator = _simulator(settings)
     ego = load_ego("rule-based")
     try:
-        written, checked = climb(Retrieved(), scenario, first, settings=settings, backend=backend, ego=ego)
+        written, checked = climb(Retrieved(), scenario, first, settings=settings, simulator=simulator, ego=ego)
     except MeansSomethingElse:
         raise
     except ChatSceneError as error:
         return first, False, (f"{type(error).__name__}: {error}",)
-    route = backend.route(written.program, 0)
+    route = simulator.route(written.program, 0)
     return written, True, unshown(sentence.slots, checked.episodes, route)
 
 
@@ -377,10 +376,9 @@ def ablation_table(sentences: Sequence[Sentence], settings: RetrievalSettings) -
     """How much each part of the retrieval brings: right at first choice, sentences in scope, nothing refused."""
     inside = [s for s in sentences if s.in_scope]
     library = library_with(settings.library)
-    bare = Library(tuple(replace(snippet, rephrasings=()) for snippet in library))
     rows: list[tuple[str, tuple[Cell, ...]]] = []
     for stage in STAGES:
-        found = [_staged(stage, s, bare if stage == STAGES[0] else library, settings) for s in inside]
+        found = [_staged(stage, s, library, settings) for s in inside]
         hits = [{c: serves(f[c], s.slots, c) for c in Component} for s, f in zip(inside, found, strict=True)]
         rows.append((stage, (*(_rate(h[c] for h in hits) for c in Component), _rate(all(h.values()) for h in hits))))
     return ResultTable(
@@ -393,13 +391,13 @@ def ablation_table(sentences: Sequence[Sentence], settings: RetrievalSettings) -
 
 def _staged(stage: str, sentence: Sentence, library: Library, settings: RetrievalSettings) -> dict[Component, Snippet]:
     embedder = load_embedder(settings.embedder)
-    if stage in STAGES[:3]:
-        lexical = LEXICAL_SHARE if stage == STAGES[2] else 0.0
+    if stage in STAGES[:2]:
+        lexical = LEXICAL_SHARE if stage == STAGES[1] else 0.0
         return {
             c: nearest(sentence.text, c, library, embedder, count=1, lexical_weight=lexical)[0][0] for c in Component
         }
     chosen = retrieve(read(sentence.text, settings), library, embedder, replace(settings, refuse_below=0.0))
-    if stage == STAGES[3]:
+    if stage == STAGES[2]:
         return {c: chosen.candidates[c][0].snippet for c in Component}
     return dict(zip(Component, chosen.snippets, strict=True))
 

@@ -19,11 +19,11 @@ from typing import Any, TypeVar
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import RunError
-from chatscene.runs import Run, write_block
+from chatscene.runs import Workspace, write_block
 from chatscene.search.explore import outcomes
-from chatscene.search.generator import load_generator
+from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import Settings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
@@ -69,7 +69,7 @@ class _Worker:
         self._work = work
         self._ego: EgoPolicy = load_ego(work.ego)
         self._generator = load_generator(work.generator)
-        self._backend: Backend = self._generator.backend(work.map_path, work.settings)
+        self._simulator: Simulator = simulator_of(self._generator, work.map_path, work.settings)
 
     def run_block(self, route: int, done: list[list[Outcome]]) -> list[Outcome]:
         """Run and keep the next block of a route; what came of it."""
@@ -79,13 +79,13 @@ class _Worker:
                 work.program,
                 work.slots,
                 route,
-                backend=self._backend,
+                simulator=self._simulator,
                 ego=self._ego,
                 settings=work.settings.search,
                 done=done,
             )
         )
-        write_block(Run(work.folder), block)
+        write_block(Workspace(work.folder), block)
         return outcomes(block)
 
 

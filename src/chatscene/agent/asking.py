@@ -13,26 +13,14 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from chatscene.agent.base import base_of, concluded
-from chatscene.agent.decompose import clauses_of
-from chatscene.agent.wording import geometry_in_words, spawn_in_words
+from chatscene.agent.base import concluded
+from chatscene.agent.decompose import understood
 from chatscene.errors import LanguageModelError
 from chatscene.language_models.protocol import Example, LanguageModel, Prompt
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Scenario,
-    Side,
-    Slots,
-    SubDescriptions,
-    Why,
-)
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.frame import About, Frame, Note, certain
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Scenario, Side, Slots, Why
 
 
 class Decomposition(BaseModel):
@@ -125,7 +113,7 @@ def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
     try:
         form = model.reply(Prompt(system=SYSTEM, examples=EXAMPLES, text=offline.text), Decomposition).answer
     except LanguageModelError as error:
-        return replace(offline, notes=(*offline.notes, f"read offline: {error}"))
+        return replace(offline, notes=(*offline.notes, Note(about=About.OFFLINE, said=(str(error),))))
     slots = concluded(
         Slots(
             **form.model_dump(exclude={"behavior", "actions", "leader", "blocker", "group"}),
@@ -135,22 +123,18 @@ def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
             group=form.group or None,
         )
     )
+    frame = offline.frame or Frame()
     differ = [
-        f"{name}: {model.name} read {new}, the offline reader {old}"
+        Note(about=About.DIFFERENT, said=(name, model.name, str(new), "the offline reader", str(old)))
         for name, new in slots.said().items()
         if (old := getattr(offline.slots, name)) not in (None, (), new) and name != "actions"
     ]
-    return replace(
-        offline,
-        slots=slots,
-        base=base_of(slots),
-        parts=SubDescriptions(
-            behavior=form.behavior.strip() or offline.parts.behavior,
-            geometry=geometry_in_words(slots, clauses_of(offline.text).ego),
-            spawn=spawn_in_words(slots),
-        ),
-        notes=(f"read by {model.name}", *differ),
-        guessed=(),
-        unused=tuple(one for one in offline.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
+    frame = replace(
+        frame,
+        outright=slots,
+        beliefs=certain(slots, frame.beliefs),
+        unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
         plain=False,
     )
+    scenario = understood(frame, slots, (Note(about=About.READER, said=(model.name,)), *differ))
+    return replace(scenario, parts=replace(scenario.parts, behavior=form.behavior.strip() or scenario.parts.behavior))

@@ -4,49 +4,24 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    BaseScenario,
-    Control,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Slots,
-)
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Occluder, Place, Position, Slots
 
-ON_FOOT = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)  # or on two wheels
-TWO_WHEELED = (AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
 LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
-# What an action brings along without a word: whoever cuts in changes lanes
-ALONG: dict[Action, set[Action]] = {
-    Action.CUT_IN: {Action.CHANGE_LANE},
-    Action.STOP: {Action.BRAKE},
-    Action.TURN_LEFT: {Action.CROSS},
-    Action.TURN_RIGHT: {Action.CROSS},
-    Action.TURN_BACK: {Action.STOP},
-    Action.PULL_OUT: {Action.CUT_IN, Action.CHANGE_LANE, Action.CROSS},
-    Action.HESITATE: {Action.STOP},
-    Action.CROSS: {Action.FAST},
-    Action.DIAGONAL: {Action.CROSS},
-    Action.U_TURN: {Action.TURN_LEFT, Action.TURN_RIGHT, Action.CROSS, Action.ONCOMING},
-}
-
 
 def base_of(slots: Slots) -> BaseScenario | None:  # noqa: PLR0911 - eight of them
     """The base scenario that a set of slots belongs to."""
-    on_foot = slots.adversary in ON_FOOT
+    vulnerable = slots.adversary is not None and slots.adversary.is_vulnerable
     if slots.maneuver is Maneuver.BYPASS:
         return BaseScenario.VEHICLE_PASSING
     if slots.maneuver in LANE_CHANGES:
         return BaseScenario.LANE_CHANGING
     if Action.RUN_LIGHT in slots.actions:
         return BaseScenario.RED_LIGHT_RUNNING
-    if slots.maneuver in TURNS and on_foot:
+    if slots.maneuver in TURNS and vulnerable:
         return BaseScenario.TURNING_OBSTACLE
     if slots.maneuver is Maneuver.LEFT_TURN:
         return BaseScenario.UNPROTECTED_LEFT_TURN

@@ -3,30 +3,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from chatscene.agent import lexicon as words
+from chatscene.terms.frame import Clauses
 
 _SENTENCE = re.compile(
     r"[;.!?:]+|\b(?:when|while|whilst|but|because|until)\b|\bas\b(?! if)|,"
     r"|\band (?=(?:an?|another|some|someone|we|i|the (?!ego\b))\b)"  # somebody else enters
 )
 _OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")
-
-
-@dataclass(frozen=True, slots=True)
-class Clauses:
-    """A sentence, sorted by whom it speaks of.
-
-    Attributes:
-        whole: All of it, mended, without what the ego then has to do.
-        ego: What is said of the ego.
-        adversary: What is said of the adversary.
-    """
-
-    whole: str
-    ego: str
-    adversary: str
 
 
 def cut(text: str) -> Clauses:
@@ -47,7 +32,7 @@ def cut(text: str) -> Clauses:
     spoken = ", ".join(adversary)
     if words.ADVERSARIAL.search(spoken):  # whoever is called so is meant, whoever else may drive about
         spoken = spoken[words.ADVERSARIAL.search(spoken).start() :]  # type: ignore[union-attr]
-    return Clauses(text, ", ".join(ego), spoken)
+    return Clauses(whole=text, ego=", ".join(ego), adversary=spoken)
 
 
 def _subject(clause: str) -> str | None:

@@ -12,36 +12,23 @@ import re
 from dataclasses import dataclass
 
 from chatscene.agent import lexicon as words
-from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, ON_FOOT, TURNS, TWO_WHEELED, base_of
+from chatscene.agent.base import JUNCTIONS, LANE_CHANGES, TURNS, base_of
 from chatscene.agent.canonical import canonical
-from chatscene.agent.clauses import Clauses, cut, without_things
+from chatscene.agent.clauses import cut, without_things
 from chatscene.agent.quantities import quantities_of
-from chatscene.agent.unused import known_whole, unused_of
-from chatscene.agent.wording import geometry_in_words, spawn_in_words
+from chatscene.agent.unused import known_whole, unused_beside, unused_of
+from chatscene.agent.wording import parts_of
 from chatscene.errors import SettingsError
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Scenario,
-    Side,
-    Slots,
-    SubDescriptions,
-)
+from chatscene.terms.actors import AdversaryKind, Manner
+from chatscene.terms.acts import Action
+from chatscene.terms.frame import About, Clauses, Frame, Note, certain
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Scenario, Side, Slots
 
-UNKNOWN = "not in the library"  # how a note begins about something no snippet has
-WHO = "who the adversary is was not said"
-WHAT = "what the adversary does was not understood"
 LONGEST = 2000  # characters; a situation fits into a paragraph
 
 
 def decompose(text: str) -> Scenario:
-    """Read a sentence.
+    """Read a sentence by what its words say outright.
 
     Args:
         text: English, one situation.
@@ -52,40 +39,60 @@ def decompose(text: str) -> Scenario:
     Raises:
         SettingsError: The text is empty or longer than `LONGEST`.
     """
+    frame = hear(text)
+    return understood(frame, frame.outright, frame.notes)
+
+
+def hear(text: str) -> Frame:
+    """What the words of a sentence say outright; nothing else is believed.
+
+    Args:
+        text: English, one situation.
+
+    Raises:
+        SettingsError: The text is empty or longer than `LONGEST`.
+    """
     plain, lowered, mended = _mended(text)
-    rewritten = _rewritten(mended)
-    clauses = cut(rewritten)
-    notes = [f"read {a!r} as {b!r}" for a, b in _changes(lowered, mended)]
+    told = _rewritten(mended)
+    clauses = cut(told)
+    notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(lowered, mended)]
     slots = _slots(clauses, notes)
     quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
-    return Scenario(
-        id=_id(plain),
+    return Frame(
         text=plain,
-        base=base_of(slots),
-        parts=SubDescriptions(
-            behavior=clauses.adversary or clauses.whole,
-            geometry=geometry_in_words(slots, clauses.ego),
-            spawn=spawn_in_words(slots),
-        ),
-        slots=slots,
-        notes=tuple(notes),
+        canonical=lowered,
+        told=told,
+        clauses=clauses,
+        outright=slots,
+        beliefs=certain(slots),
         quantities=quantities,
-        unused=unused_of(rewritten, slots, quantities),
+        unused=unused_of(told, quantities),
+        notes=tuple(notes),
         plain=slots.adversary is not None
         and bool(slots.actions)
-        and known_whole(rewritten, quantities)
-        and not (len(slots.actions) > 1 and words.INVERTED.search(rewritten)),
+        and known_whole(told, quantities)
+        and not (len(slots.actions) > 1 and words.INVERTED.search(told)),
     )
 
 
-def told(text: str) -> str:
-    """A sentence mended and put into the words that the patterns know, as `decompose` reads it."""
-    return _rewritten(_mended(text)[2])
+def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
+    """The scenario of a sentence, once its facts are decided.
 
-
-def clauses_of(text: str) -> Clauses:
-    """A sentence cut into clauses, as `decompose` reads it."""
-    return cut(told(text))
+    Args:
+        frame: What the sentence says.
+        slots: The facts that were decided on.
+        notes: What was unsure.
+    """
+    return Scenario(
+        id=_id(frame.text),
+        text=frame.text,
+        base=base_of(slots),
+        parts=parts_of(frame, slots),
+        slots=slots,
+        notes=notes,
+        unused=unused_beside(frame, slots),
+        frame=frame,
+    )
 
 
 def _mended(text: str) -> tuple[str, str, str]:
@@ -128,7 +135,7 @@ def _changes(before: str, after: str) -> list[tuple[str, str]]:
 # Slots
 
 
-def _slots(clauses: Clauses, notes: list[str]) -> Slots:
+def _slots(clauses: Clauses, notes: list[Note]) -> Slots:
     kind = _kind(clauses)
     occluder = _occluder(clauses)
     leader = bool(words.LEADER.search(clauses.ego)) or None
@@ -151,20 +158,19 @@ def _slots(clauses: Clauses, notes: list[str]) -> Slots:
         junction=place in JUNCTIONS,
     )
     position = _position(clauses, known)
-    if Action.PULL_OUT in actions and kind is not AdversaryKind.PEDESTRIAN and occluder is None:
+    if Action.PULL_OUT in actions and not _walks(kind) and occluder is None:
         position = Position.KERB
     if actions and Action.REVERSE in actions:
         actions = tuple(action for action in actions if action is not Action.ONCOMING)
     if position is Position.ONCOMING:
         actions = _of_oncoming(actions, kind, place)
     if kind is None:
-        strangers = words.strangers(clauses.whole)
-        heard = f"; no road user the library has: {', '.join(strangers)}" if strangers else ""
-        notes.append(f"{WHO}{heard}")
+        strangers = ", ".join(words.strangers(clauses.whole))
+        notes.append(Note(about=About.STRANGER, said=(strangers,)) if strangers else Note(about=About.WHO))
     if not actions:
-        notes.append(WHAT)
+        notes.append(Note(about=About.WHAT))
     if foreign := words.FOREIGN.search(clauses.whole):
-        notes.append(f"{UNKNOWN}: {foreign[0]}")
+        notes.append(Note(about=About.FOREIGN, said=(foreign[0],)))
     return Slots(
         adversary=kind,
         actions=_in_order(actions, clauses.adversary),
@@ -203,6 +209,14 @@ def _two_way(clauses: Clauses, place: Place | None) -> bool | None:
     if words.TWO_WAY.search(clauses.ego) or words.EACH_WAY.search(clauses.whole):
         return True
     return False if words.ONE_WAY.search(clauses.whole) else None
+
+
+def _walks(kind: AdversaryKind | None) -> bool:
+    return kind is not None and kind.row.manner is Manner.WALKS
+
+
+def _rides(kind: AdversaryKind | None) -> bool:
+    return kind is not None and kind.row.manner is Manner.RIDES
 
 
 def _kind(clauses: Clauses) -> AdversaryKind | None:
@@ -255,10 +269,10 @@ def _actions(clauses: Clauses, kind: AdversaryKind | None) -> tuple[Action, ...]
     for pattern, action, fall, join in _WORDINGS:
         if pattern.search(text) and (action is None or action in found):
             found = (found - fall) | join
-    found = _on_foot(found, text, kind) if kind in ON_FOOT else _at_the_wheel(found, text)
+    found = _on_foot(found, text, kind) if kind and kind.is_vulnerable else _at_the_wheel(found, text)
     if found - {Action.ONCOMING, Action.FOLLOW}:
         found -= {Action.FOLLOW}  # whoever does something else drives on as well
-    elif kind not in (None, AdversaryKind.PEDESTRIAN) and words.PASSING.search(text):
+    elif kind and not _walks(kind) and words.PASSING.search(text):
         found.add(Action.FOLLOW)
     return tuple(action for action in Action if action in found)
 
@@ -274,7 +288,7 @@ def _in_order(actions: tuple[Action, ...], text: str) -> tuple[Action, ...]:
 
 def _on_foot(found: set[Action], text: str, kind: AdversaryKind | None) -> set[Action]:
     """What the actions of somebody on foot or on two wheels come to, who can cross as well as drive."""
-    if kind is AdversaryKind.PEDESTRIAN:
+    if _walks(kind):
         running = {Action.ACCELERATE} if Action.CROSS in found and words.RUNNING.search(text) else set[Action]()
         return (found | running) - {Action.CUT_IN, Action.CHANGE_LANE}
     if Action.CROSS in found and not words.CUTTING_IN.search(text):
@@ -299,7 +313,7 @@ def _of_oncoming(actions: tuple[Action, ...], kind: AdversaryKind | None, place:
     On open road, coming toward the ego is itself what he does, and on foot he enters the lane rather than crosses
     it; at a junction it only says from where he comes.
     """
-    found = set(actions) - ({Action.CROSS} if kind is AdversaryKind.PEDESTRIAN else set())
+    found = set(actions) - ({Action.CROSS} if _walks(kind) else set())
     if Action.SWERVE in found:
         found -= {Action.CUT_IN}
     others = found - {Action.ONCOMING}
@@ -324,7 +338,7 @@ def _side(text: str) -> Side | None:
     return Side(found[1]) if found else None
 
 
-def _maneuver(clauses: Clauses, side: Side | None, notes: list[str]) -> Maneuver | None:
+def _maneuver(clauses: Clauses, side: Side | None, notes: list[Note]) -> Maneuver | None:
     text = clauses.ego
     if words.LEFT_TURN.search(text):
         return Maneuver.LEFT_TURN
@@ -333,7 +347,7 @@ def _maneuver(clauses: Clauses, side: Side | None, notes: list[str]) -> Maneuver
     if words.LANE_CHANGE.search(text):
         stated = words.SIDE.search(text)
         if stated is None and side is None:
-            notes.append("to which side the ego changes lanes was not said; the left is assumed")
+            notes.append(Note(about=About.SIDE))
         to = stated[1] if stated else side or "left"
         return Maneuver.LANE_CHANGE_RIGHT if to == "right" else Maneuver.LANE_CHANGE_LEFT
     return Maneuver.STRAIGHT if re.search(r"\bstraight\b|\bgo(?:es|ing)? through\b", text) else None
@@ -348,8 +362,8 @@ def _control(clauses: Clauses, actions: tuple[Action, ...]) -> Control | None:
 def _place(clauses: Clauses, maneuver: Maneuver | None, actions: tuple[Action, ...]) -> Place | None:
     if maneuver in (Maneuver.BYPASS, Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT):
         return Place.ROAD
-    turns = {Action.RUN_LIGHT, Action.TURN_LEFT, Action.TURN_RIGHT} & set(actions)
-    junction = maneuver in TURNS or turns or words.PLACES[Place.JUNCTION].search(clauses.whole)
+    there = any(action.row.at_junction for action in actions)
+    junction = maneuver in TURNS or there or words.PLACES[Place.JUNCTION].search(clauses.whole)
     for place in (Place.THREE_WAY, Place.FOUR_WAY):
         if words.PLACES[place].search(clauses.whole):
             return place
@@ -378,13 +392,14 @@ def _position(clauses: Clauses, known: _Known) -> Position | None:
     text = clauses.adversary
     if known.occluder is not None:
         return Position.ROADSIDE
-    if known.kind in ON_FOOT and words.FAR.search(text):
+    vulnerable = known.kind is not None and known.kind.is_vulnerable
+    if vulnerable and words.FAR.search(text):
         return Position.FAR_CORNER if known.junction else Position.ROADSIDE
-    if known.kind in TWO_WHEELED and known.junction and words.SIDE_ROAD.search(text):
+    if _rides(known.kind) and known.junction and words.SIDE_ROAD.search(text):
         return Position.CROSSING
     if words.ONCOMING.search(text) and Action.REVERSE not in known.actions:
         return Position.ONCOMING
-    if known.kind in ON_FOOT and _steps_in(text, known):
+    if vulnerable and _steps_in(text, known):
         return Position.ROADSIDE
     return _in_a_lane(text, known) or _at_a_junction(clauses, known) or _in_the_ego_s_lane(clauses, known)
 
@@ -393,7 +408,7 @@ def _steps_in(text: str, known: _Known) -> bool:
     """Whether somebody on foot or two wheels comes from beside the road."""
     if Action.RUN_LIGHT in known.actions or (words.BEHIND.search(text) and Action.CROSS not in known.actions):
         return False
-    if known.kind in TWO_WHEELED and Action.CROSS not in known.actions and words.SAME_LANE.search(text):
+    if _rides(known.kind) and Action.CROSS not in known.actions and words.SAME_LANE.search(text):
         return False
     at_corner = known.junction and known.side is not None
     return Action.CROSS in known.actions or at_corner or words.FEINT.search(text) is not None
@@ -428,5 +443,5 @@ def _in_the_ego_s_lane(clauses: Clauses, known: _Known) -> Position | None:
         return Position.BEHIND
     if known.side is not None and Action.CUT_IN in known.actions:
         return Position.BESIDE
-    drives = known.kind not in (None, AdversaryKind.PEDESTRIAN)
+    drives = known.kind is not None and not _walks(known.kind)
     return Position.AHEAD if drives and words.AHEAD.search(clauses.whole) else None

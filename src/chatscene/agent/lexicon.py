@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from chatscene.terms.scenario import Action, AdversaryKind, Control, Occluder, Place
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Control, Occluder, Place
 
 
 def _p(*patterns: str) -> re.Pattern[str]:
@@ -33,38 +35,9 @@ EGO_AS_OBJECT = re.compile(
     r"(?: (?:path|lane|way|course|trajectory|vehicle))?\b"
 )
 
+# The words of one kind may be part of another's name: a dirt bike is no bike. The general ones are looked for last.
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
-    AdversaryKind.PEDESTRIAN: _p(
-        r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|pupils?|lady|gentleman|girl|boy|guy on foot|"
-        r"persons?|people|child|children|kids?|man|woman|men|women|boys?|girls?|joggers?|runners?|"
-        r"jaywalk\w*|toddlers?|students?|old lady|on foot|passers?-?by|school ?(?:kids?|children|boys?|girls?)|pensioners?|"
-        r"teen\w*|worker|police officer|(?:elderly|old) (?:person|lady|gentleman)|somebody on foot|peds?"
-    ),
-    AdversaryKind.MOTORCYCLE: _p(
-        r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|motorist on two wheels|vespa|mc|"
-        r"(?:dirt|trials?|trail|pit|sports?|super|touring|enduro)[- ]?bikes?|scramblers?|harley|ducati|kawasaki|yamaha"
-    ),
-    AdversaryKind.BICYCLE: _p(
-        r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
-        r"bmx(?:er)?|fixies?|pedelecs?|tandem|(?:push|racing|road|mountain|city|folding|delivery)[- ]?bikes?"
-    ),
-    AdversaryKind.EMERGENCY_VEHICLE: _p(
-        r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|cop cars?|fire tenders?|medic units?|response (?:cars?|units?)|ems|"
-        r"(?:emergency|rescue) (?:vehicles?|cars?|services?)"
-    ),
-    AdversaryKind.TRUCK: _p(
-        r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|tanker|dumper|removal van|"
-        r"artics?|articulated|juggernauts?|camions?|(?:eighteen|18)[- ]wheelers?|big rigs?|cement mixer|car transporter|"
-        r"low[- ]?loader|flatbed|dustcart|prime mover"
-    ),
-    AdversaryKind.BUS: _p(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
-    AdversaryKind.CAR: _p(
-        r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|hatchback|"
-        r"estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|veh(?:icle)?|targets?|tesla|bmw|audi|golf|"
-        r"hatch|limos?|roadsters?|minicabs?|uber|4x4|corsa|prius|volvo|toyota|honda|fiat|micra|passat|skoda|renault|clio|"
-        r"peugeot|nissan|mazda|hyundai|kia|opel|vauxhall|mercedes|porsche|lexus|subaru|chevy|chevrolet|cadillac|camry|"
-        r"corolla|civic|fiesta|astra|polo|seat ibiza|citro[eë]n"
-    ),
+    kind: _p(kind.row.words) for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
 }
 ENCOUNTER = _p(
     r"encounter\w*|meets?|faces?|notices?|sees?|spots?",
@@ -120,21 +93,7 @@ BACKGROUND = _p(r"oncoming traffic|crossing traffic|other traffic|traffic lights
 
 # What the ego does
 
-LEFT_TURN = _p(
-    r"turn\w* (?:off )?(?:to )?(?:the )?left",
-    r"(?:go|goes|going|went|head|heads|heading|bear\w*|want\w* (?:to )?go) (?:to )?(?:the )?left(?! (?:lane|side|right))",
-    r"(?:the )?ego left(?= (?:off|onto|into|at|from|out))",
-    r"(?:mak|tak|hang)\w* an? (?:sharp )?left",
-    r"(?:unprotected )?left(?:-hand)?(?: |-)turn\w*",
-    r"unprotected left",
-)
-RIGHT_TURN = _p(
-    r"turn\w* (?:off )?(?:to )?(?:the )?right(?! (?:in front|behind|ahead|before|across|away|after))",
-    r"(?:go|goes|going|went|head|heads|heading|bear\w*|want\w* (?:to )?go) (?:to )?(?:the )?right(?! (?:lane|side|left|in|behind|up|through|on|past|across|away|ahead))",
-    r"(?:the )?ego right(?= (?:off|onto|into|at|from|out))",
-    r"(?:mak|tak|hang)\w* an? (?:sharp )?right",
-    r"right(?:-hand)?(?: |-)turn\w*",
-)
+LEFT_TURN, RIGHT_TURN = _p(Action.TURN_LEFT.row.words), _p(Action.TURN_RIGHT.row.words)
 LANE_CHANGE = _p(
     r"chang\w* (?:its |our |the )?lanes?",
     r"(?:chang|switch|shift)\w* (?:in)?to (?:the |another )?(?:\w+ )?(?:lane|left|right)",
@@ -195,93 +154,8 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 # What the adversary does
 
 INVERTED = re.compile(r"\b(?:after|once|having)\b")  # what is said later may come first
-ACTIONS: dict[Action, re.Pattern[str]] = {
-    Action.RUN_LIGHT: _p(
-        r"r[ua]n(?:s|ning)? (?:through )?(?:a|the|its|his|her|their) (?:red|stop ?light|light|signal)\w*",
-        r"red(?:-| )light (?:runner|running)",
-        r"(?:jump|ignor|blow|shoot|skip|disregard|violat|disobey|barrel|sail)\w* (?:past |through )?(?:a|the|its|their) (?:red|light|traffic light|signal)s?",
-        r"through (?:a|the) red",
-        r"on red",
-    ),
-    Action.TURN_BACK: _p(
-        r"(?:turn|go|run|walk|jump|step|dart)(?:s|es|ing)? back|turns? around|chang\w* (?:his|her|its|their) mind|retreats?"
-    ),
-    Action.DIAGONAL: _p(r"diagonal(?:ly)?|at an angle|slant\w*|obliquely"),
-    Action.HESITATE: _p(
-        r"hesitat\w*|dither\w*|paus(?:es?|ed|ing)|stop(?:-| )and(?:-| )go|fits and starts|again and again|waver\w*|undecided|(?:waits|waited|waiting) (?:for )?a moment"
-    ),
-    Action.REVERSE: _p(r"revers\w*|back(?:s|ing)? (?:up|out)|backwards?|rolls? back"),
-    Action.WEAVE: _p(r"weav\w*|zig-?zag\w*|erratic(?:ally)?|snak\w*|side to side|stagger\w*|slalom\w*|between lanes"),
-    Action.SWERVE: _p(r"swerv\w*|veer\w*|drifts?|lurch\w*|jink\w*"),
-    Action.PACE: _p(
-        r"parallel|alongside|(?:keep\w*|kept) (?:pace|level|up with)|match\w* (?:our|the ego's|my) (?:speed|pace)|keep\w* pace|side by side|matches our speed|level with|stays beside|keeps? level"
-    ),
-    Action.CHANGE_LANE: _p(r"original lane|chang\w* lanes?|lane change"),
-    Action.CUT_IN: _p(
-        r"cut(?:s|ting)? (?:\w+ ){1,4}off|barg\w* in(?:to)?|mov\w* over (?:in(?:to)?|on|to)|pull\w* (?:in|over|across) (?:right |directly |just )*(?:in front|ahead|into)|forc\w* (?:its|his|her|their) way in|cut(?:s|ting)?(?: us| the ego(?: vehicle)?| me)? (?:in|off|up|across)|merg\w*|squeez\w*(?: in)?|"
-        r"(?:pull|swing|dart|drift|mov)(?:s|es|ing)? (?:in |out )?(?:right |directly |suddenly )?(?:in front|before|ahead)|barg\w* in|(?:in|on)to (?:our|the ego's?|my) (?:original )?lane|"
-        r"turns? into (?:our|the ego's?|my|the ego vehicle's) (?:path|lane|way)"
-    ),
-    Action.ACCELERATE: _p(
-        r"accelerat\w*|speed(?:s|ing)? up|speeds|throttle|guns (?:it|the engine)|floor(?:s|ed|ing) it|pick\w* up speed|step\w* on (?:the )?(?:gas|it)|(?:start|begin|began)\w* (?:to run|running)|put\w* (?:his|her|its|their|the) foot down|shoots forward|surg\w*|sprint\w*|dash\w*|dart\w*|rush\w*|"
-        r"bolt\w*|hurr\w*|picks up speed|steps on the gas"
-    ),
-    Action.BRAKE: _p(
-        r"brak(?:es?|ing|ed)|slam\w* (?:on )?(?:the |its |his |her )?brakes?|brake(?:-| )check\w*|decelerat\w*|emergency stop|"
-        r"stops? (?:short|hard)|brakes? hard|pretends? to"
-    ),
-    Action.STOP: _p(
-        r"stop(?:s|ped|ping)?|halt\w*|fr(?:eez|oze)\w*|stands? still|standstill|dismount\w*|stall\w*|stays? put|blocks? (?:the|our|its) path|"
-        r"blocking (?:the|our|its) path|motionless"
-    ),
-    Action.SLOW: _p(
-        r"slow(?:s|ing|ly)?(?: down)?|crawl\w*|creep\w*|inch(?:es|ing)|dawdl\w*|snail\w*|limp\w*|shuffl\w*|ambl\w*|stroll\w*|at (?:a )?(?:walking|snail's) (?:pace|speed)|extremely slow\w*|wander\w*"
-    ),
-    Action.CROSS: _p(
-        r"cross(?:es|ed|ing)?|jaywalk\w*|"
-        r"(?:step|walk|run|ran|dash|dart|sprint|rush|bolt|jump|leap|hop|wander|stroll|shuffl|stumbl|rid|pedal|roll|cycl|charg|burst|shoot)\w* "
-        r"(?:out|across|into|onto|in|off|over|from)|cut(?:s|ting)? across|"
-        r"emerg\w*|appear\w*|pop\w* (?:out|up)|com(?:es|ing) out|enters? the (?:road|street|lane)|across (?:the|our) (?:road|street|path|way|lane)"
-    ),
-    Action.FOLLOW: _p(
-        r"(?:driv|rid|keep|go|carr|travel)\w* (?:on|along|going|straight on)|continu\w*|tailgat\w*|follow(?:s|ing) (?:us|the ego|its lane)"
-    ),
-    Action.ONCOMING: _p(r"oncoming|opposite direction|head(?:-| )on|opposing"),
-    Action.OVERTAKE: _p(
-        r"overt[ao]+k\w*|(?:shot|flew|raced|sped|stormed|tore|roared|blew|goes|went|gets|got|comes|came|swept|sweeps|rushes|rushed) (?:right |straight )?past|pass(?:es|ing)? (?:us|the ego(?: vehicle)?|me|the vut|the av)|(?:shoot|fly|flies|race|speed|storm|thunder|roar|blast|zoom|tear)s? past|"
-        r"goes past|gets past|undertak\w*"
-    ),
-    Action.TAILGATE: _p(
-        r"(?:at|keeping) an? (?:un)?(?:safe|close) (?:following )?distance behind|unsafe (?:following )?distance|clos\w* (?:right )?up (?:to|on|behind) (?:our|the ego's|my)|on (?:our|the ego's|my) tail|"
-        r"(?:our|the ego's|my) rear bumper|follow\w* (?:us|the ego|me) (?:\w+ ){0,2}too close\w*|tailgat\w*|bumper to bumper|(?:on|to) (?:our|the ego's?|my) (?:rear )?(?:bumper|tail)|follow\w* (?:far |much )?too close\w*|"
-        r"(?:sits|hangs|sticks|glued|driv\w*|follow\w*|keeps|stays) (?:very |right |dangerously |too )?(?:close|on our tail)(?:ly)? (?:behind|to our|on|to the rear)|"
-        r"breath\w* down (?:our|my) neck"
-    ),
-    Action.PULL_OUT: _p(
-        r"(?:pull|mov|driv|set|swing|edg|nos|com|roll|start|lurch|creep|shoot|launch|manoeuvr|maneuver)\w* (?:out|off|away|forward)(?: of| from)? (?:of )?(?:the |a |its |his |her )?"
-        r"(?:kerb|curb|kerbside|parking|parked|roadside|bay|bus bay|lay-?by|shoulder|row|bus stop|stop|edge|verge|side(?! (?:road|street)))",
-        r"(?:leav|quit|exit)\w* (?:the |a |its |his |her )?(?:kerb|curb|parking|bay|lay-?by|parked position|bus stop|roadside)",
-        r"unpark\w*",
-        r"(?:set|sets|setting|mov\w*|pull\w*|driv\w*|drove|start\w*|swing\w*|swung) (?:off|out|away)(?: from [^,.;]*?)? (?:and (?:enter|join)\w*|into|in) (?:our|my|the|the ego's) (?:path|lane|way|road|traffic)",
-        r"(?:set|sets|setting|moves|moved|pulls|pulled|drives|drove|starts|started) off(?: and enter\w*| from)",
-        r"pull(?:s|ed|ing)? (?:away|out)(?: in front of| without| into| suddenly|$)",
-    ),
-    Action.WRONG_WAY: _p(
-        r"wrong(?:-| )way|against (?:the )?(?:traffic|flow|direction)|on the wrong side|wrong side of the road|"
-        r"in our lane (?:towards?|against|facing)|ghost driver|contraflow|in the wrong direction|wrong direction"
-    ),
-    Action.U_TURN: _p(
-        r"u(?:-| )turns?|turns? (?:right )?(?:a)?round in the road|one-eighty|does a 180|180(?: degree)? turn|turns? back on itself"
-    ),
-    Action.BLOCK: _p(
-        r"block(?:s|ing|ed)? (?:the|our|its|my|both|all)? ?(?:own )?(?:road|lane|path|way|junction|intersection|carriageway|street|box|whole|lanes)?|"
-        r"obstruct\w*|in (?:our|the ego's?|my) way|stand(?:s|ing)? in (?:our|the|my)"
-    ),
-    Action.FAST: _p(
-        r"at (?:breakneck|high|top) speed|breakneck|race[sd]? along|flat out|at full (?:tilt|throttle|pelt)|speeding|at (?:high|full|great|top|excessive) speed|(?:very |too |so )fast|rac(?:es|ing)|over the speed limit|flat out|high-speed|excessive speed|"
-        r"tear(?:s|ing) (?:along|through|down)|hurtl\w*|bomb(?:s|ing) (?:along|down|through)"
-    ),
-}
+# Turns are looked for later: the ego makes them as well, in the same words
+ACTIONS: dict[Action, re.Pattern[str]] = {action: _p(action.row.words) for action in Action if not action.row.turn}
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # Who reports, and under what title, is not part of the situation

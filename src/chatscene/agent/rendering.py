@@ -17,8 +17,10 @@ from chatscene.agent.grammar.adversary_clause import Adversary, acts, adversary
 from chatscene.agent.grammar.ego_clause import ego_clause, ego_does
 from chatscene.agent.grammar.inflection import Form, conjugated
 from chatscene.agent.grammar.voice import Voice
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
 from chatscene.terms.description import Rendered, Style
-from chatscene.terms.scenario import Action, AdversaryKind, Control, Maneuver, Place, Position, Slots, includes
+from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, includes
 
 LEAVABLE = (
     "side", "position", "occluder", "maneuver", "place", "control", "leader", "distance", "group", "lanes", "two_way",

@@ -9,7 +9,9 @@ import re
 from collections.abc import Sequence
 
 from chatscene.agent import lexicon as words
-from chatscene.terms.scenario import AdversaryKind, Quantity, Slots, Unused, Why
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.frame import Frame
+from chatscene.terms.scenario import Quantity, Slots, Unused, Why
 
 _NUMBER = re.compile(
     r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|mph|m/s ?(?:²|\^?2)|m/s|metres?|meters?|m|yards?|feet|ft|seconds?|"
@@ -17,15 +19,15 @@ _NUMBER = re.compile(
 )
 _ANOTHER = r"(?:another|a second|a third|a different|yet another)"
 _SHORT = 60  # characters of a text that is not English
+_ORDER = {why: place for place, why in enumerate(Why)}
 _A = rf"(?:{_ANOTHER}|an?|two|three|several|some)"
 
 
-def unused_of(text: str, slots: Slots, quantities: Sequence[Quantity]) -> tuple[Unused, ...]:
-    """What of a text is in no slot and no quantity.
+def unused_of(text: str, quantities: Sequence[Quantity]) -> tuple[Unused, ...]:
+    """What of a text is in no slot and no quantity, whatever the slots are.
 
     Args:
         text: Lower case, mended and rewritten, with what the ego then has to do.
-        slots: What was read in it.
         quantities: The numbers that were read in it.
     """
     if not words.is_english(text):
@@ -34,7 +36,6 @@ def unused_of(text: str, slots: Slots, quantities: Sequence[Quantity]) -> tuple[
     found += [Unused(said=m[0], why=Why.LIGHT) for m in words.LIGHT.finditer(text)]
     found += [Unused(said=m[0].strip(" ,"), why=Why.REACTION) for m in words.REACTION.finditer(text)]
     text = words.REACTION.sub(" ", text)
-    found += [Unused(said=said, why=Why.ROAD_USER) for said in others(text, slots)]
     text = _without(text, quantities)
     found += [Unused(said=said, why=Why.NUMBER) for said in _numbers(text)]
     found += [Unused(said=said, why=Why.WORDS) for said in words.known_to_no_rule(_NUMBER.sub(" , ", text))]
@@ -59,6 +60,15 @@ def _numbers(text: str) -> list[str]:
     for rule in (*lanes, *words.KINDS.values(), *words.PLACES.values(), words.GROUP, words.NEAR, words.FAR_AWAY):
         text = rule.sub(" ", text)
     return [m[0].strip(" .,:") for m in _NUMBER.finditer(text)]
+
+
+def unused_beside(frame: Frame, slots: Slots) -> tuple[Unused, ...]:
+    """What of a text is in no slot and no quantity, and the road users beside those that the slots have."""
+    if any(one.why is Why.LANGUAGE for one in frame.unused):
+        return frame.unused
+    told = others(words.REACTION.sub(" ", frame.told), slots)
+    found = (*frame.unused, *(Unused(said=said, why=Why.ROAD_USER) for said in told))
+    return tuple(sorted(dict.fromkeys(found), key=lambda one: _ORDER[one.why]))
 
 
 def others(text: str, slots: Slots) -> list[str]:

@@ -6,7 +6,17 @@ rather than in the many ways of users.
 
 from __future__ import annotations
 
-from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots
+from chatscene.terms.frame import Frame
+from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, SubDescriptions
+
+
+def parts_of(frame: Frame, slots: Slots) -> SubDescriptions:
+    """A text per component: what is said of the adversary, and facts in the words of the library."""
+    return SubDescriptions(
+        behavior=frame.clauses.adversary or frame.clauses.whole,
+        geometry=geometry_in_words(slots, frame.clauses.ego),
+        spawn=spawn_in_words(slots),
+    )
 
 
 def geometry_in_words(slots: Slots, said: str) -> str:

@@ -18,18 +18,21 @@ from chatscene.ego.observation import OBSERVATIONS, check_preset
 from chatscene.ego.policy import PEDALS, controls
 from chatscene.ego.reward import REWARDS, Moment
 from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
-from chatscene.maps.network import resolve_map
+from chatscene.maps.drawing import map_drawing
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
 from chatscene.program.ordinary import Course, ordinary_courses
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.backend import OpenDrive, load_backend
+from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene
 
 try:
     import gymnasium
     from gymnasium import spaces
 except ImportError as error:
-    raise MissingExtra("the driving environment needs gymnasium", extra="train") from error
+    raise MissingExtra("the driving environment needs gymnasium", extra="gym") from error
 
 Array = NDArray[np.float32]
 BOUND = 2000.0  # [m], [m/s]: farther or faster than anything gets within a drive
@@ -52,46 +55,55 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
     Args:
         courses: What to drive; the ordinary drives of the map if None.
         map_name: As on the command line.
-        observation: The preset.
+        ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: The mapping of actions.
         reward: The reward.
         settings: Step and limits.
+        simulator: Where programs run; that of the settings on the map if None.
+        render_mode: ``rgb_array``, and `render` gives a picture of the ego and what is around it; or None.
 
     Raises:
         SettingsError: A preset, mapping or reward of that name does not exist, or there is nothing to drive.
         MapError: The map is missing or broken.
     """
 
-    metadata = {"render_modes": []}  # noqa: RUF012 - Gymnasium's attribute
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 10}  # noqa: RUF012 - Gymnasium's attribute
 
     def __init__(
         self,
         courses: Sequence[Course] | None = None,
         *,
         map_name: str | Path = "town",
-        observation: str = "safebench",
+        ego_observation: str = "safebench",
         pedals: str = "safebench",
         reward: str = "safebench",
         settings: SimulationSettings | None = None,
+        simulator: Simulator | None = None,
+        render_mode: str | None = None,
     ) -> None:
         for what, name, known in (("pedals", pedals, PEDALS), ("reward", reward, REWARDS)):
             if name not in known:
                 raise SettingsError(no_such(what, name, known))
-        self._free()
-        self._preset = check_preset(observation)
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise SettingsError(no_such("render mode", str(render_mode), self.metadata["render_modes"]))
+        self.render_mode = render_mode
+        end_drive()
+        self._preset = check_preset(ego_observation)
         self._pedals = pedals
         self._reward = REWARDS[reward]
-        self._backend = load_backend("embedded", resolve_map(str(map_name)), settings or SimulationSettings())
-        self.courses = tuple(courses) if courses is not None else ordinary_courses(self._backend)
+        self._map_path = resolve_map(str(map_name))
+        self._simulator = simulator or load_simulator(self._map_path, settings or SimulationSettings())
+        self.courses = tuple(courses) if courses is not None else ordinary_courses(self._simulator)
         if not self.courses:
             raise SettingsError("there is nothing to drive: give at least one course")
-        size = OBSERVATIONS[observation]
+        size = OBSERVATIONS[ego_observation]
         self.observation_space = spaces.Box(-BOUND, BOUND, (size,), np.float32)
         self.action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
-        self._drive: OpenDrive | None = None
+        self._drive: Session | None = None
         self._last: Array = np.zeros(size, np.float32)
         self._scene_id = ""
-        self._length = 0.0
+        self._route: Route
+        self._drawing: dict[str, Any] | None = None
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
@@ -101,7 +113,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         Args:
             seed: Of everything that is drawn from now on.
             options: ``course``: the index of the one to drive, else one is drawn; ``values``: the scene's parameter
-                values, else they are drawn.
+                values, else they are those of the course, or drawn if it has none.
 
         Raises:
             SettingsError: There is no such course, or none of `TRIES` scenes could be placed.
@@ -109,22 +121,23 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         super().reset(seed=seed)
         options = options or {}
         index = options.get("course")
-        values: Mapping[str, float] | None = options.get("values")
         if index is None:
             index = int(self.np_random.integers(len(self.courses)))
         if not 0 <= index < len(self.courses):
             raise SettingsError(f"there is no course {index}; there are {len(self.courses)}, counted from 0")
         course = self.courses[index]
-        self._free()
+        values: Mapping[str, float] | None = options.get("values", course.values)
+        end_drive()
         reason = ""
         for _ in range(TRIES if values is None else 1):
             scene = self._scene(course, values)
-            drive = self._backend.open(course.program, scene, observation=self._preset, pedals=self._pedals)
+            drive = self._simulator.open(course.program, scene, observation=self._preset, pedals=self._pedals)
             if not isinstance(drive, Rejected):
                 self._drive = drive
                 _open.append(self)
                 self._scene_id = scene.id
-                self._length = self._backend.route(course.program, course.route).length
+                self._route = self._simulator.route(course.program, course.route)
+                self._drawing = None
                 self._last = drive.observation.astype(np.float32)
                 return self._last, {"scene": scene.id, "values": dict(scene.values)}
             reason = drive.reason
@@ -171,12 +184,30 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             truncated = not terminated
             info |= {
                 "ending": str(ended) if ended is not None else "rejected",
-                "completion": 1.0 if ended is Ending.ARRIVED else min(max(drive.along / self._length, 0.0), 1.0),
+                "completion": 1.0 if ended is Ending.ARRIVED else min(max(drive.along / self._route.length, 0.0), 1.0),
                 "collision": terminated,
                 "scene": self._scene_id,
             }
         self._last = drive.observation.astype(np.float32)
         return self._last, float(sum(terms.values())), terminated, truncated, info
+
+    def render(self) -> NDArray[np.uint8] | None:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """The ego and what is around it, now: (360, 640, 3), red, green, blue; None without a `render_mode`.
+
+        Raises:
+            EgoError: There is no drive in progress.
+        """
+        if self.render_mode is None:
+            return None
+        episode = self.episode("")
+        if self._drawing is None:
+            points = self._route.line.points
+            (west, south), (east, north) = points.min(axis=0) - NEAR, points.max(axis=0) + NEAR
+            self._drawing = map_drawing(load_network(self._map_path), (west, south, east, north))
+        x, y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
+        camera = Camera.around(x, y)
+        frame = draw_frame(camera, draw_ground(camera, self._drawing), episode, len(episode.ego_track.x) - 1)
+        return np.asarray(frame)
 
     def episode(self, ego: str) -> Episode:
         """The drive in progress, as far as it came, with its tracks and events.
@@ -191,16 +222,16 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
     def close(self) -> None:
         """End the drive in progress."""
         if self in _open:
-            self._free()
+            _open.remove(self)
+        if self._drive is not None:
+            self._drive.close()
+            self._drive = None
 
-    @staticmethod
-    def _free() -> None:
-        """End whatever drive is in progress in this process."""
-        while _open:
-            env = _open.pop()
-            if env._drive is not None:
-                env._drive.close()
-                env._drive = None
+
+def end_drive() -> None:
+    """End whatever drive an environment has in progress in this process, so that another can begin."""
+    while _open:
+        _open[-1].close()
 
 
 def vector_env(count: int, **arguments: Any) -> gymnasium.vector.AsyncVectorEnv:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
-from chatscene.terms.limits import LIMITS
+from chatscene.terms.actors import LIMITS
 
 DESIRED_SPEED = 8.0  # [m/s]
 CURVE_ACCELERATION = 3.0  # [m/s²], lateral, that curves are taken with

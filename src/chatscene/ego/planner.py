@@ -3,7 +3,7 @@
 At each step it weighs some accelerations and sideways shifts over four seconds, in coordinates along its route.
 Everybody near is expected to go on, and with less weight to brake, to speed up or, where they stand beside the way, to
 step into it. The way that costs least is begun. It remembers nothing, so that it can be learned from
-(`chatscene.finetune.pupil`).
+(`chatscene.learn.finetune.pupil`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.intelligent_driver import curve_speed
 from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
-from chatscene.terms.limits import LIMITS
+from chatscene.terms.actors import LIMITS
 
 DT = 0.2  # [s]
 TIMES = np.arange(1, 21) * DT

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import importlib
 import math
-import sys
-from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager, nullcontext
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol
 
 from chatscene.ego.observation import IN_WORDS, Observation, check_preset
-from chatscene.errors import ChatSceneError, EgoError, no_such
-from chatscene.terms.limits import LIMITS
+from chatscene.errors import EgoError
+from chatscene.plugins import Kind, make
+from chatscene.terms.actors import LIMITS
 
 
-@runtime_checkable
 class EgoPolicy(Protocol):
     """An ego under test.
 
@@ -84,68 +81,35 @@ def in_words(senses: Mapping[str, str]) -> str:
 FILES = (".npz", ".zip", ".pt", ".onnx")
 """What an ego may be loaded from: ours, Stable-Baselines3, TorchScript or SafeBench, ONNX."""
 
-EGOS: dict[str, str] = {
-    "rule-based": "chatscene.ego.rule_based:RuleBased",
-    "idm": "chatscene.ego.intelligent_driver:IntelligentDriver",
-    "planner": "chatscene.ego.planner:Planner",
-    "sac": "chatscene.ego.trained:sac",
-    "ppo": "chatscene.ego.trained:ppo",
-    "td3": "chatscene.ego.trained:td3",
-}
+EGOS: Kind[EgoPolicy] = Kind(
+    noun="ego",
+    group="chatscene.egos",
+    method="act",
+    built_in={
+        "rule-based": "chatscene.ego.rule_based:RuleBased",
+        "idm": "chatscene.ego.intelligent_driver:IntelligentDriver",
+        "planner": "chatscene.ego.planner:Planner",
+        "sac": "chatscene.ego.trained:sac",
+        "ppo": "chatscene.ego.trained:ppo",
+        "td3": "chatscene.ego.trained:td3",
+    },
+    forms=(f"a file ({', '.join(FILES)})",),
+    error=EgoError,
+)
 
 
 def load_ego(name: str) -> EgoPolicy:
-    """An ego by its name in `EGOS`, from a file, or as ``package.module:factory``.
+    """An ego from a file, or by its name (`chatscene.plugins`).
 
     Raises:
         EgoError: Nothing of that name exists, its code fails, or what the factory makes has no `act`.
+        MissingExtra: A package that it needs is missing.
     """
     if Path(name).suffix in FILES:
         from chatscene.ego.files import load_file
 
         return load_file(Path(name))
-    target = EGOS.get(name, name)
-    module, colon, factory = target.partition(":")
-    if not colon:
-        raise EgoError(f"{no_such('ego', name, EGOS)}; or give a file ({', '.join(FILES)}) or package.module:factory")
-    if not all(part.isidentifier() for part in (*module.split("."), factory)):
-        raise EgoError(f"ego {name!r} is not of the form package.module:factory, such as my_stack.driving:make_ego")
-    with nullcontext() if name in EGOS else _importable_from_here():
-        ego = _made(name, module, factory)
-    if not isinstance(ego, EgoPolicy):
-        raise EgoError(f"ego {name!r} makes a {type(ego).__name__}, which has no method act(observation)")
-    return ego
-
-
-def _made(name: str, module: str, factory: str) -> Any:
-    """What a factory makes; whatever its code raises, to end the process too, is a fault of the ego."""
-    try:
-        found = importlib.import_module(module)
-    except (Exception, SystemExit) as error:
-        raise EgoError(f"ego {name!r}: cannot import {module!r}: {type(error).__name__}: {error}") from error
-    make: Callable[[], Any] | None = getattr(found, factory, None)
-    if make is None:
-        raise EgoError(f"ego {name!r}: module {module!r} has no {factory!r}")
-    try:
-        return make()
-    except ChatSceneError:
-        raise
-    except (Exception, SystemExit) as error:
-        raise EgoError(f"ego {name!r}: {factory!r} fails: {type(error).__name__}: {error}") from error
-
-
-@contextmanager
-def _importable_from_here() -> Generator[None]:
-    """Let a user's own module be found in the working folder, behind all that is installed, and only for now."""
-    if (here := str(Path.cwd())) in sys.path:
-        yield
-        return
-    sys.path.append(here)
-    try:
-        yield
-    finally:
-        if here in sys.path:
-            sys.path.remove(here)
+    return make(EGOS, name)
 
 
 PEDALS: dict[str, float] = {"safebench": 0.375, "full-brake": 1.0}

@@ -6,7 +6,6 @@ data: nothing of it is executed, imported or followed as an instruction.
 
 from __future__ import annotations
 
-import importlib
 import math
 import os
 from collections.abc import Mapping
@@ -16,7 +15,8 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from pydantic import BaseModel
 
-from chatscene.errors import SettingsError, no_such
+from chatscene.errors import SettingsError
+from chatscene.plugins import Kind, make, names
 
 Answer = TypeVar("Answer", bound=BaseModel)
 
@@ -174,11 +174,16 @@ class LanguageModel(Protocol):
         ...
 
 
-LANGUAGE_MODELS: dict[str, str] = {
-    "openai": "chatscene.language_models.openai_compatible:OpenAICompatible",
-    "gguf": "chatscene.language_models.local_gguf:LocalGguf",
-    "scripted": "chatscene.language_models.scripted:from_file",
-}
+LANGUAGE_MODELS: Kind[Any] = Kind(  # each makes a `chatscene.language_models.completion.Completer`
+    noun="language model",
+    group="chatscene.language_models",
+    method="complete",
+    built_in={
+        "openai": "chatscene.language_models.openai_compatible:OpenAICompatible",
+        "gguf": "chatscene.language_models.local_gguf:LocalGguf",
+        "scripted": "chatscene.language_models.scripted:from_file",
+    },
+)
 
 
 def load_language_model(
@@ -187,11 +192,11 @@ def load_language_model(
     """A language model by the name a user types.
 
     Args:
-        name: ``openai:MODEL``, ``gguf:FILE`` or ``scripted:FILE``; what stands before the colon is in
-            `LANGUAGE_MODELS`.
+        name: ``openai:MODEL``, ``gguf:FILE`` or ``scripted:FILE``, or another name (`chatscene.plugins`) with what
+            its factory is to take behind a colon.
         limits: How far one question may go.
         budget: The most that may be spent from now on.
-        cache: Folder for replies, such as `reply_cache.user_folder()`; without one, every question is a call.
+        cache: Folder for replies, such as `cache_folder("replies")`; without one, every question is a call.
 
     Raises:
         SettingsError: The name or what it needs (a file, a key, an address) is not right.
@@ -200,11 +205,11 @@ def load_language_model(
     from chatscene.language_models.checked import CheckedModel
 
     kind, _, which = name.partition(":")
-    if kind not in LANGUAGE_MODELS:
-        raise SettingsError(no_such("language model", kind, LANGUAGE_MODELS))
+    if ":" in which and kind not in names(LANGUAGE_MODELS):
+        module, factory, which = name.split(":", 2)
+        kind = f"{module}:{factory}"
     if not which.strip():
         raise SettingsError(f"{name!r} does not say which model; write for instance openai:MODEL or gguf:FILE")
-    module, _, attribute = LANGUAGE_MODELS[kind].partition(":")
     limits = limits or Limits()
-    make: Any = getattr(importlib.import_module(module), attribute)
-    return CheckedModel(make(which, limits=limits), limits=limits, budget=budget or Budget(), cache=cache)
+    completer = make(LANGUAGE_MODELS, kind, which, limits=limits)
+    return CheckedModel(completer, limits=limits, budget=budget or Budget(), cache=cache)

@@ -5,16 +5,14 @@ A cache that is missing, damaged or cannot be written costs calls and nothing el
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
-import os
-import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from chatscene.caches import keep
 from chatscene.language_models.completion import JsonSchema, Message
 
 FORMAT = 1  # part of every key: raise it when a question is put in other words for the same prompt
@@ -26,12 +24,6 @@ class _Entry(BaseModel):
     key: str
     text: str
     sha256: str
-
-
-def user_folder() -> Path:
-    """Where replies are kept unless a user says otherwise."""
-    base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base) if base else Path.home() / ".cache") / "chatscene" / "replies"
 
 
 def question_key(identity: Mapping[str, str | int | float], messages: Sequence[Message], schema: JsonSchema) -> str:
@@ -52,16 +44,7 @@ def read_reply(folder: Path, key: str) -> str | None:
 def write_reply(folder: Path, key: str, text: str) -> None:
     """Keep a reply, under its name only when it is whole."""
     entry = _Entry(key=key, text=text, sha256=_sha256(text))
-    with contextlib.suppress(OSError):  # a read-only or full home must not stop a run
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=folder, suffix=".part", delete=False, encoding="utf-8") as part:
-            path = Path(part.name)
-            try:
-                part.write(entry.model_dump_json())
-                part.close()
-                path.replace(folder / f"{key}.json")
-            finally:
-                path.unlink(missing_ok=True)
+    keep(folder / f"{key}.json", entry.model_dump_json().encode())
 
 
 def _sha256(text: str) -> str:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import difflib
 import hashlib
 import os
-import shutil
 import warnings
 from collections.abc import Iterator
 from functools import lru_cache
@@ -17,6 +16,8 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
+from chatscene.atomic import write_whole
+from chatscene.caches import cache_folder
 from chatscene.errors import MapError
 
 LONGEST = 1e5  # [m] of a road
@@ -151,16 +152,14 @@ def _within(value: str, low: float, high: float) -> bool:
 
 def _private_copy(path: Path, digest: str) -> Path | None:
     """The map in the user's cache folder, or None where there can be none."""
-    base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "chatscene" / "maps" / digest
+    base = cache_folder("maps") / digest
     copy = base / path.name
     try:
         base.mkdir(parents=True, exist_ok=True, mode=0o700)
         if base.stat().st_uid != os.getuid() or base.stat().st_mode & 0o022:
             return None
         if not copy.exists():
-            part = copy.with_suffix(f".{os.getpid()}.part")
-            shutil.copyfile(path, part)
-            part.replace(copy)
+            write_whole(copy, path.read_bytes())
     except OSError:
         return None  # a cache saves a second; a run must not fail for want of one
     return copy

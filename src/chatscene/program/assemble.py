@@ -9,19 +9,10 @@ import hashlib
 import textwrap
 
 from chatscene.errors import NamesNotClosed
-from chatscene.terms.scenario import AdversaryKind, Scenario
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Snippet
-
-CLASSES: dict[AdversaryKind, str] = {
-    AdversaryKind.CAR: "Car",
-    AdversaryKind.TRUCK: "Truck",
-    AdversaryKind.BUS: "Bus",
-    AdversaryKind.MOTORCYCLE: "Motorcycle",
-    AdversaryKind.BICYCLE: "Bicycle",
-    AdversaryKind.PEDESTRIAN: "Pedestrian",
-    AdversaryKind.EMERGENCY_VEHICLE: "EmergencyVehicle",
-}
 
 HEADER_PROVIDES = ("AdvClass", "ego")
 
@@ -52,7 +43,7 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
     source = "\n\n".join(
         (
             said,
-            f"model chatscene.world.model\n\nAdvClass = {CLASSES[adversary]}",
+            f"model chatscene.world.model\n\nAdvClass = {adversary.row.scenic}",
             f"## {behavior.id}\n{behavior.source.strip()}",
             f"## {geometry.id}\n{geometry.source.strip()}",
             "ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute",

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import MeansSomethingElse, Unsatisfiable
 from chatscene.program.meaning import check_meaning
-from chatscene.simulate.backend import Backend
+from chatscene.program.sample import scene_at
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Slots
@@ -46,21 +47,11 @@ class Checked:
 
 def probe_scenes(program: ScenicProgram, route: int) -> tuple[Scene, ...]:
     """Scenes at fixed places in the declared ranges, to try a program with."""
-    return tuple(
-        Scene(
-            id=f"{program.scenario_id}/route-{route:02d}/probe-{i}",
-            scenario_id=program.scenario_id,
-            route=route,
-            block=-1,
-            seed=0,
-            values={p.name: round(p.low + share * (p.high - p.low), 6) for p in program.parameters},
-        )
-        for i, share in enumerate(PROBES)
-    )
+    return tuple(scene_at(program, route, share, name=f"probe-{i}") for i, share in enumerate(PROBES))
 
 
 def check(
-    program: ScenicProgram, slots: Slots, backend: Backend, ego: EgoPolicy, *, route: int = 0, drives: int = 3
+    program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, *, route: int = 0, drives: int = 3
 ) -> Checked:
     """Climb the ladder from compiling to meaning.
 
@@ -70,7 +61,7 @@ def check(
     Args:
         program: What to check; its names were checked when it was assembled.
         slots: What was read.
-        backend: Where to run it.
+        simulator: Where to run it.
         ego: Who drives.
         route: Which route to probe on.
         drives: How many probing scenes to run to the end.
@@ -85,7 +76,7 @@ def check(
     episodes: list[Episode] = []
     rejected: list[Rejected] = []
     for scene in probe_scenes(program, route):
-        outcome = backend.run(program, scene, ego, through_collisions=True)
+        outcome = simulate(simulator, program, scene, ego, through_collisions=True)
         if isinstance(outcome, Rejected):
             rejected.append(outcome)
         else:
@@ -97,7 +88,7 @@ def check(
             f"program {program.scenario_id!r}: none of {len(rejected)} probing scenes could be placed; "
             f"most often: {_commonest([r.reason for r in rejected])}"
         )
-    way = backend.route(program, route)
+    way = simulator.route(program, route)
     if failures := unshown(slots, episodes, way):
         raise MeansSomethingElse(
             f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "

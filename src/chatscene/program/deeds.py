@@ -16,14 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.program.watching import Seen, in_frame
-from chatscene.simulate.embedded.roadside import crossing_step
+from chatscene.simulate.roadside import crossing_step
+from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
+from chatscene.terms.acts import Action
 from chatscene.terms.episode import Array
-from chatscene.terms.scenario import Action
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
-SLOW = {"Pedestrian": 1.45}  # [m/s]; of others 4
-FAST = {"Pedestrian": 3.0, "Bicycle": 6.5}  # [m/s]; of vehicles 11
 GAIN = 2.0  # [m/s] within `GAINING`: it accelerates
 GAINING = 30  # [steps]
 TURNED = math.radians(45)
@@ -76,6 +75,10 @@ def _once(condition: NDArray[Any]) -> Iterator[Act]:
     """The first time that a condition holds, which is no sooner begun than done."""
     if (step := _first(condition)) is not None:
         yield Act(step, step)
+
+
+def _row(s: Seen) -> RoadUser:
+    return BY_CLASS.get(s.track.kind, AdversaryKind.CAR).row
 
 
 def _speed(s: Seen) -> Array:
@@ -152,14 +155,14 @@ def _accelerates(s: Seen) -> Iterator[Act]:
 
 
 def _slow(s: Seen) -> Iterator[Act]:
-    limit, moving = SLOW.get(s.track.kind, 4.0), _speed(s) > 0.2
+    limit, moving = _row(s).slow, _speed(s) > 0.2
     if moving.any() and float(np.percentile(_speed(s)[moving], 25)) < limit:
         yield from _once(moving & (_speed(s) < limit))
     yield from _slowing(s)
 
 
 def _fast(s: Seen) -> Iterator[Act]:
-    limit = FAST.get(s.track.kind, 11.0)
+    limit = _row(s).fast
     if float(np.percentile(_speed(s), 90)) >= limit:
         yield from _once(_speed(s) >= limit)
     yield from _gaining(s)

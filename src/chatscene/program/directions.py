@@ -20,34 +20,30 @@ from chatscene.errors import MapError
 from chatscene.program.assemble import assemble
 from chatscene.program.deeds import STANDING, TURNED, TURNED_MIDWAY
 from chatscene.program.meaning import check_meaning
+from chatscene.program.sample import scene_at
 from chatscene.program.twins import SHARES, Triple, scenario_of
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.snippets.compatibility import ARMS, Compatibility, compatibility, ways_of
 from chatscene.snippets.library import Library
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import TURNS, Action
 from chatscene.terms.episode import Episode, Track
-from chatscene.terms.scenario import Action, AdversaryKind, Component, Maneuver, Place, Position, Side, Slots
+from chatscene.terms.scenario import Component, Maneuver, Place, Position, Side, Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet
 
 T = TypeVar("T")
 
-TURNS = {Action.TURN_LEFT: 1, Action.TURN_RIGHT: -1}
-DIRECTED = (*TURNS, Action.U_TURN, Action.ONCOMING, Action.WRONG_WAY, Action.CROSS)
 ASTRAY = math.radians(25)  # turned so far to the other side, a watcher says that it turns there
 ASIDE = math.radians(45)  # who has turned so far went no longer straight on
 
 # What a word in an id says, by the facts of which one must be filled so.
 _BEHAVIORS: dict[str, tuple[object, ...]] = {
-    r"turn-left": (Action.TURN_LEFT,),
-    r"turn-right|right-turn": (Action.TURN_RIGHT,),
-    r"u-turn": (Action.U_TURN,),
-    r"wrong-way": (Action.WRONG_WAY,),
-    r"overtake": (Action.OVERTAKE,),
+    **{action.row.named: (action,) for action in Action if action.row.named},
     r"^oncoming": (Position.ONCOMING,),
     r"^behind": (Position.BEHIND,),
     r"^lead": (Position.AHEAD,),
     r"^kerb": (Position.KERB,),
-    r"^cross": (Action.CROSS,),
 }
 _SPAWNS: dict[str, tuple[object, ...]] = {
     r"\bleft\b": (Side.LEFT,),
@@ -141,7 +137,7 @@ def _acting(joint: Compatibility) -> Iterator[tuple[int, int, int]]:
     """Behavior, geometry and a spawn for each arm of the junction, if it has any, of those that name a direction."""
     arms = [frozenset(ARMS) & set(spawn.requires) for spawn in joint.spawns]
     for b, behavior in enumerate(joint.behaviors):
-        if set(DIRECTED) & set(behavior.slots.actions) or says_straight(behavior):
+        if any(action.row.directed for action in behavior.slots.actions) or says_straight(behavior):
             for g in range(len(joint.geometries)):
                 spawns = np.flatnonzero(joint.mask[b, g]).tolist()
                 for arm in dict.fromkeys(arms[s] for s in spawns):
@@ -155,7 +151,7 @@ def _in_turn(ones: Sequence[T], number: int) -> T:
 # Tracks
 
 
-def strays(triple: Triple, joint: Joint, backend: Backend, ego: EgoPolicy) -> Iterator[str]:
+def strays(triple: Triple, joint: Joint, simulator: Simulator, ego: EgoPolicy) -> Iterator[str]:
     """What three joined snippets do against a direction that one of them names, at the first route that shows it.
 
     Raises:
@@ -166,14 +162,14 @@ def strays(triple: Triple, joint: Joint, backend: Backend, ego: EgoPolicy) -> It
     does, starts = behavior.slots, spawn.slots
     said = Slots(side=does.side or starts.side, position=does.position or starts.position)
     if joint.acts:
-        said = replace(said, actions=tuple(a for a in does.actions if a in DIRECTED and a not in TURNS))
+        said = replace(said, actions=tuple(a for a in does.actions if a.row.directed and not a.row.turn))
     # At a junction the ways of others differ from route to route.
-    for index in sorted({0, backend.routes(program) - 1} if ways_of(behavior) else {0}):
+    for index in sorted({0, simulator.routes(program) - 1} if ways_of(behavior) else {0}):
         try:
-            route = backend.route(program, index)
+            route = simulator.route(program, index)
         except MapError:
             continue  # a run leaves it out as well
-        episode = _first_placed(program, index, backend, ego if joint.acts else None)
+        episode = _first_placed(program, index, simulator, ego if joint.acts else None)
         if episode is not None:
             astray = _astray(behavior, episode.adversaries[0]) if joint.acts else ()
             for problem in (*check_meaning(said, episode, route, through=True), *astray):
@@ -181,29 +177,22 @@ def strays(triple: Triple, joint: Joint, backend: Backend, ego: EgoPolicy) -> It
                 return
 
 
-def _first_placed(program: ScenicProgram, route: int, backend: Backend, ego: EgoPolicy | None) -> Episode | None:
+def _first_placed(program: ScenicProgram, route: int, simulator: Simulator, ego: EgoPolicy | None) -> Episode | None:
     """The drive of the first of some scenes that can be placed; without an ego, its first moment."""
     for number, share in enumerate(SHARES):
-        scene = Scene(
-            id=f"{program.scenario_id}/route-{route:02d}/direction-{number}",
-            scenario_id=program.scenario_id,
-            route=route,
-            block=-1,
-            seed=0,
-            values={p.name: round(p.low + share * (p.high - p.low), 6) for p in program.parameters},
-        )
+        scene = scene_at(program, route, share, name=f"direction-{number}")
         outcome = (
-            _begun(program, scene, backend)
+            _begun(program, scene, simulator)
             if ego is None
-            else backend.run(program, scene, ego, through_collisions=True)
+            else simulate(simulator, program, scene, ego, through_collisions=True)
         )
         if isinstance(outcome, Episode):
             return outcome
     return None
 
 
-def _begun(program: ScenicProgram, scene: Scene, backend: Backend) -> Episode | Rejected:
-    drive = backend.open(program, scene)
+def _begun(program: ScenicProgram, scene: Scene, simulator: Simulator) -> Episode | Rejected:
+    drive = simulator.open(program, scene)
     if isinstance(drive, Rejected):
         return drive
     try:

@@ -2,7 +2,7 @@
 
 Nothing of them is run here. They are read, held against the allow-list, and what the search needs is found in their
 text: the ego and its route, the adversary and its behavior, the ranges of the parameters. They are to be run by
-`chatscene.sandbox.backend.SandboxedBackend` and by nothing else.
+`chatscene.sandbox.simulator.ConfinedSimulator` and by nothing else.
 """
 
 from __future__ import annotations

@@ -23,13 +23,17 @@ from chatscene.program.meaning import check_meaning
 from chatscene.program.sample import draw
 from chatscene.program.twins import scenario_of, twins
 from chatscene.sandbox.allow_list import check_foreign
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.snippets.compatibility import compatibility
-from chatscene.snippets.library import ADVERSARY_CLASS, Library, names_of
+from chatscene.snippets.library import Library, names_of
+from chatscene.snippets.plan import plan_of
+from chatscene.snippets.plan_check import acts_of, check_plan
+from chatscene.snippets.snippet_file import ADVERSARY_CLASS
+from chatscene.terms.actors import LIMITS, AdversaryKind
 from chatscene.terms.episode import Episode, Role, Track
-from chatscene.terms.limits import LIMITS
+from chatscene.terms.plan import Plan
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import AdversaryKind, Component
+from chatscene.terms.scenario import Component
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
@@ -52,7 +56,7 @@ class Finding:
 
     Attributes:
         snippet_id: Whose.
-        rung: ``allow-list``, ``names``, ``parameters``, ``randomness``, ``direction``, ``partners``, ``runs``,
+        rung: ``allow-list``, ``names``, ``randomness``, ``direction``, ``plan``, ``partners``, ``runs``,
             ``samples``, ``plausible``, ``means`` or ``distinct``.
         message: What is wrong.
     """
@@ -67,7 +71,7 @@ class Finding:
 
 def lint(
     library: Library,
-    backend: Backend,
+    simulator: Simulator,
     ego: EgoPolicy,
     *,
     scenes: int = SCENES,
@@ -77,7 +81,7 @@ def lint(
 
     Args:
         library: The snippets, and the partners they may be tried with.
-        backend: Where to run them.
+        simulator: Where to run them.
         ego: Who drives.
         scenes: How many scenes of each program to run.
         only: Ids to check; None for all.
@@ -89,10 +93,10 @@ def lint(
     tried: set[str] = set()
     for triple, kind in trials(sound, only):
         tried |= {snippet.id for snippet in triple}
-        found |= set(try_triple(triple, kind, backend, ego, scenes))
+        found |= set(try_triple(triple, kind, simulator, ego, scenes))
     for joint in joints(sound, only):
-        found |= set(try_joint(joint, sound, backend, ego))
-    return sifted(found | unpartnered(sound, tried) | alike(sound, backend, ego, only), only)
+        found |= set(try_joint(joint, sound, simulator, ego))
+    return sifted(found | unpartnered(sound, tried) | alike(sound, simulator, ego, only), only)
 
 
 def sifted(found: Collection[Finding], only: Collection[str] | None) -> tuple[Finding, ...]:
@@ -105,18 +109,18 @@ def unpartnered(library: Library, tried: Collection[str]) -> set[Finding]:
     return {Finding(s.id, "partners", "no two other snippets fit it") for s in library if s.id not in tried}
 
 
-def alike(library: Library, backend: Backend, ego: EgoPolicy, only: Collection[str] | None) -> set[Finding]:
+def alike(library: Library, simulator: Simulator, ego: EgoPolicy, only: Collection[str] | None) -> set[Finding]:
     """Snippets that do the same as another."""
     return {
         Finding(one, "distinct", f"does the same as {other}: {why}")
-        for pair in twins(library, backend, ego, only)
+        for pair in twins(library, simulator, ego, only)
         for one, other, why in (pair, (pair[1], pair[0], pair[2]))
         if only is None or one in only
     }
 
 
 def sound_part(library: Library, strangers: Collection[str] | None = None) -> tuple[Library, set[Finding]]:
-    """The snippets whose headers say what their code says, and what is wrong with the others.
+    """The snippets whose code is sound as far as reading shows, and what is wrong with the others.
 
     Args:
         library: All of them.
@@ -147,25 +151,33 @@ def refused_code(snippet: Snippet, library: Library) -> tuple[Finding, ...]:
 
 
 def check_code(snippet: Snippet) -> Iterator[Finding]:
-    """Whether the header says what the code says."""
+    """Whether the code is Scenic, asks for nothing that nobody defines, and leaves nothing else to chance."""
     try:
         names = names_of(snippet.source, world_names())
     except SnippetError as error:
         yield Finding(snippet.id, "names", str(error))
         return
-    for what, said, real in (
-        ("requires", snippet.requires, names.requires),
-        ("provides", snippet.provides, names.provides),
-    ):
-        if said != real:
-            yield Finding(snippet.id, "names", f"the header says {what} = {list(said)}, the code {list(real)}")
-    declared = {p.name: (p.low, p.high) for p in snippet.parameters}
-    if declared != names.parameters:
-        yield Finding(snippet.id, "parameters", f"the header has {declared}, the code {names.parameters}")
-    if extra := _other_randomness(snippet.source, len(names.parameters)):
+    if unknown := sorted(set(names.requires) - set(snippet.requires)):
+        yield Finding(snippet.id, "names", f"it calls {', '.join(unknown)}, which nothing defines")
+    if hidden := sorted(set(names.provides) ^ set(snippet.provides)):
+        yield Finding(snippet.id, "names", f"define {', '.join(hidden)} at the beginning of a line")
+    if extra := _other_randomness(snippet.source, len(snippet.parameters)):
         yield Finding(snippet.id, "randomness", f"{extra} outside of a parameter; every random value must be one")
     for problem in misnamed(snippet):
         yield Finding(snippet.id, "direction", problem)
+    plan = plan_of(snippet)
+    if isinstance(plan, Plan):
+        for problem in (*check_plan(plan, snippet.parameters), *_misjudged(snippet, plan)):
+            yield Finding(snippet.id, "plan", problem)
+
+
+def _misjudged(snippet: Snippet, plan: Plan) -> Iterator[str]:
+    """Acts that the facts name and the plan cannot show, or the other way round."""
+    for action, shows in acts_of(plan).items():
+        if shows and action not in snippet.slots.actions:
+            yield f"it must be seen to {action}, and its actions do not say so"
+        elif not shows and action in snippet.slots.actions:
+            yield f"its actions say {action}, and nothing in its code can show that"
 
 
 def _other_randomness(source: str, ranges: int) -> str:
@@ -229,14 +241,14 @@ def trials(library: Library, only: Collection[str] | None = None) -> Iterator[tu
 
 
 def try_triple(
-    triple: Triple, kind: AdversaryKind, backend: Backend, ego: EgoPolicy, scenes: int = SCENES
+    triple: Triple, kind: AdversaryKind, simulator: Simulator, ego: EgoPolicy, scenes: int = SCENES
 ) -> Iterator[Finding]:
     """Run the program of a triple and see whether its parts keep their words."""
     behavior = triple[0]
     where = f"as {kind} with {triple[1].id} and {triple[2].id}"
     try:
         program = assemble(scenario_of(triple), triple, kind)
-        driven, rejected = _drive(program, backend, ego, scenes)
+        driven, rejected = _drive(program, simulator, ego, scenes)
     except ChatSceneError as error:
         yield Finding(behavior.id, "runs", f"{where}: {type(error).__name__}: {error}")
         return
@@ -258,12 +270,12 @@ def try_triple(
             )
 
 
-def try_joint(joint: Joint, library: Library, backend: Backend, ego: EgoPolicy) -> Iterator[Finding]:
+def try_joint(joint: Joint, library: Library, simulator: Simulator, ego: EgoPolicy) -> Iterator[Finding]:
     """Join three snippets and see whether they go where their names and facts say."""
     behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in joint.ids)
     where = f"{behavior.id} as {joint.kind} with {geometry.id} and {spawn.id}"
     try:
-        for problem in strays((behavior, geometry, spawn), joint, backend, ego):
+        for problem in strays((behavior, geometry, spawn), joint, simulator, ego):
             blamed = behavior if problem.startswith("action") else spawn
             yield Finding(blamed.id, "direction", f"{problem} ({where})")
     except ChatSceneError as error:
@@ -271,12 +283,12 @@ def try_joint(joint: Joint, library: Library, backend: Backend, ego: EgoPolicy) 
 
 
 def _drive(
-    program: ScenicProgram, backend: Backend, ego: EgoPolicy, count: int
+    program: ScenicProgram, simulator: Simulator, ego: EgoPolicy, count: int
 ) -> tuple[list[tuple[Episode, Route]], list[str]]:
     """Scenes drawn from the declared ranges, each on the next route; and why the others could not be placed."""
     driven: list[tuple[Episode, Route]] = []
     rejected: list[str] = []
-    routes = backend.routes(program)
+    routes = simulator.routes(program)
     for i in range(count):
         route = i % routes
         scene = Scene(
@@ -287,11 +299,11 @@ def _drive(
             seed=i,
             values=draw(program.parameters, seed=i),
         )
-        outcome = backend.run(program, scene, ego, through_collisions=True)
+        outcome = simulate(simulator, program, scene, ego, through_collisions=True)
         if isinstance(outcome, Rejected):
             rejected.append(outcome.reason)
         else:
-            driven.append((outcome, backend.route(program, route)))
+            driven.append((outcome, simulator.route(program, route)))
     return driven, rejected
 
 

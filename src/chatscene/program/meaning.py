@@ -11,23 +11,13 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from chatscene.program.assemble import CLASSES
 from chatscene.program.deeds import ACTIONS, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
+from chatscene.terms.actors import Manner, manner_of
+from chatscene.terms.acts import Action
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import (
-    MANNERS,
-    WAITING,
-    Action,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Side,
-    Slots,
-    includes,
-)
+from chatscene.terms.scenario import WAITING, Maneuver, Occluder, Place, Position, Side, Slots, includes
 
 IN_LANE = 1.75  # [m] from the ego's line
 TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
@@ -50,7 +40,7 @@ def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool
 
     It is judged up to the first contact of the ego, which excuses only what was under way: an act that had not begun
     by then was no part of the test. Acts must begin in the order in which they were said, except for what the
-    adversary does all along (`chatscene.terms.scenario.MANNERS`).
+    adversary does all along (`all_along` in `chatscene.terms.acts`).
 
     Args:
         slots: What was said; what is not filled is not checked.
@@ -84,7 +74,7 @@ def _action_failures(actions: Sequence[Action], seen: Seen, contact: int | None)
         if not began:
             never = "never does" if contact is None else "had not begun to when the ego crashed"
             failures.append(f"action: said {action}, but the adversary {never}")
-        elif action not in MANNERS:
+        elif not action.row.all_along:
             after = [step for step in began if step >= latest - TOGETHER / seen.dt]
             if after:
                 before, latest = action, max(latest, min(after))
@@ -140,7 +130,7 @@ def _is_place(said: Place, route: Route) -> bool:
 def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) -> list[str]:
     failures: list[str] = []
     track = seen.track
-    if slots.adversary is not None and track.kind != CLASSES[slots.adversary]:
+    if slots.adversary is not None and track.kind != slots.adversary.row.scenic:
         failures.append(f"adversary: said {slots.adversary}, it is a {track.kind}")
     if slots.side is not None:
         left = _left_of_ego(seen, route)
@@ -246,7 +236,7 @@ def _leads(track: Track, ego: Track, route: Route) -> bool:
 def _blocks(track: Track, route: Route) -> bool:
     x0, y0 = route.line.point_at(0.0)
     along, across = in_frame(track, x0, y0, route.line.heading_at(0.0))
-    return bool(along[0] > 3.0 and abs(across[0]) < 1.5 and track.kind in ("Car", "Truck", "Bus"))
+    return bool(along[0] > 3.0 and abs(across[0]) < 1.5 and manner_of(track.kind) is Manner.DRIVES)
 
 
 def _accompanies(other: Track, track: Track) -> bool:

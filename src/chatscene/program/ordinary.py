@@ -6,11 +6,12 @@ What an ego is trained on and judged by before any adversary; never the benchmar
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from chatscene.errors import MapError
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.route import RouteQuery
 from chatscene.terms.scenario import BaseScenario, Maneuver, Place
 from chatscene.terms.scene import ScenicProgram
@@ -67,15 +68,17 @@ _RANGES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Course:
-    """A program on one of its routes; its scenes are drawn from the program's ranges.
+    """A program on one of its routes.
 
     Attributes:
         program: The program.
         route: Index of the route.
+        values: Parameter values of its only scene; None if scenes are drawn from the program's ranges.
     """
 
     program: ScenicProgram
     route: int
+    values: Mapping[str, float] | None = None
 
 
 def ordinary_queries() -> tuple[RouteQuery, ...]:
@@ -131,7 +134,7 @@ def ordinary_program(query: RouteQuery) -> ScenicProgram:
     )
 
 
-def ordinary_courses(backend: Backend) -> tuple[Course, ...]:
+def ordinary_courses(simulator: Simulator) -> tuple[Course, ...]:
     """Every ordinary drive that a map offers: at most ten routes per geometry.
 
     Raises:
@@ -142,7 +145,7 @@ def ordinary_courses(backend: Backend) -> tuple[Course, ...]:
     for query in ordinary_queries():
         program = ordinary_program(query)
         try:
-            count = backend.routes(program)
+            count = simulator.routes(program)
         except MapError as error:
             missing.append(str(error))
             continue

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 
 DECIMALS = 6  # values survive being written as text
@@ -19,6 +20,25 @@ DECIMALS = 6  # values survive being written as text
 def scene_seed(run_seed: int, scene_id: str) -> int:
     """The seed of one scene, below 2**32."""
     return int.from_bytes(hashlib.blake2b(f"{run_seed}/{scene_id}".encode(), digest_size=4).digest(), "big")
+
+
+def scene_at(program: ScenicProgram, route: int, share: float, *, name: str) -> Scene:
+    """The scene of a program that lies at one share of every declared range, to try the program with.
+
+    Args:
+        program: What is tried.
+        route: Index of the route.
+        share: Where in every range, in [0, 1].
+        name: Of the trial; ends the scene's id.
+    """
+    return Scene(
+        id=f"{program.scenario_id}/route-{route:02d}/{name}",
+        scenario_id=program.scenario_id,
+        route=route,
+        block=-1,
+        seed=0,
+        values={p.name: round(p.low + share * (p.high - p.low), DECIMALS) for p in program.parameters},
+    )
 
 
 def draw(ranges: Sequence[ParameterRange], *, seed: int) -> dict[str, float]:

@@ -1,51 +1,69 @@
-"""Snippets that do the same: measured on tracks, not on texts.
+"""Snippets that do the same: measured on tracks, where their plans do not say it.
 
 Two behaviors are twins if, with the same partners and every parameter at the same place of its range, the adversary
 is never more than a metre apart; two spawns if everybody starts within a metre; two geometries if the ego drives the
-same routes and they offer the same names.
+same routes and they offer the same names. Behaviors with one plan need no drive to be twins, and behaviors that stop,
+go, back and turn in another order need none to be no twins.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from itertools import combinations
+from dataclasses import replace
+from itertools import combinations, groupby
 
 import numpy as np
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError
 from chatscene.program.assemble import assemble
-from chatscene.simulate.backend import Backend
+from chatscene.program.sample import scene_at
+from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.snippets.compatibility import Compatibility, Mask, compatibility
 from chatscene.snippets.library import Library
+from chatscene.snippets.plan import PARAMETERS, plan_of, print_plan
+from chatscene.snippets.plan_check import STANDING
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Array, Episode
-from chatscene.terms.scenario import AdversaryKind, Scenario, Slots, SubDescriptions
+from chatscene.terms.plan import Foreign, Plan
+from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
 
 APART = 1.0  # [m] that a person sees
+_MANNERS = {
+    **dict.fromkeys(STANDING, "stop"),
+    **dict.fromkeys(("ReverseStraight", "ReverseTurning"), "back"),
+    "TurnOff": "turn",
+}  # of others: go
 SHARES = (0.5, 0.2, 0.8)  # where in every range the scenes lie
 
 
 def twins(
-    library: Library, backend: Backend, ego: EgoPolicy, only: Collection[str] | None = None
+    library: Library, simulator: Simulator, ego: EgoPolicy, only: Collection[str] | None = None
 ) -> Iterator[tuple[str, str, str]]:
     """Pairs of snippets that do the same, and how that was seen.
 
     Args:
         library: The snippets, and the partners they are seen with.
-        backend: Where to run them.
+        simulator: Where to run them.
         ego: Who drives.
         only: Ids of which one must be in a pair; None for all pairs.
     """
     joint = compatibility(library)
-    seen = _Seen(joint, backend, ego)
+    seen = _Seen(joint, simulator, ego)
     for one, other in _pairs(joint.behaviors, only):
         place = _first(joint.mask[one] & joint.mask[other])
-        if place is not None and seen.same_tracks(one, other, place):
-            yield joint.behaviors[one].id, joint.behaviors[other].id, "the adversary's tracks are the same"
+        ids = joint.behaviors[one].id, joint.behaviors[other].id
+        plans = plan_of(joint.behaviors[one]), plan_of(joint.behaviors[other])
+        if place is None or not may_look_alike(*plans):
+            continue
+        if same_plan(*plans):
+            yield *ids, "their plans are the same"
+        elif seen.same_tracks(one, other, place):
+            yield *ids, "the adversary's tracks are the same"
     for one, other in _pairs(joint.spawns, only):
         place = _first(joint.mask[:, :, one] & joint.mask[:, :, other])
         if place is not None and seen.same_starts(one, other, place):
@@ -74,6 +92,37 @@ def _deliberate(one: Snippet, other: Snippet) -> bool:
     return (None in sides and sides != (None, None)) or lights[0] != lights[1]
 
 
+def same_plan(one: Plan | Foreign, other: Plan | Foreign) -> bool:
+    """Whether two plans are the same but for the names of parameters, whose ranges are the same."""
+    return isinstance(one, Plan) and isinstance(other, Plan) and _without_names(one) == _without_names(other)
+
+
+def _without_names(plan: Plan) -> str:
+    text = print_plan(replace(plan, parameters=()))
+    for p in sorted(plan.parameters, key=lambda p: len(p.name), reverse=True):
+        text = text.replace(f"{PARAMETERS}.{p.name}", f"({float(p.low)} to {float(p.high)})")
+    return text
+
+
+def may_look_alike(one: Plan | Foreign, other: Plan | Foreign) -> bool:
+    """Whether two behaviors stop, go, back and turn in the same order; of a foreign behavior nobody can say.
+
+    One with a loop may go round any number of times, so there the shorter order need only begin the longer one.
+    """
+    if isinstance(one, Foreign) or isinstance(other, Foreign):
+        return True
+    shorter, longer = sorted((_manners(one), _manners(other)), key=len)
+    if one.loop is None and other.loop is None:
+        return shorter == longer
+    return longer[: len(shorter)] == shorter
+
+
+def _manners(plan: Plan) -> list[str]:
+    """What the phases of a plan do in turn, without what is done on: stop, go, back or turn."""
+    kinds = [_MANNERS.get(phase.primitive, "go") for phase in plan.phases]
+    return [kind for kind, _ in groupby(kinds)]
+
+
 def _first(mask: Mask) -> tuple[int, int] | None:
     found = np.argwhere(mask)
     return (int(found[0][0]), int(found[0][1])) if len(found) else None
@@ -82,9 +131,9 @@ def _first(mask: Mask) -> tuple[int, int] | None:
 class _Seen:
     """Episodes that were run, each once."""
 
-    def __init__(self, joint: Compatibility, backend: Backend, ego: EgoPolicy) -> None:
+    def __init__(self, joint: Compatibility, simulator: Simulator, ego: EgoPolicy) -> None:
         self._joint = joint
-        self._backend = backend
+        self._simulator = simulator
         self._ego = ego
         self._episodes: dict[tuple[int, int, int, AdversaryKind], list[Episode | None]] = {}
 
@@ -114,7 +163,7 @@ class _Seen:
 
     def _lines(self, index: tuple[int, int, int]) -> list[Array]:
         program = self._program(index, self._kinds(index)[0])
-        return [self._backend.route(program, n).line.points for n in range(self._backend.routes(program))]
+        return [self._simulator.route(program, n).line.points for n in range(self._simulator.routes(program))]
 
     def _kinds(self, index: tuple[int, int, int]) -> list[AdversaryKind]:
         fits = self._joint.spawns[index[2]].adversaries
@@ -130,7 +179,9 @@ class _Seen:
         if key not in self._episodes:
             try:
                 program = self._program(index, kind)
-                found = [self._backend.run(program, s, self._ego, through_collisions=True) for s in _scenes(program)]
+                found = [
+                    simulate(self._simulator, program, s, self._ego, through_collisions=True) for s in _scenes(program)
+                ]
             except ChatSceneError:  # the other rungs say so
                 found = []
             self._episodes[key] = [outcome if isinstance(outcome, Episode) else None for outcome in found]
@@ -165,17 +216,7 @@ class _Seen:
 
 
 def _scenes(program: ScenicProgram) -> list[Scene]:
-    return [
-        Scene(
-            id=f"{program.scenario_id}/route-00/twin-{i}",
-            scenario_id=program.scenario_id,
-            route=0,
-            block=-1,
-            seed=0,
-            values={p.name: round(p.low + share * (p.high - p.low), 6) for p in program.parameters},
-        )
-        for i, share in enumerate(SHARES)
-    ]
+    return [scene_at(program, 0, share, name=f"twin-{i}") for i, share in enumerate(SHARES)]
 
 
 def scenario_of(triple: Triple) -> Scenario:

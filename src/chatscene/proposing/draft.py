@@ -1,12 +1,11 @@
 """What a model is asked for, and what becomes of it: data that our own code makes a snippet of, or reasons why not.
 
 Nothing a model writes becomes a file name, a header or a line of a program as it stands: names are spelt anew, texts
-are cleaned and quoted, and what the header promises about names and ranges is computed from the code.
+are cleaned and quoted, and what a snippet promises about names and ranges is computed from the code.
 """
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import replace
@@ -18,23 +17,15 @@ from chatscene.errors import SnippetError
 from chatscene.language_models.structured import printable
 from chatscene.program.lint import Finding, check_code, partner_names, refused_code, world_names
 from chatscene.snippets.compatibility import HEADER_PROVIDES
-from chatscene.snippets.library import MARK, REPHRASINGS, Library, names_of
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Component,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Side,
-    Slots,
-)
+from chatscene.snippets.library import Library, names_of
+from chatscene.snippets.snippet_file import MARK, tuned_in
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 SHORTEST, LONGEST = 10, 200  # characters of a wording
+REPHRASINGS = 5  # at least
 LONGEST_NAME = 48
 CORE: dict[Component, frozenset[str]] = {
     Component.BEHAVIOR: frozenset({"AdvBehavior"}),
@@ -120,9 +111,10 @@ def snippet_of(
         origin: Where it comes from, for the header.
 
     Returns:
-        The snippet, whose header says what its code says; or what is wrong with the draft.
+        The snippet, or what is wrong with the draft.
     """
-    code = "\n".join(line.rstrip() for line in draft.code.replace("\r\n", "\n").strip("\n").split("\n"))
+    lines = draft.code.replace("\r\n", "\n").strip("\n").split("\n")
+    code = "\n".join(line.partition(MARK)[0].rstrip() for line in lines)  # what our marks say is for us to write
     blank = Snippet(
         id=snippet_id,
         component=component,
@@ -139,6 +131,9 @@ def snippet_of(
     known = {p.name: p for p in draft.parameters}
     if unknown := sorted(names.parameters.keys() - known.keys()):
         return (Finding(snippet_id, "parameters", f"the list of parameters lacks {', '.join(unknown)}"),)
+    if unmarked := sorted(names.parameters.keys() - tuned_in(code)):
+        declared = f"param {unmarked[0]} = Range(low, high)"
+        return (Finding(snippet_id, "parameters", f"{', '.join(unmarked)}: say {declared} on a line of its own"),)
     made = replace(
         blank,
         requires=names.requires,
@@ -219,35 +214,3 @@ def _said_by(text: str, snippet: Snippet, library: Library) -> str | None:
         if other.id != snippet.id and any(same_words(text, t) for t in (other.description, *other.rephrasings)):
             return other.id
     return None
-
-
-# The file
-
-
-def as_text(snippet: Snippet) -> str:
-    """A snippet as the text of its file, which `chatscene.snippets.library.load_snippet` reads."""
-    lines = [f"description = {_quoted(snippet.description)}", "rephrasings = ["]
-    lines += [f"  {_quoted(text)}," for text in snippet.rephrasings]
-    lines += ["]"]
-    for name in ("adversaries", "requires", "provides"):
-        lines.append(f"{name} = [{', '.join(_quoted(str(value)) for value in getattr(snippet, name))}]")
-    lines += [f"origin = {_quoted(snippet.origin)}", "[slots]"]
-    lines += [f"{name} = {_toml(value)}" for name, value in snippet.slots.said().items()]
-    for p in snippet.parameters:
-        lines += ["[[parameters]]", f"name = {_quoted(p.name)}", f"low = {float(p.low)}", f"high = {float(p.high)}"]
-        lines += [f"unit = {_quoted(p.unit)}", f"meaning = {_quoted(p.meaning)}"]
-    header = "\n".join(f"{MARK} {line}" for line in lines)
-    return f"{header}\n\n{snippet.source.strip()}\n"
-
-
-def _toml(value: object) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, tuple):
-        return f"[{', '.join(map(_toml, value))}]"
-    return str(value) if isinstance(value, int) else _quoted(str(value))
-
-
-def _quoted(text: str) -> str:
-    """A text as TOML; what cannot be printed is left out, so that no line can begin within it."""
-    return json.dumps("".join(c for c in text if c.isprintable()), ensure_ascii=False)

@@ -15,7 +15,8 @@ from chatscene.proposing.trying import partners_for
 from chatscene.sandbox.words import world_words
 from chatscene.search.describe import describe
 from chatscene.snippets.compatibility import compatibility
-from chatscene.snippets.library import ADVERSARY_CLASS, Library
+from chatscene.snippets.library import Library
+from chatscene.snippets.snippet_file import ADVERSARY_CLASS
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 from chatscene.world import places

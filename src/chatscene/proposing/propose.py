@@ -12,9 +12,9 @@ from chatscene.errors import LanguageModelError, SettingsError, SnippetError
 from chatscene.language_models.protocol import Example, LanguageModel, Prompt, Spending
 from chatscene.language_models.structured import printable
 from chatscene.program.lint import Finding
-from chatscene.proposing.draft import Draft, as_text, slug, snippet_of
+from chatscene.proposing.draft import Draft, slug, snippet_of
 from chatscene.proposing.prompt import existing, question, shots, system
-from chatscene.proposing.shelf import Shelf, now, write, write_record
+from chatscene.proposing.shelf import Shelf, now, write_record
 from chatscene.proposing.trying import Judge
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
@@ -137,8 +137,7 @@ def propose(
             refused.append(_refused(tried))
             shelf.remember({"event": "refused", "reason": refused[-1].reason, **record})
         else:
-            kept.append(Kept(id=snippet.id, path=shelf.place(snippet.id), attempts=tried.drafts))
-            write(kept[-1].path, as_text(snippet))
+            kept.append(Kept(id=snippet.id, path=shelf.queue_up(snippet), attempts=tried.drafts))
             write_record(kept[-1].path.with_suffix(".json"), {"id": snippet.id, "date": now(), **record})
             shelf.remember({"event": "proposed", "id": snippet.id, **record})
             judge.learn(snippet)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene.errors import SnippetError
 from chatscene.language_models.structured import printable
 from chatscene.program.lint import Finding
-from chatscene.proposing.draft import as_text, code_faults
+from chatscene.proposing.draft import code_faults
 from chatscene.proposing.shelf import (
     REPHRASINGS,
     Shelf,
@@ -20,10 +20,13 @@ from chatscene.proposing.shelf import (
     write_record,
 )
 from chatscene.proposing.trying import Judge
-from chatscene.proposing.wordings import fault_of, own_snippet, reworded
+from chatscene.proposing.wordings import fault_of, own_snippet
 from chatscene.snippets.embedding import Embedder
 from chatscene.snippets.library import Library, load_snippet
-from chatscene.terms.scenario import BaseScenario
+from chatscene.snippets.plan import plan_of
+from chatscene.snippets.snippet_file import wordings_text
+from chatscene.terms.plan import Foreign
+from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 
 MakeJudge = Callable[[Library], Judge]
@@ -66,18 +69,19 @@ def accept(shelf: Shelf, proposal_id: str, *, make_judge: MakeJudge, embedder: C
         embedder: Loads the judge of wordings.
 
     Returns:
-        The file of the snippet.
+        The file of the snippet, or of its wordings.
 
     Raises:
         SnippetError: There is no such proposal, it does not pass, or the folder cannot be written.
     """
-    path = shelf.proposal(proposal_id)
+    shelf.proposal(proposal_id)
     if is_wordings(proposal_id):
-        home, text = _with_wordings(shelf, proposal_id, embedder())
+        snippet = _with_wordings(shelf, proposal_id, embedder())
+        home = shelf.wordings(snippet.id)
+        write(home, wordings_text(snippet.rephrasings))
     else:
-        home, text = _checked(shelf, proposal_id, make_judge)
-    write(home, text)
-    _forget(path)
+        home = shelf.keep(_checked(shelf, proposal_id, make_judge))
+    _forget(shelf, proposal_id)
     shelf.remember({"event": "accepted", "id": proposal_id})
     return home
 
@@ -88,14 +92,14 @@ def reject(shelf: Shelf, proposal_id: str, why: str) -> None:
     Raises:
         SnippetError: There is no such proposal, or it cannot be removed.
     """
-    path = shelf.proposal(proposal_id)
+    shelf.proposal(proposal_id)
     component, _, name = proposal_id.removeprefix(f"{REPHRASINGS}/").partition("/")
     kind = REPHRASINGS if is_wordings(proposal_id) else component
     shelf.remember({
         "event": "rejected", "id": proposal_id, "name": name.replace("-", " "), "component": kind,
         "why": printable(why, 200),
     })  # fmt: skip
-    _forget(path)
+    _forget(shelf, proposal_id)
 
 
 def text_of(shelf: Shelf, proposal_id: str) -> str:
@@ -148,7 +152,10 @@ def _pending(shelf: Shelf, library: Library, proposal_id: str) -> Pending:
             says = f"{len(wordings)} wordings, such as {wordings[0]!r}" if wordings else "no wordings"
         else:
             snippet = load_snippet(path)
+            plan = plan_of(snippet)
             says = snippet.description
+            if isinstance(plan, Foreign) and snippet.component is Component.BEHAVIOR:
+                says += f" (no plan: {plan.reason})"
             fault = "; ".join(f"{f.rung}: {f.message}" for f in code_faults(snippet, library)[:3])
     except SnippetError as error:
         fault = str(error)
@@ -162,15 +169,15 @@ def _pending(shelf: Shelf, library: Library, proposal_id: str) -> Pending:
     )
 
 
-def _checked(shelf: Shelf, proposal_id: str, make_judge: MakeJudge) -> tuple[Path, str]:
-    """Where a snippet goes and its text, if it passes; what is written is what was checked, not the file as it is then.
+def _checked(shelf: Shelf, proposal_id: str, make_judge: MakeJudge) -> Snippet:
+    """A proposed snippet, if it passes; what is written is what was checked, not the file as it is then.
 
     Raises:
         SnippetError: It does not pass.
     """
-    path, home = shelf.proposal(proposal_id), shelf.home(proposal_id)
+    path = shelf.proposal(proposal_id)
     library = shelf.library()
-    if home.exists() or proposal_id in {s.id for s in library}:
+    if shelf.home(proposal_id).exists() or proposal_id in {s.id for s in library}:
         raise SnippetError(
             f"the library has a snippet {proposal_id} already; rename {path} and its .json, or reject it"
         )
@@ -182,17 +189,17 @@ def _checked(shelf: Shelf, proposal_id: str, make_judge: MakeJudge) -> tuple[Pat
     if faults:
         said = "; ".join(printable(f"{f.rung}: {f.message}", 400) for f in faults[:5])
         raise SnippetError(f"{proposal_id} cannot be accepted: {said}. Mend it: chatscene library edit {proposal_id}")
-    return home, as_text(snippet)
+    return snippet
 
 
-def _with_wordings(shelf: Shelf, proposal_id: str, embedder: Embedder) -> tuple[Path, str]:
-    """The file of the snippet that wordings are for, and its text with them, if all of them pass.
+def _with_wordings(shelf: Shelf, proposal_id: str, embedder: Embedder) -> Snippet:
+    """The snippet that wordings are for, with them, if all of them pass.
 
     Raises:
         SnippetError: One of them does not, or the snippet is another's.
     """
     library = shelf.library()
-    snippet: Snippet = own_snippet(shelf, library, checked_id(proposal_id).removeprefix(f"{REPHRASINGS}/"))
+    snippet = own_snippet(shelf, library, checked_id(proposal_id).removeprefix(f"{REPHRASINGS}/"))
     wordings = _wordings(shelf.proposal(proposal_id))
     for i, text in enumerate(wordings):
         if fault := fault_of(text, snippet, library, embedder, besides=wordings[:i]):
@@ -200,7 +207,7 @@ def _with_wordings(shelf: Shelf, proposal_id: str, embedder: Embedder) -> tuple[
                 f"{printable(text, 80)!r}: {printable(fault.message, 300)}. "
                 f"Take it out: chatscene library edit {proposal_id}"
             )
-    return shelf.home(snippet.id), as_text(reworded(snippet, wordings))
+    return replace(snippet, rephrasings=(*snippet.rephrasings, *wordings))
 
 
 def _wordings(path: Path) -> list[str]:
@@ -210,9 +217,11 @@ def _wordings(path: Path) -> list[str]:
     return found
 
 
-def _forget(path: Path) -> None:
+def _forget(shelf: Shelf, proposal_id: str) -> None:
+    path = shelf.place(proposal_id)
+    beside = (path.with_suffix(".json"), *(() if is_wordings(proposal_id) else (shelf.queued_wordings(proposal_id),)))
     try:
-        path.unlink()
-        path.with_suffix(".json").unlink(missing_ok=True)
+        for one in (path, *beside):
+            one.unlink(missing_ok=True)
     except OSError as error:
         raise SnippetError(f"{path} cannot be removed: {error.strerror or error}") from error

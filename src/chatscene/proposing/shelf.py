@@ -2,8 +2,10 @@
 
 ::
 
-    DIR/<component>/<name>.scenic                      the snippets
-    DIR/proposed/<component>/<name>.scenic, .json      proposals, each with how it came about
+    DIR/<component>/<name>.scenic                      the snippets …
+    DIR/wordings/<component>/<name>.txt                … and other ways to say what they do
+    DIR/proposed/<component>/<name>.scenic, .json      proposals, each with how it came about …
+    DIR/proposed/wordings/<component>/<name>.txt       … and their wordings
     DIR/proposed/rephrasings/<component>/<name>.json   proposed wordings of a snippet
     DIR/proposed/history.jsonl                         what was proposed, accepted and rejected, a line each
 """
@@ -22,7 +24,9 @@ from chatscene.bounded import parse_json
 from chatscene.errors import RunError, SnippetError
 from chatscene.runs.atomic import write_bytes
 from chatscene.snippets.library import PACKAGED, Library, load_library, load_snippet
+from chatscene.snippets.snippet_file import as_text, wordings_path, wordings_text
 from chatscene.terms.scenario import Component
+from chatscene.terms.snippet import Snippet
 
 QUEUE = "proposed"
 REPHRASINGS = "rephrasings"
@@ -50,13 +54,20 @@ class Shelf:
         Raises:
             SnippetError: A file is malformed, or takes the id of a packaged snippet.
         """
-        packaged = load_library()
+        packaged, own = load_library(), self.own()
         if self.folder.resolve() == PACKAGED.resolve():
-            return load_library(PACKAGED)
-        own = load_library(self.folder) if _has_snippets(self.folder) else Library(())
+            return own
         if taken := sorted({s.id for s in own} & {s.id for s in packaged}):
             raise SnippetError(f"{self.folder}: {', '.join(taken)}: a packaged snippet has this id; rename the file")
         return Library(tuple(sorted((*packaged, *own), key=lambda s: s.id)))
+
+    def own(self) -> Library:
+        """What is in the folder, as the files are now.
+
+        Raises:
+            SnippetError: A file is malformed.
+        """
+        return load_library(self.folder) if _has_snippets(self.folder) else Library(())
 
     def with_queue(self) -> Library:
         """The library and every proposal that can be read."""
@@ -106,6 +117,42 @@ class Shelf:
             SnippetError: It is no id.
         """
         return self.folder / f"{checked_id(snippet_id)}.scenic"
+
+    def wordings(self, snippet_id: str) -> Path:
+        """Where the wordings of a snippet of the folder lie.
+
+        Raises:
+            SnippetError: It is no id.
+        """
+        return wordings_path(self.folder, checked_id(snippet_id))
+
+    def queued_wordings(self, snippet_id: str) -> Path:
+        """Where the wordings of a proposed snippet lie.
+
+        Raises:
+            SnippetError: It is no id.
+        """
+        return wordings_path(self.queue, checked_id(snippet_id))
+
+    def queue_up(self, snippet: Snippet) -> Path:
+        """Write a snippet and its wordings into the queue.
+
+        Raises:
+            SnippetError: They cannot be written.
+        """
+        write(self.queued_wordings(snippet.id), wordings_text(snippet.rephrasings))
+        write(self.place(snippet.id), as_text(snippet))
+        return self.place(snippet.id)
+
+    def keep(self, snippet: Snippet) -> Path:
+        """Write a snippet and its wordings into the folder.
+
+        Raises:
+            SnippetError: They cannot be written.
+        """
+        write(self.wordings(snippet.id), wordings_text(snippet.rephrasings))
+        write(self.home(snippet.id), as_text(snippet))
+        return self.home(snippet.id)
 
     def remember(self, event: Mapping[str, Any]) -> None:
         """Add a line to the history.

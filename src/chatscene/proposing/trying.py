@@ -11,9 +11,11 @@ from chatscene.errors import ChatSceneError
 from chatscene.program.lint import SCENES, Finding, Triple, trials, try_triple
 from chatscene.program.twins import twins
 from chatscene.proposing.draft import code_faults
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator
 from chatscene.snippets.library import Library
-from chatscene.terms.scenario import Action, AdversaryKind, BaseScenario, Component
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 
 ANYBODYS = ("runs", "samples", "plausible")  # what a trial lays at a partner's door is the newcomer's fault too
@@ -40,14 +42,14 @@ class Judge:
 
     Args:
         library: The partners it may have, and what it must differ from.
-        backend: Where to run it: a `SandboxedBackend`, since the code is a stranger's.
+        simulator: Where to run it: a `ConfinedSimulator`, since the code is a stranger's.
         ego: Who drives.
         scenes: How many scenes of each program.
     """
 
-    def __init__(self, library: Library, backend: Backend, ego: EgoPolicy, *, scenes: int = SCENES) -> None:
+    def __init__(self, library: Library, simulator: Simulator, ego: EgoPolicy, *, scenes: int = SCENES) -> None:
         self.library = library
-        self._backend, self._ego, self._scenes = backend, ego, scenes
+        self._simulator, self._ego, self._scenes = simulator, ego, scenes
 
     def learn(self, snippet: Snippet) -> None:
         """Hold later ones against this one too."""
@@ -81,12 +83,12 @@ class Judge:
         return () if tried else (Finding(snippet.id, "partners", "no two other snippets fit it"),)
 
     def _run(self, triple: Triple, kind: AdversaryKind, snippet: Snippet) -> tuple[Finding, ...]:
-        found = try_triple(triple, kind, self._backend, self._ego, self._scenes)
+        found = try_triple(triple, kind, self._simulator, self._ego, self._scenes)
         return tuple(sorted({replace(f, snippet_id=snippet.id) for f in found if _concerns(f, snippet)}, key=str))
 
     def _alike(self, joint: Library, snippet: Snippet) -> Iterator[Finding]:
         try:
-            for one, other, why in twins(joint, self._backend, self._ego, {snippet.id}):
+            for one, other, why in twins(joint, self._simulator, self._ego, {snippet.id}):
                 twin = other if one == snippet.id else one
                 yield Finding(snippet.id, "distinct", f"does the same as {twin}: {why}")
         except ChatSceneError as error:

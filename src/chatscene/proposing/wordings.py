@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -15,7 +15,7 @@ from chatscene.proposing.propose import Refused, spent_since
 from chatscene.proposing.shelf import REPHRASINGS, Shelf, is_wordings, now, read_record, write_record
 from chatscene.snippets.embedding import Embedder
 from chatscene.snippets.library import Library
-from chatscene.snippets.retrieve import nearest
+from chatscene.snippets.nearest import nearest
 from chatscene.terms.snippet import Snippet
 
 TOP = 3  # among so many nearest snippets must be the one that a wording is for
@@ -104,7 +104,7 @@ def rephrase(model: LanguageModel, snippet_id: str, n: int, *, shelf: Shelf, emb
 
 
 def own_snippet(shelf: Shelf, library: Library, snippet_id: str) -> Snippet:
-    """A snippet whose file lies in the folder, so that its wordings can be changed there.
+    """A snippet of the folder, so that its wordings can be changed there.
 
     Raises:
         SnippetError: It is another's.
@@ -112,9 +112,9 @@ def own_snippet(shelf: Shelf, library: Library, snippet_id: str) -> Snippet:
     if is_wordings(snippet_id):
         raise SnippetError(f"{snippet_id!r} is a proposal of wordings; name the snippet itself")
     snippet = library.get(snippet_id)
-    if not shelf.home(snippet.id).is_file():
+    if snippet.id not in {s.id for s in shelf.own()}:
         raise SnippetError(
-            f"{snippet.id} is a packaged snippet; its wordings stand in its own file. To propose some, work in a copy "
+            f"{snippet.id} is a packaged snippet; its wordings are packaged with it. To propose some, work in a copy "
             "of the source and give its folder src/chatscene/snippets/library as --library"
         )
     return snippet
@@ -143,11 +143,6 @@ def fault_of(
     if snippet.id not in found:
         return Refused(name=text, reason="elsewhere", message=f"it finds {', '.join(found)}")
     return None
-
-
-def reworded(snippet: Snippet, wordings: Collection[str]) -> Snippet:
-    """A snippet with more wordings."""
-    return replace(snippet, rephrasings=(*snippet.rephrasings, *wordings))
 
 
 def _prompt(

@@ -1,8 +1,7 @@
-"""Colours for a Scenic program, as HTML."""
+"""What the parts of a Scenic program are, to be coloured."""
 
 from __future__ import annotations
 
-import html
 import re
 
 _KEYWORDS = (
@@ -21,12 +20,11 @@ _TOKEN = re.compile(
 )
 
 
-def highlight(source: str) -> str:
-    """The program as HTML, with its tokens in spans of class ``comment``, ``string``, ``tuned`` and so on."""
-    pieces: list[str] = []
+def highlight(source: str) -> list[tuple[str, str]]:
+    """The program in pieces, each with its kind: ``comment``, ``string``, ``tuned`` and so on, or none."""
+    pieces: list[tuple[str, str]] = []
     end = 0
     for token in _TOKEN.finditer(source):
-        text = html.escape(token.group())
-        pieces += [html.escape(source[end : token.start()]), f'<span class="{token.lastgroup}">{text}</span>']
+        pieces += [("", source[end : token.start()]), (token.lastgroup or "", token.group())]
         end = token.end()
-    return "".join([*pieces, html.escape(source[end:])])
+    return [*pieces, ("", source[end:])]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from chatscene.evaluate.score import (
+from chatscene.measure.score import (
     MOST_ACCELERATION,
     MOST_DISTANCE,
     MOST_INVASIONS,

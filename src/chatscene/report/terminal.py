@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TextIO
 
+from chatscene.terms.plan import Foreign
 from chatscene.terms.scenario import Component, grouped
 from chatscene.terms.snippet import Match, Snippet
 
@@ -14,8 +15,10 @@ if TYPE_CHECKING:
 
     from chatscene.maps.survey import MapDescription
 
+WIDTH = 120  # characters of a line where no terminal says
 
-def printable(text: str) -> str:
+
+def visible(text: str) -> str:
     """A text that cannot steer a terminal: what nobody can see is shown as its code, but for ends of lines and tabs."""
     return "".join(c if c.isprintable() or c in "\n\t" else c.encode("unicode_escape").decode("ascii") for c in text)
 
@@ -24,7 +27,7 @@ def _plain(text: object) -> str:
     """A text as rich shows it: as it is, not as markup."""
     from rich.markup import escape
 
-    return escape(printable(str(text)))
+    return escape(visible(str(text)))
 
 
 def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
@@ -62,8 +65,20 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     if show_program:
         console.print()
         console.print(
-            Syntax(printable(understood.program.source), "python", theme="ansi_light", background_color="default")
+            Syntax(visible(understood.program.source), "python", theme="ansi_light", background_color="default")
         )
+
+
+def understanding_text(understood: Any) -> str:
+    """What was understood and why, and the program, as plain text."""
+    from io import StringIO
+
+    from rich.console import Console
+
+    stream = StringIO()
+    console = Console(file=stream, width=WIDTH, color_system=None, highlight=False, emoji=False, force_jupyter=False)
+    print_understanding(console, understood, show_program=True)
+    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines())
 
 
 def print_snippet(console: Console, snippet: Snippet) -> None:
@@ -79,14 +94,27 @@ def print_snippet(console: Console, snippet: Snippet) -> None:
         "requires": ", ".join(snippet.requires),
         "provides": ", ".join(snippet.provides),
         "origin": snippet.origin,
+        "file": snippet.file,
     }
     for name, value in facts.items():
         if value:
             console.print(f"{name:<12} {_plain(value)}")
     for p in snippet.parameters:
         console.print(f"{_plain(p.name):<20} {p.low:g} to {p.high:g} {p.unit}   [dim]{_plain(p.meaning)}[/]")
+    for line in _plan_in_words(snippet):
+        console.print(_plain(line))
     console.print()
-    console.print(Syntax(printable(snippet.source.strip()), "python", theme="ansi_light", background_color="default"))
+    console.print(Syntax(visible(snippet.source.strip()), "python", theme="ansi_light", background_color="default"))
+
+
+def _plan_in_words(snippet: Snippet) -> tuple[str, ...]:
+    from chatscene.snippets.plan import plan_of
+    from chatscene.snippets.plan_words import describe_plan
+
+    if snippet.component is not Component.BEHAVIOR:
+        return ()
+    plan = plan_of(snippet)
+    return (f"no plan: {plan.reason}",) if isinstance(plan, Foreign) else describe_plan(plan)
 
 
 def print_map(console: Console, description: MapDescription) -> None:
@@ -111,7 +139,7 @@ def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
     last = [""]
 
     def show(what: str, done: int, total: int) -> None:
-        what = printable(what)
+        what = visible(what)
         if not stream.isatty():
             if what != last[0]:
                 stream.write(f"{what}\n")

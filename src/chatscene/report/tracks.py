@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
@@ -11,7 +10,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 
 MARGIN = 70.0  # [m] of map around a drive
 TOLERANCE = 0.03  # [m] by which a line of the map may be off
@@ -76,19 +75,6 @@ def _pack_event(episode: Episode, event: Event) -> dict[str, Any]:
     if event.kind is EventKind.COLLISION:
         packed["at"] = contact_point(episode, event)
     return packed
-
-
-def contact_point(episode: Episode, event: Event) -> list[float]:
-    """Where the ego was hit [m]: the point of its box nearest to the centre of what it hit."""
-    ego = episode.ego_track
-    step = min(event.step, len(ego.x) - 1)
-    x, y, heading = float(ego.x[step]), float(ego.y[step]), float(ego.heading[step])
-    other = next((track for track in episode.tracks if track.actor == event.other), ego)
-    dx, dy = float(other.x[step]) - x, float(other.y[step]) - y
-    cos, sin = math.cos(heading), math.sin(heading)
-    along = min(max(dx * cos + dy * sin, -ego.length / 2), ego.length / 2)
-    across = min(max(dy * cos - dx * sin, -ego.width / 2), ego.width / 2)
-    return [round(x + along * cos - across * sin, 2), round(y + along * sin + across * cos, 2)]
 
 
 def extent(episode: Episode, margin: float = MARGIN) -> Box:

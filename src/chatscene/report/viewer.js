@@ -168,7 +168,7 @@ function drawTrail(actor) {
   canvas.globalAlpha = 1;
 }
 
-const SHAPES = { Pedestrian: drawWalker, Bicycle: drawTwoWheeler, Motorcycle: drawTwoWheeler };
+const SHAPES = { walks: drawWalker, rides: drawTwoWheeler, drives: drawVehicle };
 
 /** Draws at the origin, heading along +x; metres. */
 function drawActor(actor) {
@@ -178,8 +178,7 @@ function drawActor(actor) {
   canvas.fillStyle = colours[actor.role];
   canvas.strokeStyle = colours.card;
   canvas.lineWidth = 1.2 / camera.zoom;
-  const draw = actor.role === "occluder" && !["Car", "Truck", "Bus"].includes(actor.kind)
-    ? drawProp : SHAPES[actor.kind] || drawVehicle;
+  const draw = SHAPES[content.manners[actor.kind]] || (actor.role === "occluder" ? drawProp : drawVehicle);
   draw(Math.max(actor.length, 5 / camera.zoom), Math.max(actor.width, 4 / camera.zoom));
   canvas.restore();
 }

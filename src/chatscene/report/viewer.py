@@ -5,19 +5,17 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import re
 from collections.abc import Mapping, Sequence
-from html import escape
-from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
 from chatscene.report.measures import in_words
+from chatscene.report.templates import asset, fill, fill_section
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
-    Run,
+    Workspace,
     criticality_of,
     metrics_of,
     note,
@@ -31,6 +29,10 @@ from chatscene.runs import (
     read_scenes,
 )
 from chatscene.runs.atomic import write_bytes
+from chatscene.terms.actors import BY_CLASS
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
 
 REPLAY_BYTES = 1_900_000  # of tracks on one page; the page stays under 3 MB with its map
 
@@ -65,7 +67,7 @@ def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
 
 
-def _page(run: Run) -> str:
+def _page(run: Workspace) -> str:
     record, scenes, ranges = read_record(run), read_scenes(run), read_ranges(run)
     explanation = read_explanation(run)
     order = ranked(scenes)
@@ -74,30 +76,29 @@ def _page(run: Run) -> str:
     content = {
         "scenes": [_shown(row, replays[row["scene_id"]]) for row in order if row["scene_id"] in replays],
         "map": pack_drawing(read_drawing(run), boxes),
+        "manners": {name: kind.row.manner for name, kind in BY_CLASS.items()},
     }
-    script, style = _asset("viewer.js"), _asset("viewer.css")
-    return _fill(
-        _asset("viewer.html"),
-        {
-            "title": escape(sections.title(record)),
-            "policy": _policy(script),
-            "style": style,
-            "script": script,
-            "content": json.dumps(content, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c"),
-            "heading": sections.heading(record, explanation),
-            "verdict": sections.verdict(scenes, egos_in_words(record)[0], read=bool(sections.facts_of(explanation))),
-            "left-out": _left_out(len(replays), len(order)),
-            "scenes": sections.scene_table(order, units, replays),
-            "understanding": sections.understanding(explanation),
-            "programs": sections.programs(read_programs(run)),
-            "refinement": sections.refinement(ranges, scenes),
-            "rejections": sections.rejections(scenes),
-            "provenance": sections.provenance(record),
-        },
+    script = asset("viewer.js")
+    return fill(
+        "viewer.html",
+        title=sections.title(record),
+        policy=_policy(script),
+        style=asset("viewer.css"),
+        script=script,
+        content=_json(content),
+        heading=sections.heading(record, explanation),
+        verdict=sections.verdict(scenes, egos_in_words(record)[0], read=bool(sections.facts_of(explanation))),
+        left_out=fill_section("left_out", len(replays), len(order)) if len(replays) < len(order) else "",
+        scenes=sections.scene_table(order, units, replays),
+        understanding=sections.understanding(explanation),
+        programs=sections.programs(read_programs(run)),
+        refinement=sections.refinement(ranges, scenes),
+        rejections=sections.rejections(scenes),
+        provenance=sections.provenance(record),
     )
 
 
-def _replays(run: Run, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, dict[str, Any]], list[Box]]:
+def _replays(run: Workspace, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, dict[str, Any]], list[Box]]:
     """Packed drives, best scenes first, until the page is full; and the part of the map that they need."""
     packed: dict[str, dict[str, Any]] = {}
     boxes: list[Box] = []
@@ -127,25 +128,18 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _left_out(shown: int, driven: int) -> str:
-    if shown == driven:
-        return ""
-    return (
-        f'<p class="quiet">To keep this page small, {shown} of {driven} scenes have a replay here: the kept ones and '
-        "the best after them. The tracks of all are in <code>episodes/</code>.</p>"
-    )
+def _json(content: object) -> Markup:
+    """Data for a script: escaped as a script's text is, which no entity in it would be."""
+    from markupsafe import Markup
+
+    text = json.dumps(content, separators=(",", ":"), ensure_ascii=False)
+    return Markup(text.replace("<", "\\u003c"))
 
 
-def _policy(script: str) -> str:
+def _policy(script: str) -> Markup:
     """Content security policy: this one script, inline styles, nothing from anywhere else."""
+    from markupsafe import Markup
+
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    return f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:"
-
-
-def _asset(name: str) -> str:
-    return files("chatscene.report").joinpath(name).read_text(encoding="utf-8")
-
-
-def _fill(template: str, values: Mapping[str, str]) -> str:
-    """Replace each ``{{name}}`` once; what is put in is not looked at again."""
-    return re.sub(r"\{\{([a-z-]+)\}\}", lambda match: values[match[1]], template)
+    words = f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:"
+    return Markup(words)

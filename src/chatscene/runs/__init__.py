@@ -18,7 +18,6 @@
 from __future__ import annotations
 
 from chatscene.runs.blocks import (
-    damaged_parts,
     done_blocks,
     drop_blocks,
     finish,
@@ -35,8 +34,10 @@ from chatscene.runs.blocks import (
 from chatscene.runs.checking import Condition, check
 from chatscene.runs.exclusive import alone
 from chatscene.runs.explanation import Choice, explain, read_choice, read_explanation
-from chatscene.runs.folder import (
-    Run,
+from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, settings_of
+from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_index, scene_of
+from chatscene.runs.workspace import (
+    Workspace,
     changed_versions,
     create,
     note,
@@ -50,23 +51,20 @@ from chatscene.runs.folder import (
     write_explanation,
     write_program,
 )
-from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, settings_of
-from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_index, scene_of
 
 __all__ = [
     "SCHEMA_VERSION",
     "Choice",
     "Condition",
-    "Run",
     "RunRecord",
     "SourceRecord",
     "Status",
+    "Workspace",
     "alone",
     "changed_versions",
     "check",
     "create",
     "criticality_of",
-    "damaged_parts",
     "done_blocks",
     "drop_blocks",
     "explain",

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import errno
 import json
-import os
 import re
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
+from chatscene.atomic import write_whole
 from chatscene.bounded import check_file, parse_json
 from chatscene.errors import RunError
 
-_LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_bytes` calls its temporary files
+_LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_whole` calls its temporary files
 
 _REMEDIES = {
     errno.ENOSPC: "the disk is full; free some space and continue with: chatscene resume DIR",
@@ -41,26 +41,13 @@ def writing(path: Path) -> Generator[None]:
 
 
 def write_bytes(path: Path, content: bytes) -> None:
-    """Write a whole file or nothing, whatever kills the process or the machine meanwhile.
-
-    The content goes to a temporary neighbour, to the disk, and only then under its name. Folders are made as
-    needed.
+    """Write a whole file of a run or nothing, with `write_whole`.
 
     Raises:
         RunError: The file system refuses.
     """
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     with writing(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            with temporary.open("wb") as stream:
-                stream.write(content)
-                stream.flush()
-                os.fsync(stream.fileno())
-            temporary.replace(path)
-        finally:
-            temporary.unlink(missing_ok=True)
-        _sync_folder(path.parent)
+        write_whole(path, content)
 
 
 def write_json(path: Path, content: object) -> None:
@@ -117,13 +104,3 @@ def sweep(folder: Path) -> None:
 def is_leftover(path: Path) -> bool:
     """Whether a file is what a killed writer left half-written."""
     return _LEFTOVER.fullmatch(path.name) is not None and path.is_file()
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make a rename last through a power cut; only POSIX can, and needs it."""
-    if os.name == "posix":
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)

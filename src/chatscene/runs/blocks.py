@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,8 +17,7 @@ from pydantic import ValidationError
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
-from chatscene.runs.digests import DRAWN, KEPT, digest_of, digests, is_sealed, write_sealed
-from chatscene.runs.folder import Run, read_record, update
+from chatscene.runs.digests import CHANGED, DRAWN, KEPT, MISSING, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.record import (
     DIGESTS_SINCE,
     EventRow,
@@ -31,6 +30,11 @@ from chatscene.runs.record import (
     first_problem,
 )
 from chatscene.runs.tables import (
+    EPISODES,
+    EVENTS,
+    RANGES,
+    SCENES,
+    SIGNALS,
     Table,
     episode_of,
     episodes_table,
@@ -44,13 +48,14 @@ from chatscene.runs.tables import (
     tracks_of,
     write_table,
 )
+from chatscene.runs.workspace import Workspace, read_record, update
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected
 from chatscene.terms.snippet import ParameterRange
 
 if TYPE_CHECKING:
-    from chatscene.evaluate.drive import Ran
+    from chatscene.measure.drive import Ran
     from chatscene.search.explore import Block
 
 _TABLES = {
@@ -60,7 +65,22 @@ _TABLES = {
 }
 
 
-def write_block(run: Run, block: Block) -> None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damaged:
+    """A part of an unfinished run that does not count.
+
+    Attributes:
+        part: Its file.
+        file: The one that is wrong: the part or its tracks.
+        why: What is wrong with that.
+    """
+
+    part: Path
+    file: Path
+    why: str
+
+
+def write_block(run: Workspace, block: Block) -> None:
     """Keep a finished block. Blocks may be written in any order and by any process.
 
     Raises:
@@ -155,38 +175,41 @@ def _signal_rows(episode: Episode) -> list[SignalRow]:
     ]
 
 
-def read_parts(run: Run) -> list[Part]:
+def read_parts(run: Workspace) -> list[Part]:
     """The blocks that are done and whole, by scenario, route and block; none once the run is finished."""
-    parts = [part for _, part in _parts(run) if isinstance(part, Part)]
+    parts = [found for found in _parts(run) if isinstance(found, Part)]
     return sorted(parts, key=lambda part: (part.scenario_id, part.route, part.block))
 
 
-def damaged_parts(run: Run) -> dict[Path, str]:
-    """The parts that do not count, of an unfinished run, and why: they or their tracks are not as they were written."""
-    return {path: part for path, part in _parts(run) if isinstance(part, str)}
+def damaged_parts(run: Workspace) -> list[Damaged]:
+    """The parts of an unfinished run that do not count: they or their tracks are not as they were written."""
+    return [found for found in _parts(run) if isinstance(found, Damaged)]
 
 
-def _parts(run: Run) -> Iterator[tuple[Path, Part | str]]:
+def _parts(run: Workspace) -> Iterator[Part | Damaged]:
     sealed = read_record(run).schema_version >= DIGESTS_SINCE
     for path in sorted(run.file("parts").glob("*.json")):
         try:
             written = read_bytes(path)
             part = Part.model_validate(json_of(path, written))
         except (RunError, ValidationError) as error:
-            yield path, str(error) if isinstance(error, RunError) else f"{path} is no block: {first_problem(error)}"
+            why = str(error) if isinstance(error, RunError) else f"it is no block: {first_problem(error)}"
+            yield Damaged(part=path, file=path, why=why)
             continue
         tracks = run.episodes(part.scenario_id, part.route, part.block)
         if sealed and not is_sealed(written, part.digest):
-            yield path, f"{path} was changed or damaged after it was written"
+            yield Damaged(part=path, file=path, why=CHANGED)
         elif not tracks.is_file():
-            yield path, f"{tracks} is missing"
+            yield Damaged(part=path, file=tracks, why=MISSING)
         elif sealed and digest_of(tracks) != part.tracks:
-            yield path, f"{tracks} was changed or damaged after it was written"
+            yield Damaged(part=path, file=tracks, why=CHANGED)
         else:
-            yield path, part
+            yield part
 
 
-def resume(run: Run, *, told: Callable[[str], None] = lambda _: None) -> dict[tuple[str, int], list[list[Outcome]]]:
+def resume(
+    run: Workspace, *, told: Callable[[str], None] = lambda _: None
+) -> dict[tuple[str, int], list[list[Outcome]]]:
     """Make an unfinished run ready to go on, and say what is done.
 
     Half-written files of killed processes are removed, so are blocks that were damaged since, and the status is
@@ -208,9 +231,9 @@ def resume(run: Run, *, told: Callable[[str], None] = lambda _: None) -> dict[tu
         update(run, status=Status.DONE)
         return {}
     update(run, status=Status.RUNNING)
-    for path, reason in damaged_parts(run).items():
-        told(f"{reason}; its block is run again")
-        path.unlink()
+    for found in damaged_parts(run):
+        told(f"{found.file}: {found.why}; its block is run again")
+        found.part.unlink()
     groups = groupby(read_parts(run), key=lambda part: (part.scenario_id, part.route))
     return {job: [_outcomes(p) for n, p in enumerate(parts) if p.block == n] for job, parts in groups}
 
@@ -230,11 +253,10 @@ def _outcomes(part: Part) -> list[Outcome]:
 
 
 def finish(
-    run: Run,
+    run: Workspace,
     *,
     selected: Mapping[str, bool],
     expected: Iterable[tuple[str, int, int]],
-    timings: Mapping[str, float] | None = None,
 ) -> RunRecord:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
 
@@ -242,7 +264,6 @@ def finish(
         run: Which run.
         selected: The scenes kept, by id; True for a fill-in, which was kept although nothing collided.
         expected: Scenario, route and number of every block that there has to be.
-        timings: Seconds by phase, added to those in `run.json`.
 
     Raises:
         RunError: A block is missing, or the file system refuses; the blocks are still there then.
@@ -256,12 +277,12 @@ def finish(
         scenes = scenes_table(parts, selected)
         write_table(run.file("scenes.parquet"), scenes)
         files = digests(run.path, (*KEPT, *DRAWN))
-        record = update(run, status=Status.DONE, counts=_counts(scenes), timings=timings, files=files)
+        record = update(run, status=Status.DONE, counts=_counts(scenes), files=files)
     _drop_parts(run)
     return record
 
 
-def _require(run: Run, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:
+def _require(run: Workspace, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:
     there = {(part.scenario_id, part.route, part.block) for part in parts}
     missing = [place for place in expected if place not in there]
     if missing:
@@ -273,14 +294,14 @@ def _require(run: Run, parts: Sequence[Part], expected: Sequence[tuple[str, int,
         )
 
 
-def _folded(run: Run, record: RunRecord) -> bool:
+def _folded(run: Workspace, record: RunRecord) -> bool:
     """Whether the tables are all there is, whatever became of the run afterwards."""
     if record.schema_version >= DIGESTS_SINCE:
         return bool(record.files)
     return run.file("scenes.parquet").is_file() and not run.file("parts").exists()
 
 
-def _drop_parts(run: Run) -> None:
+def _drop_parts(run: Workspace) -> None:
     folder = run.file("parts")
     if folder.is_dir():
         with writing(folder):
@@ -303,34 +324,34 @@ def _counts(scenes: Table) -> dict[str, int]:
     }
 
 
-def read_scenes(run: Run) -> list[dict[str, Any]]:
+def read_scenes(run: Workspace) -> list[dict[str, Any]]:
     """A row per scene with the columns of `scenes.parquet`; of an unfinished run, those done so far."""
-    return _rows(run, "scenes.parquet", scenes_table)
+    return _rows(run, "scenes.parquet", SCENES, scenes_table)
 
 
-def read_events(run: Run) -> list[dict[str, Any]]:
+def read_events(run: Workspace) -> list[dict[str, Any]]:
     """A row per event with the columns of `events.parquet`."""
-    return _rows(run, "events.parquet", events_table)
+    return _rows(run, "events.parquet", EVENTS, events_table)
 
 
-def read_signals(run: Run) -> list[dict[str, Any]]:
+def read_signals(run: Workspace) -> list[dict[str, Any]]:
     """A row per drive and traffic signal with the columns of `signals.parquet`."""
-    return _rows(run, "signals.parquet", signals_table)
+    return _rows(run, "signals.parquet", SIGNALS, signals_table)
 
 
-def read_ranges(run: Run) -> list[dict[str, Any]]:
+def read_ranges(run: Workspace) -> list[dict[str, Any]]:
     """A row per block and parameter with the columns of `ranges.parquet`."""
-    return _rows(run, "ranges.parquet", ranges_table)
+    return _rows(run, "ranges.parquet", RANGES, ranges_table)
 
 
-def _rows(run: Run, name: str, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
+def _rows(run: Workspace, name: str, columns: Any, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
     record = read_record(run)
     done = record.status is Status.DONE or _folded(run, record)
-    table: Table = read_table(run.file(name)) if done else fold(read_parts(run))
+    table: Table = read_table(run.file(name), columns) if done else fold(read_parts(run))
     return table.to_pylist()
 
 
-def read_episode(run: Run, scene_id: str) -> Episode:
+def read_episode(run: Workspace, scene_id: str) -> Episode:
     """The drive through one scene, exactly as it was simulated.
 
     Raises:
@@ -339,30 +360,37 @@ def read_episode(run: Run, scene_id: str) -> Episode:
     return next(read_episodes(run, [scene_id]))
 
 
-def read_episodes(run: Run, scene_ids: Iterable[str]) -> Iterator[Episode]:
+def read_episodes(run: Workspace, scene_ids: Iterable[str]) -> Iterator[Episode]:
     """The drives through some scenes, in the order asked for, each read when it is asked for."""
     scenes = {row["scene_id"]: row for row in read_scenes(run)}
     events, signals = _by_scene(read_events(run)), _by_scene(read_signals(run))
     for scene_id in scene_ids:
         scene = _driven(run, scene_id, scenes.get(scene_id))
         path = run.episodes(scene["scenario_id"], route_index(scene["route_id"]), scene["block"])
-        rows = read_table(path, scene_id=scene_id)
-        yield episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
+        rows = read_table(path, EPISODES, scene_id=scene_id)
+        try:
+            episode = episode_of(rows, scene, events.get(scene_id, []), signals.get(scene_id, []))
+        except (ValueError, IndexError) as error:
+            raise RunError(
+                f"{path} and the tables do not hold a drive of {scene_id!r} ({error}); they were changed or damaged "
+                "after they were written"
+            ) from error
+        yield episode
 
 
-def read_adversaries(run: Run, scenario_id: str, route: int, block: int, scene_ids: Iterable[str]) -> list[Track]:
+def read_adversaries(run: Workspace, scenario_id: str, route: int, block: int, scene_ids: Iterable[str]) -> list[Track]:
     """The track of the first adversary in each of some scenes of one block, in the order asked for."""
-    rows = read_table(run.episodes(scenario_id, route, block), role=Role.ADVERSARY.value)
+    rows = read_table(run.episodes(scenario_id, route, block), EPISODES, role=Role.ADVERSARY.value)
     tracks = dict(tracks_of(rows))
     return [tracks[scene_id] for scene_id in scene_ids if scene_id in tracks]
 
 
-def done_blocks(run: Run) -> set[tuple[str, int, int]]:
+def done_blocks(run: Workspace) -> set[tuple[str, int, int]]:
     """Scenario, route and number of every part that is kept, of a run that is not finished."""
     return {(part.scenario_id, part.route, part.block) for part in read_parts(run)}
 
 
-def drop_blocks(run: Run, block: int) -> None:
+def drop_blocks(run: Workspace, block: int) -> None:
     """Forget every part of that number: an ego that failed leaves no half results."""
     for part in read_parts(run):
         if part.block == block:
@@ -370,7 +398,7 @@ def drop_blocks(run: Run, block: int) -> None:
             run.episodes(part.scenario_id, part.route, block).unlink(missing_ok=True)
 
 
-def _driven(run: Run, scene_id: str, scene: dict[str, Any] | None) -> dict[str, Any]:
+def _driven(run: Workspace, scene_id: str, scene: dict[str, Any] | None) -> dict[str, Any]:
     if scene is None:
         raise RunError(f"{run.path} has no scene {scene_id!r}; scenes.parquet and report.html list them")
     if scene["status"] != "ran":

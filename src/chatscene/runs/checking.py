@@ -9,9 +9,9 @@ from typing import Any
 
 from chatscene.errors import RunError
 from chatscene.runs.blocks import damaged_parts
-from chatscene.runs.digests import damage, is_drawn
-from chatscene.runs.folder import Run, read_guarded
+from chatscene.runs.digests import CHANGED, MISSING, damage, is_drawn
 from chatscene.runs.record import DIGESTS_SINCE, RunRecord
+from chatscene.runs.workspace import Workspace, read_guarded
 
 RECORD = "run.json"
 
@@ -59,7 +59,6 @@ class Condition:
         return "\n".join([*lines, f"{self.folder}: {verdict}"])
 
 
-_CHANGED = "it is not what was written"
 _REMADE = "; chatscene resume makes it again"
 
 
@@ -71,7 +70,7 @@ def check(folder: Path) -> Condition:
     Raises:
         RunError: There is no run in the folder, or a newer version wrote it.
     """
-    run = Run(folder)
+    run = Workspace(folder)
     try:
         record, as_written = read_guarded(run)
     except RunError as error:
@@ -81,12 +80,13 @@ def check(folder: Path) -> Condition:
     if record.schema_version < DIGESTS_SINCE:
         unknown = "an older version of chatscene made it and kept no digests, so changes cannot be seen"
         return Condition(folder=folder, damaged={}, unknown=unknown)
-    damaged = {} if as_written else {RECORD: _CHANGED}
+    damaged = {} if as_written else {RECORD: CHANGED}
     if not record.files:
-        damaged |= {path.relative_to(folder).as_posix(): reason for path, reason in damaged_parts(run).items()}
-        return Condition(folder=folder, damaged=damaged)
+        found = {one.file.relative_to(folder).as_posix(): one.why for one in damaged_parts(run)}
+        damaged |= {name: why for name, why in found.items() if why != MISSING}
+        return Condition(folder=folder, damaged=damaged, missing=tuple(name for name in found if name not in damaged))
     wrong = dict(damage(folder, record.files))
-    damaged |= {name: _CHANGED + (_REMADE if is_drawn(name) else "") for name, how in wrong.items() if how == "damaged"}
+    damaged |= {name: CHANGED + (_REMADE if is_drawn(name) else "") for name, how in wrong.items() if how == "damaged"}
     return Condition(
         folder=folder,
         damaged=damaged,

@@ -19,6 +19,8 @@ _TABLES = tuple(f"{name}.parquet" for name in ("scenes", "events", "signals", "r
 KEPT = ("explanation.json", "map.json", *_TABLES, "episodes/*.parquet", "programs/*.scenic")
 DRAWN = ("report.html", "*.gif", "tables/*")
 
+CHANGED, MISSING = "it is not what was written", "it is missing"
+
 _BLANK = '"digest": "{}"'
 
 

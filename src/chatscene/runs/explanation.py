@@ -13,9 +13,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import read_json
-from chatscene.runs.folder import Run
 from chatscene.runs.record import first_problem
-from chatscene.terms.scenario import AdversaryKind, BaseScenario, Component, Scenario, Slots, SubDescriptions
+from chatscene.runs.workspace import Workspace
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval
 
 
@@ -36,7 +37,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "base": scenario.base.value if scenario.base else None,
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
-        "notes": [*scenario.notes, *(retrieval.notes if retrieval else ())],
+        "notes": [*map(str, scenario.notes), *(retrieval.notes if retrieval else ())],
         "unused": [
             {"said": one.said, "why": one.why.value}
             for one in (*scenario.unused, *(retrieval.unused if retrieval else ()))
@@ -140,33 +141,27 @@ class _Explanation(_Told):
     scenarios: list[_Explained] = Field(min_length=1)
 
 
-def read_explanation(run: Run) -> dict[str, Any]:
+def read_explanation(run: Workspace) -> dict[str, Any]:
     """What was understood and why; empty if the run did not come that far.
 
     Raises:
         RunError: It was changed or damaged.
     """
-    path = run.file("explanation.json")
-    if not path.is_file():
-        return {}
-    content = read_json(path)
-    _checked(run, content)
+    content, _ = _read(run)
     return content
 
 
-def read_choice(run: Run) -> tuple[Scenario, Choice | None]:
+def read_choice(run: Workspace) -> tuple[Scenario, Choice | None]:
     """The scenario of a run as it was understood, and the snippets that were joined; None where none were retrieved.
 
     Raises:
         RunError: The run did not come that far, or its explanation was changed or damaged.
     """
-    content = read_explanation(run)
-    if not content:
+    _, explanation = _read(run)
+    if explanation is None:
         raise RunError(f"{run.path} has no explanation.json: nothing was made of the text yet, or the file was removed")
-    told = _checked(run, content).scenarios[0]
-    scenario = Scenario(
-        id=told.scenario_id, text=told.text, base=told.base, parts=told.parts, slots=told.slots, notes=(*told.notes,)
-    )
+    told = explanation.scenarios[0]
+    scenario = Scenario(id=told.scenario_id, text=told.text, base=told.base, parts=told.parts, slots=told.slots)
     if not told.chosen:
         return scenario, None
     behavior, geometry, spawn = (told.chosen.get(component) for component in Component)
@@ -175,11 +170,15 @@ def read_choice(run: Run) -> tuple[Scenario, Choice | None]:
     return scenario, Choice(snippet_ids=(behavior, geometry, spawn), adversary=told.adversary)
 
 
-def _checked(run: Run, content: Any) -> _Explanation:
+def _read(run: Workspace) -> tuple[dict[str, Any], _Explanation | None]:
+    """The file as it is and as its types have it; nothing if there is none."""
+    path = run.file("explanation.json")
+    if not path.is_file():
+        return {}, None
+    content = read_json(path)
     try:
-        return _Explanation.model_validate(content)
+        return content, _Explanation.model_validate(content)
     except ValidationError as error:
         raise RunError(
-            f"{run.file('explanation.json')} is no explanation of a run: {first_problem(error)}; "
-            "it was changed or damaged after it was written"
+            f"{path} is no explanation of a run: {first_problem(error)}; it was changed or damaged after it was written"
         ) from error

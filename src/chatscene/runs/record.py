@@ -48,6 +48,20 @@ class SourceRecord(_Frozen):
     kept_for: str = ""
 
 
+class SimulatorRecord(_Frozen):
+    """What ran the scenes; see `chatscene.terms.simulator.SimulatorIdentity`.
+
+    Attributes:
+        name: Its name in the table of simulators.
+        version: Version of what its numbers depend on; empty in the records of older versions.
+        physics: How it moves bodies, in a few words; empty in the records of older versions.
+    """
+
+    name: str = SimulationSettings().simulator
+    version: str = ""
+    physics: str = ""
+
+
 class RunRecord(_Frozen):
     """The content of `run.json`.
 
@@ -62,6 +76,7 @@ class RunRecord(_Frozen):
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
         generator: Who made the scenes.
+        simulator: What ran them.
         command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
         sources: Of an evaluation: the runs whose scenes were driven.
         failures: Of an evaluation: why an ego was given up, by ego.
@@ -84,6 +99,7 @@ class RunRecord(_Frozen):
     ego_digests: dict[str, str] = {}
     senses: dict[str, dict[str, str]] = {}
     generator: str = "chatscene"
+    simulator: SimulatorRecord = SimulatorRecord()
     command: str = "run"
     sources: list[SourceRecord] = []
     failures: dict[str, str] = {}

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
@@ -122,9 +123,14 @@ _SCENE_TAIL = pa.schema(
 RAW = "raw_"  # what the metrics are computed from, so that any set of scenes can be scored from the table alone
 _MEASUREMENTS = tuple(f"{RAW}{field.name}" for field in fields(Measurements))
 _CRITICALITY = tuple(field.name for field in fields(Criticality) if field.name not in ("impact_speed", "severity"))
-_FIXED = frozenset([*_SCENE_HEAD.names, *_SCENE_OUTCOME.names, *_SCENE_TAIL.names, *_MEASUREMENTS, *_CRITICALITY]) - {
-    "overall_score"
-}
+_NUMBERS = pa.schema([(name, pa.float64()) for name in (*_CRITICALITY, *_MEASUREMENTS)])
+SCENES = pa.schema([*_SCENE_HEAD, *_SCENE_OUTCOME, *_NUMBERS, *_SCENE_TAIL])  # and those of parameters and metrics
+_FIXED = frozenset(SCENES.names) - {"overall_score"}
+# What a scene that was driven may lack. The last two are of the ego only.
+_OPTIONAL = frozenset(
+    {"reason", "impact_speed", "severity", "fault", "avoidable", f"{RAW}time", "distance_to_route", "off_road"}
+    | set(_CRITICALITY)
+)
 
 
 def write_table(path: Path, table: Table) -> str:
@@ -143,19 +149,41 @@ def write_table(path: Path, table: Table) -> str:
     return hashlib.sha256(sink.getvalue()).hexdigest()
 
 
-def read_table(path: Path, **filters: str) -> Table:
+def read_table(path: Path, columns: Any, **filters: str) -> Table:
     """Read a Parquet file, or its rows where each named column has the given value.
 
+    Args:
+        path: Of the file.
+        columns: Those it must have, as one of the schemas here; more of them hold numbers.
+        filters: By column.
+
     Raises:
-        RunError: It is not there or not readable.
+        RunError: It is not there, not readable, or not such a table.
     """
     chosen = [(name, "==", value) for name, value in filters.items()] or None
     try:
         # No partitioning: the file has all columns, and a folder named `seed=1` is only a name.
         options: dict[str, Any] = {"partitioning": None, "page_checksum_verification": True}
-        return pq.read_table(path, filters=chosen, **options)
-    except (OSError, pa.ArrowException) as error:
-        raise RunError(f"cannot read {path}: {error}; it is missing or was damaged") from error
+        table = pq.read_table(path, filters=chosen, **options)
+        _check_columns(table, columns)
+    except (OSError, ValueError, pa.ArrowException) as error:
+        raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
+    return table
+
+
+def _check_columns(table: Table, columns: Any) -> None:
+    """Refuse a table that lacks a column or the values that the column always has, or holds others than it should."""
+    driven = table.filter(pc.field("status") == "ran") if columns is SCENES else table
+    for field in columns:
+        if field.name not in table.column_names:
+            raise ValueError(f"it has no column {field.name!r}")
+        always = table if field.name in _SCENE_HEAD.names else driven
+        if field.name not in _OPTIONAL and always.column(field.name).null_count:
+            raise ValueError(f"its column {field.name!r} lacks values")
+    for field in table.schema:
+        wanted = columns.field(field.name).type if field.name in columns.names else pa.float64()
+        if field.type != wanted:
+            raise ValueError(f"its column {field.name!r} holds {field.type} and not {wanted}")
 
 
 def route_id(route: int) -> str:
@@ -164,8 +192,15 @@ def route_id(route: int) -> str:
 
 
 def route_index(name: str) -> int:
-    """The inverse of `route_id`."""
-    return int(name.removeprefix("route-"))
+    """The inverse of `route_id`.
+
+    Raises:
+        RunError: It is the name of no route.
+    """
+    try:
+        return int(name.removeprefix("route-"))
+    except ValueError as error:
+        raise RunError(f"{name!r} is no route; the folder was changed or damaged after it was written") from error
 
 
 def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = None) -> Table:
@@ -190,7 +225,7 @@ def scenes_table(parts: Sequence[Part], selected: Mapping[str, bool] | None = No
             *numbers[: len(parameters)],
             *_SCENE_OUTCOME,
             *numbers[len(parameters) :],
-            *((name, pa.float64()) for name in (*_CRITICALITY, *_MEASUREMENTS)),
+            *_NUMBERS,
             *_SCENE_TAIL,
         ]
     )
@@ -213,7 +248,16 @@ def criticality_of(row: Mapping[str, Any]) -> dict[str, float]:
 
 
 def scene_of(row: Mapping[str, Any], program: ScenicProgram) -> Scene:
-    """The scene in a row of `scenes.parquet`, ready to be driven again."""
+    """The scene in a row of `scenes.parquet`, ready to be driven again.
+
+    Raises:
+        RunError: The row lacks a value of the program.
+    """
+    if missing := [p.name for p in program.parameters if row.get(p.name) is None]:
+        raise RunError(
+            f"scene {row['scene_id']!r} has no {missing[0]} in scenes.parquet; it was changed or damaged after it "
+            "was written"
+        )
     return Scene(
         id=row["scene_id"],
         scenario_id=row["scenario_id"],
@@ -319,6 +363,8 @@ def episode_of(
     signals: Iterable[Mapping[str, Any]],
 ) -> Episode:
     """The episode that a scene's rows of the tables were written from, bit for bit."""
+    if not scene["dt"] > 0:
+        raise ValueError(f"dt is {scene['dt']:g} s")
     tracks = tuple(_track(rows, start, end) for start, end in _runs_of(rows.column("actor").to_pylist()))
     ego = len(tracks[0].x)
     return Episode(

@@ -34,8 +34,7 @@ from chatscene.sandbox.wire import (
     scene_from_json,
 )
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.embedded.backend import EmbeddedBackend
-from chatscene.simulate.embedded.driving import EmbeddedDrive
+from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 WATCHMAN = 77  # exit status of a process that the watchman ended
@@ -72,7 +71,7 @@ def _serve(control: socket.socket, setup: Message) -> None:
     limits = Limits(**setup["limits"])
     map_path = Path(setup["map"])
     try:
-        backend = _warm_up(map_path, SimulationSettings(**setup["settings"]), setup["cache"])
+        simulator = _warm_up(map_path, SimulationSettings(**setup["settings"]), setup["cache"])
     except ChatSceneError as error:
         control.send(json.dumps({"error": type(error).__name__, "message": str(error)}).encode())
         return
@@ -86,7 +85,7 @@ def _serve(control: socket.socket, setup: Message) -> None:
             pid = os.fork()
             if pid == 0:
                 control.close()
-                _live(channels[0], backend, limits, str(map_path))
+                _live(channels[0], simulator, limits, str(map_path))
             os.close(channels[0])
             control.send(b"%d" % pid)
         else:
@@ -94,26 +93,26 @@ def _serve(control: socket.socket, setup: Message) -> None:
             control.send(b"%d" % os.waitstatus_to_exitcode(status))
 
 
-def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> EmbeddedBackend:
+def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simulator:
     os.environ["XDG_CACHE_HOME"] = cache
     load_network(map_path)
     del os.environ["XDG_CACHE_HOME"]
-    backend = EmbeddedBackend(map_path, settings)
+    simulator = load_simulator(map_path, settings)
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=(), digest="warm-up")
     scene = Scene(id="warm-up", scenario_id="warm-up", route=0, block=0, seed=0, values={"OPT_SPEED": 1.5})
     try:
-        drive = backend.open(program, scene)
+        session = simulator.open(program, scene)
     except ChatSceneError:
-        return backend  # a map without such a road; what is loaded late must then be readable
-    if not isinstance(drive, Rejected):
+        return simulator  # a map without such a road; what is loaded late must then be readable
+    if not isinstance(session, Rejected):
         for _ in range(3):
-            drive.step((0.0, 0.0))
-        encode(episode_to_json(drive.episode("warm-up", "warm-up")))
-        drive.close()
-    return backend
+            session.step((0.0, 0.0))
+        encode(episode_to_json(session.episode("warm-up", "warm-up")))
+        session.close()
+    return simulator
 
 
-def _live(channel: int, backend: EmbeddedBackend, limits: Limits, map_path: str) -> NoReturn:
+def _live(channel: int, simulator: Simulator, limits: Limits, map_path: str) -> NoReturn:
     """The life of a confined process."""
     try:
         os.setsid()
@@ -121,7 +120,7 @@ def _live(channel: int, backend: EmbeddedBackend, limits: Limits, map_path: str)
         end = _last_words(channel)
         layers = confine(limits, (map_path, str(Path.cwd())), end)
         os.write(channel, encode({"layers": layers}))
-        _Confined(channel, backend).serve()
+        _Confined(channel, simulator).serve()
     except BaseException:  # noqa: BLE001 - whatever it was, this process is not to go on as the one it was forked from
         os._exit(1)
     os._exit(0)
@@ -141,11 +140,11 @@ def _last_words(channel: int) -> Callable[[str], Any]:
 class _Confined:
     """Answers requests about one program."""
 
-    def __init__(self, channel: int, backend: EmbeddedBackend) -> None:
+    def __init__(self, channel: int, simulator: Simulator) -> None:
         self._channel = channel
-        self._backend = backend
+        self._simulator = simulator
         self._program: ScenicProgram | None = None
-        self._drive: EmbeddedDrive | None = None
+        self._session: Session | None = None
 
     def serve(self) -> None:
         """Answer until the other end closes."""
@@ -180,47 +179,47 @@ class _Confined:
         return self._program
 
     def _do_routes(self) -> Message:
-        return {"routes": self._backend.routes(self._loaded())}
+        return {"routes": self._simulator.routes(self._loaded())}
 
     def _do_route(self, index: int) -> Message:
-        return route_to_json(self._backend.route(self._loaded(), index))
+        return route_to_json(self._simulator.route(self._loaded(), index))
 
     def _do_open(self, scene: Message, observation: str, pedals: str, through: bool) -> Message:
-        drive = self._backend.open(
+        session = self._simulator.open(
             self._loaded(), scene_from_json(scene), observation=observation, pedals=pedals, through_collisions=through
         )
-        if isinstance(drive, Rejected):
-            return {"rejected": drive.reason}
-        self._drive = drive
-        return _state(drive)
+        if isinstance(session, Rejected):
+            return {"rejected": session.reason}
+        self._session = session
+        return _state(session)
 
-    def _open_drive(self) -> EmbeddedDrive:
-        assert self._drive is not None
-        return self._drive
+    def _open_session(self) -> Session:
+        assert self._session is not None
+        return self._session
 
     def _do_step(self, action: list[float]) -> Message:
-        drive = self._open_drive()
-        drive.step(action)
-        return _state(drive)
+        session = self._open_session()
+        session.step(action)
+        return _state(session)
 
     def _do_episode(self) -> Message:
-        return episode_to_json(self._open_drive().episode("", ""))
+        return episode_to_json(self._open_session().episode("", ""))
 
     def _do_close(self) -> Message:
-        drive, self._drive = self._open_drive(), None
-        drive.close()
+        session, self._session = self._open_session(), None
+        session.close()
         return {}
 
 
-def _state(drive: EmbeddedDrive) -> Message:
+def _state(session: Session) -> Message:
     return {
-        "observation": drive.observation.tolist(),
-        "ending": drive.ending,
-        "rejection": drive.rejection,
-        "step": drive.step_number,
-        "along": drive.along,
-        "offset": drive.offset,
-        "speed": drive.speed,
+        "observation": session.observation.tolist(),
+        "ending": session.ending,
+        "rejection": session.rejection,
+        "step": session.step_number,
+        "along": session.along,
+        "offset": session.offset,
+        "speed": session.speed,
     }
 
 

@@ -19,6 +19,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from platformdirs import user_cache_path
+
 from chatscene import errors
 from chatscene.errors import ChatSceneError, DoesNotCompile, SandboxError, StuckBehavior
 from chatscene.sandbox.child import CHUNK, WATCHMAN
@@ -158,12 +160,11 @@ class _Warm:
             MapError: The map is none.
             SandboxError: It does not start.
         """
-        cache = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
         setup = {
             "map": str(map_path),
             "settings": asdict(settings),
             "limits": asdict(limits),
-            "cache": cache,
+            "cache": str(user_cache_path()),
             "folder": str(self._folder),
         }
         with suppress(BrokenPipeError):  # it is no more, and has left its reason in the log

@@ -25,17 +25,10 @@ from chatscene.snippets.compatibility import Compatibility, agree, compatibility
 from chatscene.snippets.embedding import Embedder
 from chatscene.snippets.library import Library
 from chatscene.snippets.reading import read
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
 from chatscene.terms.description import Description, Diversity, Style
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    BaseScenario,
-    Maneuver,
-    Place,
-    Position,
-    Slots,
-    includes,
-)
+from chatscene.terms.scenario import BaseScenario, Maneuver, Place, Position, Slots, includes
 from chatscene.terms.snippet import Snippet
 
 TRIES = 24  # renderings of one triple before it is given up
@@ -51,7 +44,7 @@ Rows = NDArray[np.int64]
 _KINDS = tuple(AdversaryKind)
 _GENERAL = re.compile(r"\b(?:vehicles?|drivers?|traffic)\b")
 _TOGETHER = re.compile(r"\b(?:groups?|two|three|several|couple|crowd|pair|together)\b")
-_VEHICLES = frozenset(kind for kind in AdversaryKind if kind not in (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE))
+_VEHICLES = frozenset(kind for kind in AdversaryKind if kind.row.motorised)
 
 
 def describe(
@@ -133,10 +126,10 @@ def _kinds(lowered: str) -> frozenset[AdversaryKind]:
     for pattern in lexicon.OCCLUDERS.values():
         lowered = pattern.sub(" ", lowered)
     found: set[AdversaryKind] = set()
-    for kind in sorted(lexicon.KINDS, key=lambda kind: kind is not AdversaryKind.EMERGENCY_VEHICLE):
-        if lexicon.KINDS[kind].search(lowered):
+    for kind, named in lexicon.KINDS.items():
+        if named.search(lowered):
             found.add(kind)
-            lowered = lexicon.KINDS[kind].sub(_kept_if_general, lowered)
+            lowered = named.sub(_kept_if_general, lowered)
     return _VEHICLES if found == {AdversaryKind.CAR} and _GENERAL.search(lowered) else frozenset(found)
 
 

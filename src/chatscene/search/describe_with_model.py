@@ -14,19 +14,21 @@ from dataclasses import dataclass, replace
 from pydantic import BaseModel, ConfigDict, Field
 
 from chatscene.agent.decompose import decompose
+from chatscene.caches import cache_folder
 from chatscene.errors import LanguageModelError, NothingFits, SettingsError
-from chatscene.language_models.protocol import Example, LanguageModel, Prompt
+from chatscene.language_models.protocol import Example, LanguageModel, Limits, Prompt, load_language_model
 from chatscene.language_models.structured import printable
 from chatscene.search.describe import describe, joined
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.snippets.bind import bound
-from chatscene.snippets.embedding import Embedder
-from chatscene.snippets.library import Library
+from chatscene.snippets.embedding import Embedder, load_embedder
+from chatscene.snippets.library import Library, library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.description import Description
 from chatscene.terms.scenario import BaseScenario
 
+LIMITS = Limits(reply_tokens=2048)
 ROUNDS = 3  # times a model is asked, while sentences are missing
 MOST = 25  # sentences asked for at a time: what a reply of 1,000 tokens holds
 SHORTEST, LONGEST = 20, 400  # characters of a sentence
@@ -152,6 +154,33 @@ def describe_with(
         by_model=tuple(sieve.kept),
         topped_up=tuple(others[: n - len(sieve.kept)]),
         unserved=tuple(sieve.unserved),
+    )
+
+
+def describe_for(
+    settings: RetrievalSettings, base: BaseScenario | None, n: int, *, seed: int, instruction: str = ""
+) -> Told:
+    """Make up scenarios by the language model of the settings, or offline.
+
+    Args:
+        settings: Which library, embedder and language model.
+        base: The base scenario they are to belong to; None for any.
+        n: How many.
+        seed: Seed of the sentences that are written offline.
+        instruction: What they are to be about.
+
+    Raises:
+        NothingFits: The library has nothing of the base scenario and the instruction.
+        SettingsError: There is no such library, embedder or language model.
+    """
+    library = library_with(settings.library)
+    if settings.language_model == OFFLINE:
+        offline = describe(base, n, library=library, seed=seed, instruction=instruction)
+        return Told(by_model=(), topped_up=offline, unserved=())
+    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
+    embedder = load_embedder(settings.embedder)
+    return describe_with(
+        model, base, n, library=library, embedder=embedder, settings=settings, seed=seed, instruction=instruction
     )
 
 

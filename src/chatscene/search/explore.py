@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.evaluate.drive import Ran, drive
+from chatscene.measure.drive import Ran, drive
 from chatscene.program.sample import scene_seed
 from chatscene.search.sampler import Proposal, load_sampler
 from chatscene.settings import SearchSettings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -47,7 +47,7 @@ def explore(
     slots: Slots,
     route: int,
     *,
-    backend: Backend,
+    simulator: Simulator,
     ego: EgoPolicy,
     settings: SearchSettings,
     done: Sequence[Sequence[Outcome]] = (),
@@ -58,7 +58,7 @@ def explore(
         program: What to search with.
         slots: What was said, to judge each drive by.
         route: Index of the route.
-        backend: Where to drive.
+        simulator: Where to drive.
         ego: The surrogate ego.
         settings: Scenes, block size, sampler, seed.
         done: What came of each block already done; the search goes on after them exactly as if it had not stopped.
@@ -75,7 +75,7 @@ def explore(
         ]
         seed = scene_seed(settings.seed, f"{program.scenario_id}/route-{route:02d}/block-{number:03d}")
         proposal = sampler.propose(program.parameters, history, count=len(places), seed=seed)
-        block = _run_block(program, slots, places, proposal, backend, ego, settings)
+        block = _run_block(program, slots, places, proposal, simulator, ego, settings)
         history.append(outcomes(block))
         yield block
 
@@ -109,7 +109,7 @@ def _run_block(
     slots: Slots,
     places: Sequence[_Slot],
     proposal: Proposal,
-    backend: Backend,
+    simulator: Simulator,
     ego: EgoPolicy,
     settings: SearchSettings,
 ) -> Block:
@@ -117,7 +117,7 @@ def _run_block(
     rejected: list[Rejected] = []
     for place in places:
         for scene in _draws(place, proposal, settings):
-            outcome = drive(program, slots, scene, backend=backend, ego=ego)
+            outcome = drive(program, slots, scene, simulator=simulator, ego=ego)
             if isinstance(outcome, Ran):
                 ran.append(outcome)
                 break

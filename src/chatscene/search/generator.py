@@ -7,18 +7,19 @@ for all, so that generators can be compared.
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError, no_such
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.plugins import Kind, make
 from chatscene.program.check import Checked, check
+from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.simulate.backend import Backend
+from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -73,8 +74,8 @@ class Generator(Protocol):
         """
         ...
 
-    def backend(self, map_path: Path, settings: Settings) -> Backend:
-        """Where its programs are run: behind the sandbox's walls if a stranger may have written a part of them."""
+    def is_trusted(self, settings: RetrievalSettings) -> bool:
+        """Whether all code of its programs is packaged or its own; else they are run in the sandbox only."""
         ...
 
     def explore(
@@ -83,7 +84,7 @@ class Generator(Protocol):
         slots: Slots,
         route: int,
         *,
-        backend: Backend,
+        simulator: Simulator,
         ego: EgoPolicy,
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
@@ -92,13 +93,24 @@ class Generator(Protocol):
         ...
 
 
+def simulator_of(generator: Generator, map_path: Path, settings: Settings) -> Simulator:
+    """Where a generator's programs are run: the simulator of the settings, behind the sandbox's walls if need be.
+
+    Raises:
+        SettingsError: There is no such simulator, or the programs must be confined and it cannot be.
+    """
+    if generator.is_trusted(settings.retrieval):
+        return load_simulator(map_path, settings.simulation)
+    return ConfinedSimulator(map_path, settings.simulation)
+
+
 def climb(
     generator: Generator,
     scenario: Scenario,
     first: Written,
     *,
     settings: RetrievalSettings,
-    backend: Backend,
+    simulator: Simulator,
     ego: EgoPolicy,
 ) -> tuple[Written, Checked]:
     """The best program of a scenario that climbs the validation ladder: where one shows something else, the next best.
@@ -108,7 +120,7 @@ def climb(
         scenario: What was said.
         first: The best choice, not tried yet.
         settings: Of the retrieval.
-        backend: Where to drive.
+        simulator: Where to drive.
         ego: Who drives.
 
     Raises:
@@ -119,7 +131,7 @@ def climb(
     refusal: MeansSomethingElse | None = None
     while True:
         try:
-            return written, check(written.program, scenario.slots, backend, ego)
+            return written, check(written.program, scenario.slots, simulator, ego)
         except MeansSomethingElse as error:
             refusal = refusal or error
             tried.append(Tried(snippet_ids=error.blamed, reason=str(error)))
@@ -133,24 +145,25 @@ def climb(
             raise refusal from None
 
 
-GENERATORS: dict[str, str] = {
-    "chatscene": "chatscene.search.retrieved:Retrieved",
-    "learning-to-collide": "chatscene.search.baselines.learning_to_collide:LearningToCollide",
-    "advsim": "chatscene.search.baselines.advsim:AdvSim",
-    "adversarial-trajectory": "chatscene.search.baselines.adversarial_trajectory:AdversarialTrajectory",
-    "carla-scenario-generator": "chatscene.search.baselines.scenario_runner:ScenarioRunner",
-    "program": "chatscene.search.own_program:OwnProgram",
-}
+GENERATORS: Kind[Generator] = Kind(
+    noun="generator",
+    group="chatscene.generators",
+    method="explore",
+    built_in={
+        "chatscene": "chatscene.search.retrieved:Retrieved",
+        "learning-to-collide": "chatscene.search.baselines.learning_to_collide:LearningToCollide",
+        "advsim": "chatscene.search.baselines.advsim:AdvSim",
+        "adversarial-trajectory": "chatscene.search.baselines.adversarial_trajectory:AdversarialTrajectory",
+        "carla-scenario-generator": "chatscene.search.baselines.scenario_runner:ScenarioRunner",
+        "program": "chatscene.search.own_program:OwnProgram",
+    },
+)
 
 
 def load_generator(name: str) -> Generator:
-    """A generator by its name in `GENERATORS`.
+    """A generator by its name (`chatscene.plugins`).
 
     Raises:
         SettingsError: There is none of that name.
     """
-    if name not in GENERATORS:
-        raise SettingsError(no_such("generator", name, GENERATORS))
-    module, _, cls = GENERATORS[name].partition(":")
-    generator: Generator = getattr(importlib.import_module(module), cls)()
-    return generator
+    return make(GENERATORS, name)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.program.foreign import ForeignProgram, foreign_program
-from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.simulate.backend import Backend
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
@@ -43,9 +41,9 @@ class OwnProgram:
         """The program itself."""
         return Written(program=_program(scenario.text), retrieval=None)
 
-    def backend(self, map_path: Path, settings: Settings) -> Backend:
-        """The confined one: whoever wrote the program is a stranger."""
-        return SandboxedBackend(map_path, settings.simulation)
+    def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
+        """Never: whoever wrote the program is a stranger."""
+        return False
 
     def explore(
         self,
@@ -53,13 +51,13 @@ class OwnProgram:
         slots: Slots,
         route: int,
         *,
-        backend: Backend,
+        simulator: Simulator,
         ego: EgoPolicy,
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
-        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, done=done)
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 def _program(text: str) -> ScenicProgram:

@@ -7,23 +7,22 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 
 from chatscene.agent.canonical import canonical
 from chatscene.ego.policy import EgoPolicy
 from chatscene.program.assemble import assemble
-from chatscene.sandbox.backend import SandboxedBackend
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.simulator import Simulator
 from chatscene.snippets.bind import bound, narrowed
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
 from chatscene.snippets.reading import read
 from chatscene.snippets.retrieve import retrieve
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import AdversaryKind, BaseScenario, Scenario, Slots
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -77,11 +76,9 @@ class Retrieved:
         behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in snippet_ids)
         return assemble(scenario, narrowed((behavior, geometry, spawn), ranges), adversary)
 
-    def backend(self, map_path: Path, settings: Settings) -> Backend:
-        """In this process if all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""
-        if settings.retrieval.library:
-            return SandboxedBackend(map_path, settings.simulation)
-        return load_backend("embedded", map_path, settings.simulation)
+    def is_trusted(self, settings: RetrievalSettings) -> bool:
+        """If all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""
+        return not settings.library
 
     def explore(
         self,
@@ -89,13 +86,13 @@ class Retrieved:
         slots: Slots,
         route: int,
         *,
-        backend: Backend,
+        simulator: Simulator,
         ego: EgoPolicy,
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
-        return explore(program, slots, route, backend=backend, ego=ego, settings=settings, done=done)
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 @cache

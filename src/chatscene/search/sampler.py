@@ -6,12 +6,11 @@ blocks before and from the block's seed; so a search that was cut goes on exactl
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from chatscene.errors import SettingsError, no_such
+from chatscene.plugins import Kind, make
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
@@ -48,27 +47,28 @@ class Sampler(Protocol):
         ...
 
 
-SAMPLERS: dict[str, str] = {
-    "paper": "chatscene.search.samplers.paper:Paper",
-    "random": "chatscene.search.samplers.uniform:Uniform",
-    "grid": "chatscene.search.samplers.grid:Grid",
-    "policy-gradient": "chatscene.search.samplers.policy_gradient:PolicyGradient",
-    "cross-entropy": "chatscene.search.samplers.cross_entropy:CrossEntropy",
-    "tpe": "chatscene.search.samplers.tpe:TreeParzen",
-    "cma-es": "chatscene.search.samplers.cma_es:CmaEs",
-    "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity",
-}
+SAMPLERS: Kind[Sampler] = Kind(
+    noun="sampler",
+    group="chatscene.samplers",
+    method="propose",
+    built_in={
+        "paper": "chatscene.search.samplers.paper:Paper",
+        "random": "chatscene.search.samplers.uniform:Uniform",
+        "grid": "chatscene.search.samplers.grid:Grid",
+        "policy-gradient": "chatscene.search.samplers.policy_gradient:PolicyGradient",
+        "cross-entropy": "chatscene.search.samplers.cross_entropy:CrossEntropy",
+        "tpe": "chatscene.search.samplers.tpe:TreeParzen [search]",
+        "cma-es": "chatscene.search.samplers.cma_es:CmaEs [search]",
+        "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity [search]",
+    },
+)
 
 
 def load_sampler(name: str) -> Sampler:
-    """A sampler by its name in `SAMPLERS`.
+    """A sampler by its name (`chatscene.plugins`).
 
     Raises:
         SettingsError: There is none of that name.
         MissingExtra: Its package is missing.
     """
-    if name not in SAMPLERS:
-        raise SettingsError(no_such("sampler", name, SAMPLERS))
-    module, _, cls = SAMPLERS[name].partition(":")
-    sampler: Sampler = getattr(importlib.import_module(module), cls)()
-    return sampler
+    return make(SAMPLERS, name)

@@ -57,9 +57,10 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
     notes: list[str] = []
     unused: list[Unused] = []
     parts = list(triple)
-    if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in scenario.quantities):
+    quantities = scenario.frame.quantities if scenario.frame else ()
+    if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in quantities):
         parts = [_begun(part, scenario.slots.distance) for part in parts]
-    for quantity in scenario.quantities:
+    for quantity in quantities:
         found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _speaks_of(quantity, p)]
         if not found:
             unused.append(Unused(said=quantity.said, why=Why.NUMBER))

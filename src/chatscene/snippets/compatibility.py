@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.snippets.library import Library
-from chatscene.terms.scenario import AdversaryKind, Component, Maneuver, Place, Slots, includes
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Component, Maneuver, Place, Slots, includes
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines

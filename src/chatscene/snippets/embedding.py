@@ -8,19 +8,20 @@ from __future__ import annotations
 
 import hashlib
 import importlib
-import os
 import re
-import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache, partial
+from io import BytesIO
 from pathlib import Path
-from typing import IO, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.bounded import parse_json
-from chatscene.errors import MissingExtra, SettingsError, no_such
+from chatscene.caches import cache_folder, keep
+from chatscene.errors import MissingExtra, SettingsError
+from chatscene.plugins import Kind, make
 from chatscene.snippets.wordpiece import tokenize
 
 Vectors = NDArray[np.float32]
@@ -57,8 +58,8 @@ def load_embedder(name: str = "minilm") -> Embedder:
     """An embedder by its name, loaded once per process.
 
     Args:
-        name: One of `EMBEDDERS`, or ``t5:WHERE`` with the folder of a sentence-transformers model, or the name of
-            one that this machine has fetched before.
+        name: As in `chatscene.plugins`, or ``t5:WHERE`` with the folder of a sentence-transformers model, or the name
+            of one that this machine has fetched before.
 
     Raises:
         SettingsError: There is none of that name, or its weights are missing or broken.
@@ -71,9 +72,7 @@ def load_embedder(name: str = "minilm") -> Embedder:
 def _loaded(name: str) -> Embedder:
     if name.startswith(_FOLDER) and name != _FOLDER:
         return SentenceT5(name, name.removeprefix(_FOLDER))
-    if name not in EMBEDDERS:
-        raise SettingsError(no_such("embedder", name, (*EMBEDDERS, f"{_FOLDER}FOLDER")))
-    return EMBEDDERS[name]()
+    return make(EMBEDDERS, name)
 
 
 def plain(text: str) -> str:
@@ -97,13 +96,15 @@ class MiniLM:
         """Load the weights.
 
         Args:
-            changes: New bytes of the file by where they stand: layers that were trained further.
+            changes: Differences of layers that were trained further from those of the file: what to add to its
+                bytes, modulo 256, by where they stand.
         """
         import onnxruntime
 
         content = bytearray(self.content())
-        for at, new in (changes or {}).items():
-            content[at : at + len(new)] = new
+        numbers = np.frombuffer(content, np.uint8)
+        for at, difference in (changes or {}).items():
+            numbers[at : at + len(difference)] += np.frombuffer(difference, np.uint8)
         self.identity = f"{self.name}@{hashlib.sha256(content).hexdigest()}"
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1
@@ -204,7 +205,7 @@ def _fetched(name: str, where: str, snapshot_download: Callable[..., str]) -> Pa
     try:
         return Path(snapshot_download(where, local_files_only=True))
     except (OSError, ValueError) as error:
-        source = where if name in EMBEDDERS else "sentence-transformers/sentence-t5-large"
+        source = where if name in EMBEDDERS.built_in else "sentence-transformers/sentence-t5-large"
         raise SettingsError(
             f"the weights of the embedder {name!r} are not on this machine ({where} is no folder, nor fetched before), "
             f"and a run downloads nothing; fetch them beforehand with: hf download {source}, or elsewhere with "
@@ -224,27 +225,20 @@ def _content_hash(folder: Path) -> str:
     return digest.hexdigest()
 
 
-EMBEDDERS: dict[str, Callable[[], Embedder]] = {
-    "minilm": MiniLM,
-    "sentence-t5-base": partial(SentenceT5, "sentence-t5-base", "sentence-transformers/sentence-t5-base"),
-    "sentence-t5-large": partial(SentenceT5, "sentence-t5-large", "sentence-transformers/sentence-t5-large"),
-}
+sentence_t5_base = partial(SentenceT5, "sentence-t5-base", "sentence-transformers/sentence-t5-base")
+sentence_t5_large = partial(SentenceT5, "sentence-t5-large", "sentence-transformers/sentence-t5-large")
 
-
-def cache_folder() -> Path:
-    """Where vectors and indexes are kept between runs; it need not exist."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "chatscene" / "vectors"
-
-
-def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
-    """Write a file of the cache under another name and move it; a read-only or full disk must not stop a run."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:
-            write(part)
-        Path(part.name).replace(path)
-    except OSError:
-        pass
+EMBEDDERS: Kind[Embedder] = Kind(
+    noun="embedder",
+    group="chatscene.embedders",
+    method="encode",
+    built_in={
+        "minilm": "chatscene.snippets.embedding:MiniLM",
+        "sentence-t5-base": "chatscene.snippets.embedding:sentence_t5_base",
+        "sentence-t5-large": "chatscene.snippets.embedding:sentence_t5_large",
+    },
+    forms=(f"{_FOLDER}FOLDER",),
+)
 
 
 def encode_cached(embedder: Embedder, texts: Sequence[str]) -> Vectors:
@@ -254,7 +248,7 @@ def encode_cached(embedder: Embedder, texts: Sequence[str]) -> Vectors:
     written costs time and nothing else: the rows are then computed again.
     """
     digest = hashlib.blake2b("\0".join((embedder.identity, *map(plain, texts))).encode(), digest_size=16).hexdigest()
-    path = cache_folder() / f"{digest}.npy"
+    path = cache_folder("vectors") / f"{digest}.npy"
     try:
         rows = np.load(path, allow_pickle=False)
         if rows.shape == (len(texts), embedder.dimension) and rows.dtype == np.float32:
@@ -262,5 +256,7 @@ def encode_cached(embedder: Embedder, texts: Sequence[str]) -> Vectors:
     except (OSError, ValueError, EOFError):
         pass
     rows = embedder.encode(texts)
-    write_whole(path, lambda file: np.save(file, rows, allow_pickle=False))
+    content = BytesIO()
+    np.save(content, rows, allow_pickle=False)
+    keep(path, content.getvalue())
     return rows

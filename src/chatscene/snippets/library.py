@@ -1,41 +1,20 @@
-"""The library of snippets: one reviewed file each, with a header that is parsed.
-
-A file ``library/<component>/<name>.scenic`` begins with lines ``#: …`` that hold TOML; the rest is Scenic. The
-header's contract (what it requires, what it provides, its parameters) is computed from the code by `names_of` and
-must equal it, which `chatscene library lint` checks.
-"""
+"""The library of snippets: a folder for each component, with files in it (`chatscene.snippets.snippet_file`)."""
 
 from __future__ import annotations
 
 import ast
 import difflib
-import tomllib
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
-from dataclasses import fields as dataclass_fields
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
-
-from chatscene.bounded import check_file
 from chatscene.errors import SnippetError
-from chatscene.terms.scenario import Component, Slots
-from chatscene.terms.snippet import ParameterRange, Snippet
+from chatscene.snippets.snippet_file import ADVERSARY_CLASS, ENDING, read_snippets
+from chatscene.terms.scenario import Component
+from chatscene.terms.snippet import Snippet
 
 PACKAGED = Path(__file__).parent / "library"
-MARK = "#:"
-ADVERSARY_CLASS = "AdvClass"  # every program defines it, so no header lists it
-UNITS = ("m", "m/s", "s", "rad", "1")
-REPHRASINGS = 5  # at least
-
-_KEYS = {
-    "description", "rephrasings", "adversaries", "requires", "provides", "origin", "slots", "parameters",
-}  # fmt: skip
-_SLOTS = frozenset(f.name for f in dataclass_fields(Slots))
-_PARAMETER = frozenset(f.name for f in dataclass_fields(ParameterRange))
-_adapter: TypeAdapter[Snippet] = TypeAdapter(Snippet)
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,78 +93,30 @@ def _packaged() -> Library:
 
 
 def _load(folder: Path) -> Library:
-    paths = sorted(path for component in Component for path in (folder / component.value).glob("*.scenic"))
+    paths = sorted(path for component in Component for path in (folder / component.value).glob(f"*{ENDING}"))
     if not paths:
         raise SnippetError(
-            f"{folder} holds no snippet; a library has folders {', '.join(Component)} with .scenic files in them"
+            f"{folder} holds no snippet; a library has folders {', '.join(Component)} with {ENDING} files in them"
         )
-    return Library(tuple(sorted((load_snippet(path) for path in paths), key=lambda s: s.id)))
+    found: dict[str, tuple[Path, Snippet]] = {}
+    for path in paths:
+        for snippet in read_snippets(path):
+            if snippet.id in found:
+                raise SnippetError(f"{path}: {snippet.id} stands in {found[snippet.id][0]} already; rename one of them")
+            found[snippet.id] = path, snippet
+    return Library(tuple(snippet for _, (_, snippet) in sorted(found.items())))
 
 
 def load_snippet(path: Path) -> Snippet:
-    """Read one file.
+    """Read a file with one snippet.
 
     Raises:
-        SnippetError: Its header is missing, is not TOML, or lacks or mistakes a key.
+        SnippetError: It is malformed, or holds a family.
     """
-    try:
-        check_file(path)
-        text = path.read_text(encoding="utf-8")
-    except (OSError, ValueError) as error:
-        raise SnippetError(f"{path} cannot be read: {error}") from error
-    lines = text.splitlines()
-    end = next((i for i, line in enumerate(lines) if not line.startswith(MARK)), len(lines))
-    header = "\n".join(line.removeprefix(MARK) for line in lines[:end])
-    try:
-        fields = tomllib.loads(header)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise SnippetError(f"{path}: the header (lines that start with {MARK!r}) is not TOML: {error}") from error
-    _check_keys(path, fields)
-    component = path.parent.name
-    try:
-        snippet = _adapter.validate_python(
-            {**fields, "id": f"{component}/{path.stem}", "component": component, "source": "\n".join(lines[end:])}
-        )
-    except ValidationError as error:
-        problem = error.errors()[0]
-        where = ".".join(str(part) for part in problem["loc"])
-        raise SnippetError(f"{path}: {where}: {problem['msg']}") from error
-    _check_text(path, snippet)
-    return snippet
-
-
-def _check_keys(path: Path, fields: dict[str, Any]) -> None:
-    _refuse_unknown(path, "slots", fields.get("slots", {}), _SLOTS)
-    for i, parameter in enumerate(fields.get("parameters", ())):
-        _refuse_unknown(path, f"parameters.{i}", parameter, _PARAMETER)
-    missing = sorted({"description", "rephrasings"} - fields.keys())
-    if missing:
-        raise SnippetError(f"{path}: the header lacks {', '.join(missing)}")
-    unknown = sorted(fields.keys() - _KEYS)
-    if unknown:
-        raise SnippetError(
-            f"{path}: the header has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(_KEYS))}"
-        )
-
-
-def _refuse_unknown(path: Path, where: str, given: object, known: frozenset[str]) -> None:
-    """A key that nobody reads is a slip of the author's; pydantic would pass over it."""
-    unknown = sorted(given.keys() - known) if isinstance(given, dict) else []
-    if unknown:
-        raise SnippetError(f"{path}: {where} has unknown keys {', '.join(unknown)}; known: {', '.join(sorted(known))}")
-
-
-def _check_text(path: Path, snippet: Snippet) -> None:
-    texts = [text.casefold() for text in (snippet.description, *snippet.rephrasings)]
-    if len(set(texts)) < REPHRASINGS + 1:
-        raise SnippetError(f"{path}: needs at least {REPHRASINGS} rephrasings, each different")
-    for p in snippet.parameters:
-        if not p.name.startswith("OPT_"):
-            raise SnippetError(f"{path}: parameter {p.name!r} must start with OPT_")
-        if p.low > p.high:
-            raise SnippetError(f"{path}: parameter {p.name!r} runs from {p.low:g} to {p.high:g}")
-        if p.unit not in UNITS:
-            raise SnippetError(f"{path}: parameter {p.name!r} has unit {p.unit!r}; known: {', '.join(UNITS)}")
+    found = read_snippets(path)
+    if len(found) != 1:
+        raise SnippetError(f"{path} holds a family of {len(found)} snippets; here one is wanted")
+    return found[0]
 
 
 # What the code itself says

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from chatscene.agent.asking import decompose_with
-from chatscene.agent.base import base_of, concluded
-from chatscene.agent.decompose import WHAT, WHO, clauses_of, decompose, told
+from chatscene.agent.decompose import hear, understood
 from chatscene.agent.lexicon import ACTIONS
-from chatscene.agent.unused import unused_of
-from chatscene.agent.wording import geometry_in_words, spawn_in_words
+from chatscene.caches import cache_folder
 from chatscene.language_models.protocol import load_language_model
-from chatscene.language_models.reply_cache import user_folder
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.snippets.embedding import load_embedder
 from chatscene.snippets.library import library_with
-from chatscene.snippets.retrieve import settled
-from chatscene.snippets.slot_classifier import LIKELY, VALUES, Probabilities, likelihoods, said
-from chatscene.terms.scenario import Action, Component, Position, Scenario
+from chatscene.snippets.nearest import likely_by_wording
+from chatscene.snippets.retrieve import settle
+from chatscene.snippets.slot_classifier import VALUES, believe
+from chatscene.terms.acts import Action
+from chatscene.terms.frame import About, Beliefs, Frame, Note
+from chatscene.terms.scenario import Component, Position, Scenario, Slots
+
+LIKELY = 0.5  # an action is said if it is as likely as this …
+KNOWN = 0.1  # … or belongs to the likeliest behavior, if that is as likely as this
 
 
 def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
@@ -31,7 +36,7 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Scenario:
     offline = _read_offline(text, settings)
     if settings.language_model == OFFLINE:
         return offline
-    return decompose_with(load_language_model(settings.language_model, cache=user_folder()), offline)
+    return decompose_with(load_language_model(settings.language_model, cache=cache_folder("replies")), offline)
 
 
 def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
@@ -40,41 +45,52 @@ def _read_offline(text: str, settings: RetrievalSettings) -> Scenario:
     Each slot that ends otherwise than the patterns read it is a note. Where the patterns know every word, what they
     read stands, and nothing else was said to be done.
     """
-    rules = decompose(text)
-    likely = likelihoods(rules.text, settings.library)
+    heard = hear(text)
     library = library_with(settings.library)
-    rules = replace(rules, plain=rules.plain and not _missed(rules, likely))
-    slots = said(likely, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
-    if rules.plain:
-        slots = replace(slots, **rules.slots.said())
-    slots = concluded(slots)
-    slots = concluded(
-        settled(replace(rules, slots=slots), rules.slots, library, load_embedder(settings.embedder), likely)
-    )
-    notes = [
-        f"{name}: the patterns read {was}, the classifier {now}"
+    beliefs = believe(heard, settings.library)
+    behaviors = library.of(Component.BEHAVIOR)
+    unknown = [s for s in behaviors if s.id not in beliefs.behaviors]
+    said = heard.clauses.adversary or heard.clauses.whole
+    others = likely_by_wording(said, unknown, load_embedder(settings.embedder)) if unknown else {}
+    frame = replace(heard, beliefs=replace(beliefs, others=others))
+    frame = replace(frame, plain=frame.plain and not _missed(frame))
+    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in behaviors})
+    if frame.plain:
+        slots = replace(slots, **frame.outright.said())
+    slots = settle(frame, slots, library)
+    differ = [
+        Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))
         for name in VALUES
-        if (was := getattr(rules.slots, name)) is not None and (now := getattr(slots, name)) != was
+        if (was := getattr(frame.outright, name)) is not None and (now := getattr(slots, name)) != was
     ]
-    heard = tuple(note for note, fact in ((WHO, slots.adversary), (WHAT, slots.actions)) if fact)
-    guessed = tuple(name for name in (*VALUES, "actions") if getattr(slots, name) and not getattr(rules.slots, name))
-    return replace(
-        rules,
-        slots=slots,
-        base=base_of(slots),
-        parts=replace(
-            rules.parts, geometry=geometry_in_words(slots, clauses_of(text).ego), spawn=spawn_in_words(slots)
-        ),
-        notes=(*(note for note in rules.notes if not note.startswith(heard)), *notes),
-        guessed=guessed,
-        unused=unused_of(told(text), slots, rules.quantities),
-    )
+    found = {About.WHO, About.STRANGER} if slots.adversary else set[About]()
+    found |= {About.WHAT} if slots.actions else set[About]()
+    return understood(frame, slots, (*(note for note in frame.notes if note.about not in found), *differ))
 
 
-def _missed(rules: Scenario, likely: Probabilities) -> bool:
+def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
+    """The likeliest value of each slot, and what the likeliest behavior does.
+
+    Actions come together or not at all, as in the behaviors that people speak of; taken one by one where each is
+    likelier than not, half as many are right. Where no behavior is likely, they are.
+
+    Args:
+        beliefs: How sure everything is.
+        behaviors: What each behavior of the library does.
+    """
+    values: dict[str, Any] = {
+        name: max(classes, key=lambda value: classes[value]) for name, classes in beliefs.slots.items()
+    }
+    likely = {name: p for name, p in beliefs.behaviors.items() if name in behaviors}
+    best = max(likely, key=lambda name: likely[name], default="")
+    if likely.get(best, 0.0) >= KNOWN:
+        return Slots(**values, actions=behaviors[best])
+    return Slots(**values, actions=tuple(a for a in Action if beliefs.heard(a) >= LIKELY))
+
+
+def _missed(frame: Frame) -> bool:
     """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
-    text = told(rules.text)
-    named = {action for action, pattern in ACTIONS.items() if pattern.search(text)}
-    if rules.slots.position is Position.ONCOMING:
+    named = {action for action, pattern in ACTIONS.items() if pattern.search(frame.told)}
+    if frame.outright.position is Position.ONCOMING:
         named.discard(Action.ONCOMING)  # at a junction that is where it comes from
-    return any(likely.actions[action] >= LIKELY for action in named.difference(rules.slots.actions))
+    return any(frame.beliefs.heard(action) >= LIKELY for action in named.difference(frame.outright.actions))

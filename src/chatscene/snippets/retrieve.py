@@ -10,28 +10,26 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.agent.base import ALONG
-from chatscene.agent.decompose import UNKNOWN, WHAT, WHO
+from chatscene.agent.base import concluded
+from chatscene.agent.wording import parts_of
 from chatscene.errors import NothingFits
 from chatscene.settings import RetrievalSettings
 from chatscene.snippets.bind import distances, out_of_reach, settable
 from chatscene.snippets.compatibility import compatibility, incompatibility
-from chatscene.snippets.embedding import Embedder, Vectors
+from chatscene.snippets.embedding import Embedder
 from chatscene.snippets.library import Library
-from chatscene.snippets.slot_classifier import Probabilities, as_class, as_value, likelihoods
-from chatscene.snippets.vector_index import VectorIndex, build_cached
-from chatscene.snippets.wording_index import WordingIndex, best_of_each, word_index
-from chatscene.snippets.wording_vectors import vectors_of
+from chatscene.snippets.wording_index import WordingIndex
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import BRINGS, Action, reordered
+from chatscene.terms.frame import About, Beliefs, Frame, Note
 from chatscene.terms.scenario import (
     REFUSED,
-    Action,
-    AdversaryKind,
     Component,
     Distance,
     Place,
@@ -39,10 +37,10 @@ from chatscene.terms.scenario import (
     Scenario,
     Side,
     Slots,
+    SubDescriptions,
     Why,
     grouped,
     includes,
-    reordered,
 )
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
@@ -51,6 +49,7 @@ OF_COMPONENT: dict[Component, tuple[str, ...]] = {
     Component.GEOMETRY: ("maneuver", "place", "control", "lanes", "two_way"),
     Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker", "distance", "group"),
 }
+PLACED = {name for component in (Component.GEOMETRY, Component.SPAWN) for name in OF_COMPONENT[component]}
 CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
 UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
 UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
@@ -60,10 +59,10 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
 # classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": -5.86, "scope": 0.50, "beyond": -1.29, "outright": 0.70, "wording": 3.63, "meant": 0.61,
+    "base": -5.18, "scope": 0.52, "beyond": -1.38, "outright": 0.71, "wording": 2.90, "meant": 0.57,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
-FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a behavior's wording below and above which it says nothing more
+FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
 OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
 NARROWER = 0.85  # agreement of a place that is one kind of what was said, of a distance that can be told
@@ -71,42 +70,17 @@ CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
 AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
 PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
 PLACE_WORDING = 0.1  # weight of wording for geometry and spawn: it decides among equals
-# Of a behavior: cosine of the adversary's part, shared words, log-likelihood under the classifier. Fitted by likelihood
-# on sentences of behaviors of which the classifier had seen none (decision 0017).
-WORDING = np.array([0.2, 1.0, 1.4])
+MEANT = 1.4  # weight of a behavior's log-likelihood beside the words that it shares, fitted by likelihood on sentences
+# of behaviors of which the classifier had seen none (decision 0017)
 FAINTEST = 1e-4  # least likelihood of a behavior
 
 SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
-HASTE = {Action.ACCELERATE, Action.FAST}  # how a thing is done, which need not be said
 HEARD = 0.25  # an action less likely than this was not heard
-UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
 
-OPPOSITES = ((Action.TURN_LEFT, Action.TURN_RIGHT), (Action.ACCELERATE, Action.BRAKE))
 IN_LANE = (Position.AHEAD, Position.BEHIND)
 NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
 
 Scores = NDArray[np.float64]
-
-
-def nearest(
-    text: str, component: Component, library: Library, embedder: Embedder, *, count: int, lexical_weight: float = 0.0
-) -> list[tuple[Snippet, float]]:
-    """The snippets of one component most similar to a text, best first, with their similarities.
-
-    Args:
-        text: Compared with every wording of a snippet; the nearest counts.
-        component: Which snippets.
-        library: From which library.
-        embedder: Of the cosines.
-        count: How many.
-        lexical_weight: Share of shared words in the similarity, in [0, 1].
-    """
-    shelf = _shelf(library, component, embedder)
-    similarity, _ = shelf.dense(_query(text, embedder))
-    if lexical_weight:
-        similarity = (1 - lexical_weight) * similarity + lexical_weight * shelf.words.search(text)[0]
-    best = np.argsort(-similarity, kind="stable")[:count]
-    return [(shelf.snippets[i], float(similarity[i])) for i in best]
 
 
 def retrieve(
@@ -121,7 +95,7 @@ def retrieve(
     Args:
         scenario: What was understood.
         library: What can be chosen.
-        embedder: Measures wording.
+        embedder: Who says how near the behavior's description is, which the confidence asks for.
         settings: How many candidates are named, and the confidence below which nothing is chosen.
         tried: Choices that did not show what was said; they are not made again.
 
@@ -129,11 +103,13 @@ def retrieve(
         NothingFits: No triple serves it well enough; the message names the nearest.
     """
     settings = settings or RetrievalSettings()
-    likely = likelihoods(scenario.text, settings.library)
-    ranked, triple = _best(scenario, library, embedder, likely, agreeing=True, tried=tried)
-    confidence = _confidence(scenario, triple, library, likely)
+    frame = scenario.frame or Frame(outright=scenario.slots)
+    asked = _Asked(frame, scenario.slots, scenario.parts)
+    ranked = _ranked(asked, library)
+    triple = _best(ranked, library, scenario.slots.adversary, tried)
+    confidence = _confidence(scenario, frame, triple, library, embedder)
     if confidence < settings.refuse_below:
-        reasons = _reasons(scenario, triple)
+        reasons = _reasons(scenario, frame, triple)
         raise NothingFits(
             f"nothing in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
             reasons=reasons,
@@ -152,84 +128,85 @@ def retrieve(
     )
 
 
-def settled(scenario: Scenario, rules: Slots, library: Library, embedder: Embedder, likely: Probabilities) -> Slots:
+def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
     """What was read, made whole with the library in mind: facts that only together are likely are read together.
 
-    A fact that the best triple contradicts is taken to be what the triple does, if the patterns read that or if it may
-    as well be.
+    A fact that the best triple contradicts is taken to be what the triple does, if words say that outright or if it may
+    as well be. What follows from the facts is added before and after.
 
     Args:
-        scenario: What was read, fact by fact.
-        rules: What the patterns read.
+        frame: What the text says.
+        slots: What was read, fact by fact.
         library: What can be chosen.
-        embedder: Measures wording.
-        likely: How likely each fact is.
     """
-    who, possible = scenario.slots.adversary, likely.slots["adversary"]
-    kinds = [kind for kind in AdversaryKind if kind is who or (who is not None and possible.get(kind, 0.0) >= POSSIBLE)]
-    found: list[tuple[float, Slots, tuple[Match, ...]]] = []
-    for kind in kinds or [who]:
-        slots = replace(scenario.slots, adversary=kind)
-        try:
-            # What is done is part of the doubt, unless words say it.
-            heard = slots if scenario.plain else replace(slots, actions=())
-            _, triple = _best(replace(scenario, slots=heard), library, embedder, likely)
-        except NothingFits:
-            continue
-        doubt = math.log(possible.get(as_class(kind), 0.0) + UNLIKELY)
-        found.append((doubt + sum(match.score for match in triple), slots, triple))
-    if not found:
-        return scenario.slots
-    _, slots, triple = max(found, key=lambda one: one[0])
-    for component, match in zip(Component, triple, strict=True):
-        does = match.snippet.slots
+    slots = concluded(slots)
+    found = _likeliest(frame, slots, library)
+    if found is None:
+        return concluded(slots)
+    kind, triple = found
+    slots, beliefs, outright = replace(slots, adversary=kind), frame.beliefs, frame.outright
+    for component, snippet in zip(Component, triple, strict=True):
         for name in OF_COMPONENT[component]:
-            said, value = getattr(slots, name), getattr(does, name)
-            if name == "actions" and scenario.plain:
+            said, value = getattr(slots, name), getattr(snippet.slots, name)
+            if name == "actions" and frame.plain:
                 continue
             if name == "actions":
-                known = likely.behaviors.get(match.snippet.id, 1.0)  # the classifier has not heard of a user's own
-                heard = bool(rules.actions) and set(rules.actions) <= set(value)
-                sure = tuple(a for a in said if a in rules.actions or likely.actions[a] >= HEARD)
+                known = beliefs.behaviors.get(snippet.id, 1.0)  # the classifier has not heard of a user's own
+                heard = bool(outright.actions) and set(outright.actions) <= set(value)
+                sure = tuple(a for a in said if a in outright.actions or beliefs.heard(a) >= HEARD)
                 slots = replace(slots, actions=value if known >= POSSIBLE or heard else sure)
-            elif name == "side" and value is None and rules.side is None:
+            elif name == "side" and value is None and outright.side is None:
                 slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
-            elif said is not None and _agreement(said, _does(match.snippet, name)) == 0.0:
-                unsure = likely.slots[name].get(as_class(said), 0.0) < SURE
-                possible = likely.slots[name].get(as_class(value), 0.0) >= POSSIBLE
-                read = getattr(rules, name) == value  # then words and library are two against one
-                slots = replace(slots, **{name: value}) if read or (unsure and possible) else slots
-    return slots
+            elif said is not None and _agreement(said, _does(snippet, name)) == 0.0:
+                unsure = beliefs.of(name, said) < SURE
+                read = getattr(outright, name) == value  # then words and library are two against one
+                if read or (unsure and beliefs.of(name, value) >= POSSIBLE):
+                    slots = replace(slots, **{name: value})
+    return concluded(slots)
+
+
+def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryKind | None, tuple[Snippet, ...]] | None:
+    """The likeliest triple, for every kind of adversary that it may be, with that kind; None if nobody can act any."""
+    joint = compatibility(library)
+    # What is done is part of the doubt, unless words say it.
+    heard = slots if frame.plain else replace(slots, actions=())
+    ranked = _ranked(_Asked(frame, heard, parts_of(frame, frame.outright)), library)
+    scores = [ranked[component].score for component in Component]
+    who = slots.adversary
+    kinds = [kind for kind in AdversaryKind if kind is who or frame.beliefs.of("adversary", kind) >= POSSIBLE]
+    best, found = -math.inf, None
+    for kind in kinds if who else [None]:
+        at = _highest(joint.mask, scores, joint.able(kind))
+        if at is not None:
+            chosen = [(ranked[component], i) for component, i in zip(Component, at, strict=True)]
+            doubt = math.log(frame.beliefs.of("adversary", kind) + UNLIKELY)
+            score = doubt + sum(float(ranking.score[i]) for ranking, i in chosen)
+            if score > best:
+                best, found = score, (kind, tuple(ranking.snippets[i] for ranking, i in chosen))
+    return found
 
 
 def _best(
-    scenario: Scenario,
-    library: Library,
-    embedder: Embedder,
-    likely: Probabilities,
-    *,
-    agreeing: bool = False,
-    tried: Sequence[Tried] = (),
-) -> tuple[dict[Component, _Ranking], tuple[Match, ...]]:
-    """Every component ranked, and the compatible triple that scores highest of those that were not tried.
+    ranked: dict[Component, _Ranking], library: Library, kind: AdversaryKind | None, tried: Sequence[Tried]
+) -> tuple[Match, ...]:
+    """The compatible triple that scores highest of those that were not tried.
 
-    With `agreeing`, one that contradicts nothing that was read, if there is one: any other would be refused.
+    It contradicts nothing that was read, if there is such a one: any other would be refused.
+
+    Raises:
+        NothingFits: There is none at all.
     """
     joint = compatibility(library)
-    ranked = {component: _rank(scenario, component, library, embedder, likely) for component in Component}
-    kind = scenario.slots.adversary
     allowed = joint.able(kind)
     mask = joint.mask
     for one in tried:
         mask = mask & ~joint.with_all(one.snippet_ids)
     scores = [ranked[component].score for component in Component]
-    found = None
-    if agreeing:
-        free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
-        found = _highest(mask, scores, free)
-    if found is None and (found := _highest(mask, scores, allowed)) is None:
+    free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
+    found = _highest(mask, scores, free) or _highest(mask, scores, allowed)
+    if found is None:
         raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
-    return ranked, tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
+    return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
 
 
 def _highest(
@@ -258,11 +235,19 @@ def _highest(
 
 
 @dataclass(frozen=True, slots=True)
-class _Ranking:
-    """Every snippet of a component against one scenario; a row each."""
+class _Asked:
+    """What snippets are ranked by: what a text says, the facts as far as they are decided, a text per component."""
 
-    said: Slots
-    plain: bool
+    frame: Frame
+    slots: Slots
+    parts: SubDescriptions
+
+
+@dataclass(frozen=True, slots=True)
+class _Ranking:
+    """Every snippet of a component against what is asked for; a row each."""
+
+    asked: _Asked
     component: Component
     snippets: tuple[Snippet, ...]
     similarity: Scores
@@ -279,64 +264,52 @@ class _Ranking:
             agreement=float(self.agreement[i]),
             score=float(self.score[i]),
             nearest=self.texts[i],
-            conflicts=tuple(_conflicts(self.said, snippet, self.component, ordered=self.plain)),
+            conflicts=tuple(_conflicts(self.asked, snippet, self.component)),
         )
 
     def best(self, count: int) -> tuple[Match, ...]:
         return tuple(self.match(int(i)) for i in np.argsort(-self.score, kind="stable")[:count])
 
 
-def _rank(
-    scenario: Scenario,
-    component: Component,
-    library: Library,
-    embedder: Embedder,
-    likely: Probabilities,
-) -> _Ranking:
-    shelf = _shelf(library, component, embedder)
-    text = scenario.parts[component]
-    # Geometry and spawn are facts put into fixed words: an encoder adds nothing to them but time.
-    places = component is not Component.BEHAVIOR
-    lexical, texts = (shelf.names if places else shelf.words).search(text)
-    similarity = lexical
-    score = PLACE_WORDING * lexical - PARAMETER * shelf.parameters
-    if not places:
-        similarity, texts = shelf.dense(_query(text, embedder))
-        p = (
-            shelf.said(likely, similarity, scenario.slots.actions)
-            if scenario.plain
-            else shelf.meant(likely, similarity)
-        )
-        score = WORDING @ np.array([similarity, lexical, np.log(p + FAINTEST)])
-    agreement, conflicts = shelf.facts(scenario.slots, likely, component)
-    if scenario.plain and not places:
-        conflicts = conflicts + [reordered(s.slots.actions, scenario.slots.actions) for s in shelf.snippets]
-    if places:
-        score = score + shelf.likelihood(_beliefs(scenario.slots, likely), component)
+def _ranked(asked: _Asked, library: Library) -> dict[Component, _Ranking]:
+    return {component: _rank(asked, shelf) for component, shelf in _shelves(library).items()}
+
+
+def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
+    frame, slots = asked.frame, asked.slots
+    similarity, texts = shelf.words.search(asked.parts[shelf.component])
+    agreement, conflicts = shelf.facts(slots, frame.beliefs)
+    if shelf.component is Component.BEHAVIOR:
+        p = shelf.said(frame.beliefs, slots.actions) if frame.plain else shelf.meant(frame.beliefs)
+        if frame.plain:
+            conflicts = conflicts + [reordered(s.slots.actions, slots.actions) for s in shelf.snippets]
+        score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
     else:
-        score = score + AGREEMENT * agreement - CONFLICT * conflicts
-    if scenario.quantities:
-        score = score - CONFLICT * np.array([out_of_reach(s, scenario.quantities) for s in shelf.snippets])
-    return _Ranking(
-        scenario.slots, scenario.plain, component, shelf.snippets, similarity, texts, agreement, conflicts, score
-    )
+        score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
+        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs))
+    if frame.quantities:
+        score = score - CONFLICT * np.array([out_of_reach(s, frame.quantities) for s in shelf.snippets])
+    return _Ranking(asked, shelf.component, shelf.snippets, similarity, texts, agreement, conflicts, score)
 
 
 class _Shelf:
-    """The snippets of one component, ready to be searched: vectors, words, and facts as codes."""
+    """The snippets of one component, ready to be searched: words, and facts as codes."""
 
-    def __init__(self, snippets: tuple[Snippet, ...], embedder: Embedder) -> None:
+    def __init__(self, component: Component, snippets: tuple[Snippet, ...]) -> None:
+        self.component = component
         self.snippets = snippets
-        self._embedder = embedder
-        self.wordings = [text for snippet in snippets for text in (snippet.description, *snippet.rephrasings)]
-        self.owners = np.array([i for i, s in enumerate(snippets) for _ in range(1 + len(s.rephrasings))])
-        self.words: WordingIndex = word_index(tuple(self.wordings), tuple(self.owners.tolist()))
-        self.names: WordingIndex = word_index(tuple(s.description for s in snippets), tuple(range(len(snippets))))
+        # Geometry and spawn are facts put into the fixed words of descriptions.
+        said = [s.rephrasings if component is Component.BEHAVIOR else () for s in snippets]
+        texts = [(s.description, *more) for s, more in zip(snippets, said, strict=True)]
+        self.words = WordingIndex(
+            tuple(text for each in texts for text in each), tuple(i for i, each in enumerate(texts) for _ in each)
+        )
         self.parameters = np.array([len(snippet.parameters) for snippet in snippets], float)
         self.actions = np.array([[action in s.slots.actions for action in Action] for s in snippets], float)
         does = [frozenset(s.slots.actions) for s in snippets]
+        hasty = {action for action in Action if action.row.hasty}
         # (N, N) whether the second does what the first does, and that in haste.
-        self.hastier = np.array([[bool(b > a) and b - a <= HASTE for b in does] for a in does], bool)
+        self.hastier = np.array([[bool(b > a) and b - a <= hasty for b in does] for a in does], bool)
         names = {slot for slots in OF_COMPONENT.values() for slot in slots} - {"actions"}
         self.values: dict[str, list[Any]] = {}
         self.codes: dict[str, NDArray[np.intp]] = {}
@@ -345,35 +318,24 @@ class _Shelf:
             self.values[name] = values
             self.codes[name] = np.array([values.index(_does(s, name)) for s in snippets])
 
-    @cached_property
-    def index(self) -> VectorIndex:
-        """Every wording as a vector (paper, section 3.2); of geometries and spawns only a direct search asks for it."""
-        return build_cached(vectors_of(self.wordings, self._embedder))
-
-    def dense(self, query: Vectors) -> tuple[Scores, list[str]]:
-        """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
-        best, rows = best_of_each(self.index.cosines(query), self.owners)
-        return best.astype(float), [self.wordings[row] for row in rows]
-
-    def meant(self, likely: Probabilities, similarity: Scores) -> Scores:
+    def meant(self, beliefs: Beliefs) -> Scores:
         """(N,) how likely each behavior is to be meant.
 
-        One that the classifier was not trained on, such as a user's own, is as likely as its wording is near. Where
-        the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who "steps out
-        and freezes" is not said to sprint.
+        Where the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who
+        "steps out and freezes" is not said to sprint.
         """
-        p = self._told(likely, similarity)
-        heard = self.actions @ np.array([likely.actions[action] >= HEARD for action in Action])
+        p = self._told(beliefs)
+        heard = self.actions @ np.array([beliefs.heard(action) >= HEARD for action in Action])
         best = int(np.argmax(p))
         return p + p[best] * (self.hastier[:, best] & (heard == heard[best]))
 
-    def said(self, likely: Probabilities, similarity: Scores, actions: tuple[Action, ...]) -> Scores:
+    def said(self, beliefs: Beliefs, actions: tuple[Action, ...]) -> Scores:
         """(N,) how likely each behavior is to be meant where words say all that is done.
 
         Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for.
         """
         more = [_more(s, actions) for s in self.snippets]
-        p = self._told(likely, similarity)
+        p = self._told(beliefs)
         lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
         return np.array(
             [
@@ -382,29 +344,28 @@ class _Shelf:
             ]
         )
 
-    def _told(self, likely: Probabilities, similarity: Scores) -> Scores:
-        near = _near(similarity).tolist()
-        return np.array([likely.behaviors.get(s.id, other) for s, other in zip(self.snippets, near, strict=True)])
+    def _told(self, beliefs: Beliefs) -> Scores:
+        return np.array([beliefs.meant(s.id) for s in self.snippets])
 
-    def likelihood(self, beliefs: Beliefs, component: Component) -> Scores:
+    def likelihood(self, maybe: Alternatives) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
         total = np.zeros(len(self.snippets))
-        for name in OF_COMPONENT[component]:
+        for name in OF_COMPONENT[self.component]:
             table = [
                 sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value))
-                    for wanted, p in beliefs[name])
+                    for wanted, p in maybe[name])
                 for value in self.values[name]
             ]  # fmt: skip
             total += np.log(np.array(table) + UNLIKELY)[self.codes[name]]
         return total
 
-    def facts(self, said: Slots, likely: Probabilities, component: Component) -> tuple[Scores, Scores]:
+    def facts(self, said: Slots, beliefs: Beliefs) -> tuple[Scores, Scores]:
         """(N,) mean agreement with what was said, and facts contradicted by what was said or heard."""
         parts: list[Scores] = []
         conflicts = np.zeros(len(self.snippets))
-        for name in OF_COMPONENT[component]:
+        for name in OF_COMPONENT[self.component]:
             if name == "actions":
-                against = self._opposes(said.actions, likely)
+                against = self._opposes(said.actions, beliefs)
                 if said.actions:
                     share = self._acted(said.actions)
                     parts.append(share)
@@ -416,22 +377,22 @@ class _Shelf:
                 continue
             table = np.array([_agreement(wanted, value) for value in self.values[name]])
             conflicts += (table == 0.0)[codes]
-            if component is not Component.BEHAVIOR:
+            if self.component is not Component.BEHAVIOR:
                 parts.append(table[codes])
         agreement = np.mean(parts, axis=0) if parts else np.ones(len(self.snippets))
         return agreement, conflicts
 
-    def _opposes(self, said: tuple[Action, ...], likely: Probabilities) -> NDArray[np.bool_]:
+    def _opposes(self, said: tuple[Action, ...], beliefs: Beliefs) -> NDArray[np.bool_]:
         """(N,) whether a behavior does an action that was not said, and whose opposite was.
 
         Where nothing is settled yet, what the classifier hears was said, and the likeliest behavior is heard as a
         whole: who "brakes, then moves off" need not name the throttle.
         """
-        heard = said or tuple(action for action in Action if likely.actions[action] >= HEARD)
-        unheard = [action not in heard and _opposite(action) in heard for action in Action]
+        heard = said or tuple(action for action in Action if beliefs.heard(action) >= HEARD)
+        unheard = [action not in heard and action.opposite in heard for action in Action]
         against = self.actions @ np.array(unheard, float) > 0
         if not said:
-            against[np.argmax([likely.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
+            against[np.argmax([beliefs.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
         return against
 
     def _acted(self, said: tuple[Action, ...]) -> Scores:
@@ -446,28 +407,21 @@ def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | No
     does = set(behavior.slots.actions)
     if reordered(behavior.slots.actions, said):
         return None
-    if not set(said) <= does.union(*(ALONG.get(action, set()) for action in does)):
+    if not set(said) <= does.union(*(BRINGS[action] for action in does)):
         return None
-    return frozenset(does.difference(said, *(ALONG.get(action, set()) for action in said)))
+    return frozenset(does.difference(said, *(BRINGS[action] for action in said)))
 
 
-def _near(similarity: Scores) -> Scores:
-    """How likely a behavior is that the classifier was not trained on, from its wording's cosine."""
-    return np.clip((similarity - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
+Alternatives = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
 
 
-Beliefs = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
-
-
-def _beliefs(slots: Slots, likely: Probabilities) -> Beliefs:
-    """What may have been said: as the classifier has it, but for facts that were read otherwise."""
-    found: Beliefs = {}
-    for name, classes in likely.slots.items():
-        read = as_class(getattr(slots, name))
-        if read == max(classes, key=lambda value: classes[value]):
-            found[name] = [(as_value(name, value), p) for value, p in classes.items()]
-        else:
-            found[name] = [(getattr(slots, name), 1.0)]
+def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
+    """What may have been said: as was believed, but for facts that were decided otherwise, which are sure."""
+    found: Alternatives = {}
+    for name in PLACED:
+        classes, decided = beliefs.slots.get(name, {}), getattr(slots, name)
+        likeliest = max(classes, key=lambda value: classes[value], default=decided)
+        found[name] = list(classes.items()) if classes and decided == likeliest else [(decided, 1.0)]
     return found
 
 
@@ -486,15 +440,16 @@ def _does(snippet: Snippet, name: str) -> Any:
     return distances(snippet) if name == "distance" and value is None else value
 
 
-def _conflicts(said: Slots, snippet: Snippet, component: Component, *, ordered: bool) -> list[str]:
-    """The facts that a snippet contradicts, in words; `ordered` acts were said in their order."""
+def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[str]:
+    """The facts that a snippet contradicts, in words."""
     found: list[str] = []
+    said = asked.slots
     for slot in OF_COMPONENT[component]:
         wanted, does = getattr(said, slot), _does(snippet, slot)
         if slot == "actions":
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
-            against |= any(action not in wanted and _opposite(action) in wanted for action in does)
-            against |= ordered and reordered(does, wanted)
+            against |= any(action not in wanted and action.opposite in wanted for action in does)
+            against |= asked.frame.plain and reordered(does, wanted)
         else:
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
@@ -519,23 +474,13 @@ def _agreement(said: object, does: object) -> float:
     return 0.0
 
 
-def _opposite(action: Action) -> Action | None:
-    return next((b for pair in OPPOSITES for a, b in (pair, pair[::-1]) if a is action), None)
-
-
 def _words(value: object) -> str:
     return ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 
-@lru_cache(maxsize=256)
-def _query(text: str, embedder: Embedder) -> Vectors:
-    """A text's row."""
-    return embedder.encode([text])
-
-
-@lru_cache(maxsize=16)
-def _shelf(library: Library, component: Component, embedder: Embedder) -> _Shelf:
-    return _Shelf(library.of(component), embedder)
+@lru_cache(maxsize=4)
+def _shelves(library: Library) -> dict[Component, _Shelf]:
+    return {component: _Shelf(component, library.of(component)) for component in Component}
 
 
 # The triple
@@ -549,54 +494,70 @@ def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
     return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
 
 
-def doubts(scenario: Scenario, behavior: Match, library: Library, likely: Probabilities) -> dict[str, float]:
+def doubts(
+    scenario: Scenario, frame: Frame, behavior: Snippet, library: Library, embedder: Embedder
+) -> dict[str, float]:
     """What speaks for and against a sentence being served, by the names in `CONFIDENCE`.
 
     Args:
         scenario: What was understood.
+        frame: What the sentence says.
         behavior: What was chosen for it.
         library: Whose other behaviors it may have meant, as far as its adversary can do them.
-        likely: How likely each fact is.
+        embedder: Who says how near the behavior's description is.
     """
-    kind = scenario.slots.adversary
+    kind, beliefs = scenario.slots.adversary, frame.beliefs
     able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
-    meant = likely.behaviors.get(behavior.snippet.id, float(_near(np.array(behavior.similarity))))
-    if scenario.plain and _more(behavior.snippet, scenario.slots.actions) == frozenset():
-        meant += sum(likely.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
-    meant /= max(meant, sum(likely.behaviors.get(s.id, 0.0) for s in able))
+    meant = beliefs.meant(behavior.id)
+    if frame.plain and _more(behavior, scenario.slots.actions) == frozenset():
+        meant += sum(beliefs.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
+    meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0
+    text, description = embedder.encode([scenario.parts.behavior, behavior.description])
     return {
         "base": 1.0,
-        "scope": math.log((likely.in_scope + FAINTEST) / (1.0 - likely.in_scope + FAINTEST)),
-        "beyond": float(any(note.startswith(UNKNOWN) for note in scenario.notes)),
-        "outright": float(min(len(scenario.slots.said()) - len(scenario.guessed), ENOUGH)),
-        "wording": min(max(behavior.similarity, FAR_WORDING), NEAR_WORDING),
+        "scope": math.log((beliefs.in_scope + FAINTEST) / (1.0 - beliefs.in_scope + FAINTEST)),
+        "beyond": float(any(note.about is About.FOREIGN for note in scenario.notes)),
+        "outright": float(min(len(scenario.slots.said()) - len(guessed(scenario.slots, frame)), ENOUGH)),
+        "wording": min(max(float(text @ description), FAR_WORDING), NEAR_WORDING),
         "meant": math.log(meant + UNLIKELY),
     }
 
 
-def _confidence(scenario: Scenario, triple: tuple[Match, ...], library: Library, likely: Probabilities) -> float:
+def guessed(slots: Slots, frame: Frame) -> list[str]:
+    """The slots that no word says outright; the whole of the text made them likely."""
+    return [name for name, value in slots.said().items() if value and not getattr(frame.outright, name)]
+
+
+def _confidence(
+    scenario: Scenario, frame: Frame, triple: tuple[Match, ...], library: Library, embedder: Embedder
+) -> float:
     """The probability that the library can serve a sentence, less for every fact that the triple contradicts.
 
     Nothing is left of it by another language, by weather and by light.
     """
     if any(one.why in REFUSED for one in scenario.unused):
         return 0.0
-    odds = sum(CONFIDENCE[name] * value for name, value in doubts(scenario, triple[0], library, likely).items())
+    against = doubts(scenario, frame, triple[0].snippet, library, embedder)
+    odds = sum(CONFIDENCE[name] * value for name, value in against.items())
     return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
 
 
-def _reasons(scenario: Scenario, triple: tuple[Match, ...]) -> tuple[str, ...]:
+def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
     """Why a sentence is refused, in a user's words, what decides alone first."""
     told = grouped(scenario.unused)
     if Why.LANGUAGE in told:
         return (told[Why.LANGUAGE],)  # all else follows from it
+    unheard = guessed(scenario.slots, frame)
+    notes = [note for note in scenario.notes if note.about is About.FOREIGN]
+    notes += [
+        Note(about=about) for slot, about in (("adversary", About.WHO), ("actions", About.WHAT)) if slot in unheard
+    ]
+    notes += [note for note in scenario.notes if note.about in (About.WHO, About.STRANGER, About.WHAT)]
     said = [told[why] for why in REFUSED if why in told]
-    said += [note for note in scenario.notes if note.startswith(UNKNOWN)]
-    said += [note for slot, note in (("adversary", WHO), ("actions", WHAT)) if slot in scenario.guessed]
-    said += [note for note in scenario.notes if note.startswith((WHO, WHAT))]
+    said += map(str, notes)
     said += [conflict for match in triple for conflict in match.conflicts]
     snippets = [match.snippet for match in triple]
-    unmet = [quantity.said for quantity in scenario.quantities if not settable(quantity, snippets)]
+    unmet = [quantity.said for quantity in frame.quantities if not settable(quantity, snippets)]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
     said += [reason for why, reason in told.items() if why not in REFUSED]
     return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)

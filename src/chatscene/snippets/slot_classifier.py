@@ -21,23 +21,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.agent.canonical import canonical
-from chatscene.agent.decompose import decompose
 from chatscene.bounded import check_archive
 from chatscene.errors import SnippetError
 from chatscene.snippets.embedding import MiniLM
-from chatscene.terms.scenario import (
-    Action,
-    AdversaryKind,
-    Control,
-    Distance,
-    Maneuver,
-    Occluder,
-    Place,
-    Position,
-    Side,
-    Slots,
-)
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.frame import Beliefs, Frame
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 
 NAME = "slot_classifier.npz"
 PACKAGED = Path(__file__).parent / NAME
@@ -61,8 +51,6 @@ VALUES: dict[str, tuple[str, ...]] = {
     "lanes": ("1", "2", "3"),
     "two_way": ("True", "False"),
 }
-LIKELY = 0.5  # an action is said if it is as likely as this …
-KNOWN = 0.1  # … or belongs to the likeliest behavior, if that is as likely as this
 HEADS = (*VALUES, "actions", BEHAVIOR, SCOPE)
 TRUSTED = (*VALUES, "actions")  # of which the patterns know something
 
@@ -93,7 +81,7 @@ class Member:
     """One trained encoder and its heads.
 
     Attributes:
-        changes: What was trained of the encoder: new bytes of its file by where they stand.
+        changes: What was trained of the encoder: what to add to the bytes of its file, by where they stand.
         queries: (heads, D), what each head attends to.
         weights: (D, columns), a column per class of each head in order.
         bias: (columns,).
@@ -140,7 +128,7 @@ class SlotClassifier:
             first += len(classes)
         return found
 
-    def classify(self, states: Sequence[Floats], rules: Slots) -> Probabilities:
+    def classify(self, states: Sequence[Floats], rules: Slots) -> Beliefs:
         """How likely each value of each slot, each action and each behavior is.
 
         Args:
@@ -153,29 +141,12 @@ class SlotClassifier:
             joined = self.trust[name].joined(odds, rule_marks(name, classes, rules)) if name in self.trust else odds
             likely = 1 / (1 + np.exp(-joined)) if name == "actions" else _softmax(joined)
             slots[name] = dict(zip(classes, likely.tolist(), strict=True))
-        return Probabilities(
-            slots={name: slots[name] for name in VALUES},
+        return Beliefs(
+            slots={name: {as_value(name, value): p for value, p in slots[name].items()} for name in VALUES},
             actions={Action(name): p for name, p in slots["actions"].items()},
             behaviors=slots[BEHAVIOR],
             in_scope=slots[SCOPE]["True"],
         )
-
-
-@dataclass(frozen=True, slots=True)
-class Probabilities:
-    """What a sentence says, with how sure that is.
-
-    Attributes:
-        slots: For each slot with one value, the probability of each value and of `NOT_SAID`.
-        actions: For each action, the probability that the adversary does it.
-        behaviors: For each behavior the classifier knows, the probability that it is meant.
-        in_scope: The probability that it is a driving scenario, of the kind that the library has.
-    """
-
-    slots: Mapping[str, Mapping[str, float]]
-    actions: Mapping[Action, float]
-    behaviors: Mapping[str, float]
-    in_scope: float
 
 
 def _softmax(x: Floats) -> Floats:
@@ -222,12 +193,13 @@ def classes_of(head: str, behaviors: Sequence[str]) -> tuple[str, ...]:
 def save_classifier(classifier: SlotClassifier, path: Path) -> None:
     """Write a classifier: arrays only, a row per member. The same places of the encoder's file change in each."""
     members = classifier.members
-    changes = [np.frombuffer(b"".join(member.changes.values()), np.uint8) for member in members]
+    changes = b"".join(b"".join(member.changes.values()) for member in members)
+    packer = zlib.compressobj(strategy=zlib.Z_HUFFMAN_ONLY)  # small numbers without repeats (decision 0042)
     np.savez_compressed(
         path,
         at=np.array(list(members[0].changes), np.int64),
         lengths=np.array([len(new) for new in members[0].changes.values()], np.int64),
-        changes=np.stack(changes),
+        changes=np.frombuffer(packer.compress(changes) + packer.flush(), np.uint8),
         classes=np.array("\n".join(f"{head}\t" + "\t".join(names) for head, names in classifier.classes.items())),
         queries=np.stack([member.queries for member in members]),
         weights=np.stack([member.weights for member in members]).astype(np.float16),
@@ -249,9 +221,10 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
             ends = np.cumsum(arrays["lengths"]).tolist()
             places = list(zip(arrays["at"].tolist(), [0, *ends[:-1]], ends, strict=True))
             _check_places(path, [(at, b - a) for at, a, b in places])
-            rows = zip(
-                arrays["changes"], arrays["queries"], arrays["weights"].astype(np.float32), arrays["bias"], strict=True
-            )
+            queries = arrays["queries"]
+            unpacked = zlib.decompressobj().decompress(arrays["changes"].tobytes(), len(queries) * ends[-1])
+            changes = np.frombuffer(unpacked, np.uint8).reshape(len(queries), ends[-1])
+            rows = zip(changes, queries, arrays["weights"].astype(np.float32), arrays["bias"], strict=True)
             named = [line.split("\t") for line in str(arrays["classes"]).split("\n")]
             trust = [Trust(*row) for row in arrays["trust"].tolist()]
             return SlotClassifier(
@@ -287,35 +260,13 @@ def _trained(path: Path) -> tuple[SlotClassifier, tuple[MiniLM, ...]]:
     return classifier, classifier.encoders()
 
 
-@lru_cache(maxsize=256)
-def likelihoods(text: str, own: str = "") -> Probabilities:
+def believe(frame: Frame, own: str = "") -> Beliefs:
     """How likely each fact is in a sentence.
 
     Args:
-        text: The sentence.
+        frame: The sentence, and what its words say outright.
         own: Folder of one's own snippets; the classifier trained on them is used if it lies there, else the packaged.
     """
     at = Path(own) / NAME
     classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
-    return classifier.classify([encoder.states(canonical(text)) for encoder in encoders], decompose(text).slots)
-
-
-def said(probabilities: Probabilities, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
-    """The likeliest value of each slot, and what the likeliest behavior does.
-
-    Actions come together or not at all, as in the behaviors that people speak of; taken one by one where each is
-    likelier than not, half as many are right. Where no behavior is likely, they are.
-
-    Args:
-        probabilities: Of the sentence.
-        behaviors: What each behavior of the library does.
-    """
-    values: dict[str, Any] = {}
-    for name in VALUES:
-        classes = probabilities.slots[name]
-        values[name] = as_value(name, max(classes, key=lambda value: classes[value]))
-    likely = {name: p for name, p in probabilities.behaviors.items() if name in behaviors}
-    best = max(likely, key=lambda name: likely[name], default="")
-    if likely.get(best, 0.0) >= KNOWN:
-        return Slots(**values, actions=behaviors[best])
-    return Slots(**values, actions=tuple(a for a in Action if probabilities.actions[a] >= LIKELY))
+    return classifier.classify([encoder.states(frame.canonical) for encoder in encoders], frame.outright)

@@ -1,7 +1,8 @@
 """MiniLM in torch, to be trained further, and back into the bytes of its file.
 
 The file keeps each matrix as int8 numbers with a scale per column (per row for words and positions). Trained layers
-are rounded the same way and written over the old ones, so that the runtime that loads the one loads the other.
+are rounded the same way, then to whole steps from the old ones, and written over them, so that the runtime that loads
+the one loads the other, and what changed is small (decision 0042).
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ LAYERS, WIDTH, ATTENTION_HEADS, INNER = 6, 384, 12, 1536
 EPSILON = 1e-12
 MATRICES = ("query", "key", "value", "output", "up", "down")  # of a layer, in the order of the file
 AT_ONCE = 64  # sentences
+STEP = 2  # between the int8 numbers that a trained weight may have
 
 Array = NDArray[Any]
 
@@ -83,7 +85,7 @@ class Tuned(nn.Module):
         return [pooled[:, i] @ weights + bias for i, (weights, bias) in enumerate(columns)]
 
     def changes(self) -> dict[int, bytes]:
-        """New bytes of the encoder's file, by where they stand."""
+        """What to add to the bytes of the encoder's file, by where they stand."""
         changed: dict[int, bytes] = {}
         for i, layer in enumerate(self.upper, LAYERS - len(self.upper)):
             changed |= self._file.written(i, layer)
@@ -142,7 +144,7 @@ class _File:
         return layer
 
     def written(self, i: int, layer: nn.Module) -> dict[int, bytes]:
-        """A layer's weights as bytes of the file, by where they stand."""
+        """What a layer's weights add to the bytes of the file, by where they stand."""
         state = {name: value.detach().numpy() for name, value in layer.state_dict().items()}
         in_weights = np.split(state["self_attn.in_proj_weight"], 3)
         matrices = [*in_weights, *(state[f"{n}.weight"] for n in ("self_attn.out_proj", "linear1", "linear2"))]
@@ -157,7 +159,7 @@ class _File:
         changed: dict[int, bytes] = {}
         for name, matrix in zip(self._of(i), matrices, strict=True):
             scale = (np.abs(matrix.T).max(axis=0, keepdims=True) / 127).astype(np.float32)
-            changed |= self._over(f"{name}_q", np.round(matrix.T / scale).astype(np.int8))
+            changed |= self._over(f"{name}_q", in_steps(self._arrays[f"{name}_q"], matrix.T / scale))
             changed |= self._over(f"{name}_scale", scale)
         for name, at in _vectors(i).items():
             changed |= self._over(at, vectors[name])
@@ -170,11 +172,23 @@ class _File:
         return torch.from_numpy(self._arrays[f"{name}_q"].astype(np.float32) * self._arrays[f"{name}_scale"])
 
     def _over(self, name: str, new: Array) -> dict[int, bytes]:
-        """An array's new bytes, by where its old ones stand in the file."""
+        """What an array's new bytes add to its old ones, by where they stand in the file."""
         old = self._arrays[name]
         if (old.shape, old.dtype) != (new.shape, new.dtype) or self._content.count(old.tobytes()) != 1:
             raise AssertionError(f"{name} cannot be written over")
-        return {self._content.index(old.tobytes()): new.tobytes()}
+        before, after = (np.frombuffer(array.tobytes(), np.uint8) for array in (old, new))
+        return {self._content.index(old.tobytes()): (after - before).tobytes()}
+
+
+def in_steps(old: Array, new: Array) -> Array:
+    """Int8 numbers that differ from the old ones by whole steps, as near to the new ones as that allows.
+
+    Args:
+        old: Int8 numbers.
+        new: Numbers from -127 to 127, of any kind.
+    """
+    nearest = old + STEP * np.round((new - old) / STEP)
+    return (nearest - STEP * (nearest > 127) + STEP * (nearest < -128)).astype(np.int8)
 
 
 def _vectors(i: int) -> dict[str, str]:

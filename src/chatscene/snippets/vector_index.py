@@ -14,13 +14,14 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.caches import cache_folder, keep
 from chatscene.errors import SettingsError
-from chatscene.snippets.embedding import Vectors, cache_folder, write_whole
+from chatscene.snippets.embedding import Vectors
 
 Rows = NDArray[np.int64]
 
@@ -144,20 +145,19 @@ def build_cached(vectors: Vectors, *, exact_up_to: int = EXACT_UP_TO) -> VectorI
     if len(vectors) <= max(exact_up_to, 1):
         return build(vectors, exact_up_to=exact_up_to)
     vectors = _checked(vectors)
-    path = cache_folder() / f"{_content_hash(vectors)}.ivf"
+    path = cache_folder("vectors") / f"{_content_hash(vectors)}.ivf"
     index = _load(path, vectors)
     if index is None:
         index = build(vectors, exact_up_to=exact_up_to)
-        write_whole(path, lambda file: _save(index, file))
+        keep(path, _stored(index))
     return index
 
 
-def _save(index: VectorIndex, file: IO[bytes]) -> None:
+def _stored(index: VectorIndex) -> bytes:
     import faiss
 
     content = faiss.serialize_index(index.core).tobytes()
-    file.write(hashlib.blake2b(content).digest())
-    file.write(content)
+    return hashlib.blake2b(content).digest() + content
 
 
 def _load(path: Path, vectors: Vectors) -> VectorIndex | None:

@@ -85,9 +85,3 @@ def best_of_each(scores: NDArray[Any], owners: NDArray[np.intp]) -> tuple[NDArra
     found = np.flatnonzero(scores == best[owners])[::-1]
     rows[owners[found]] = found  # of several, the one written last stays: the first
     return best, rows
-
-
-@lru_cache(maxsize=8)
-def word_index(wordings: tuple[str, ...], owners: tuple[int, ...]) -> WordingIndex:
-    """The index of some wordings, built once."""
-    return WordingIndex(wordings, owners)

@@ -8,7 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from chatscene.terms.scenario import AdversaryKind, BaseScenario, Slots
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import BaseScenario, Slots
 
 
 class Style(StrEnum):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -164,3 +165,16 @@ class Episode:
             f"Episode({self.scene_id}, {self.ego}, {len(self.ego_track.x)} steps, "
             f"{len(self.tracks)} actors, {self.ending})"
         )
+
+
+def contact_point(episode: Episode, event: Event) -> list[float]:
+    """Where the ego was hit [m]: the point of its box nearest to the centre of what it hit."""
+    ego = episode.ego_track
+    step = min(event.step, len(ego.x) - 1)
+    x, y, heading = float(ego.x[step]), float(ego.y[step]), float(ego.heading[step])
+    other = next((track for track in episode.tracks if track.actor == event.other), ego)
+    dx, dy = float(other.x[step]) - x, float(other.y[step]) - y
+    cos, sin = math.cos(heading), math.sin(heading)
+    along = min(max(dx * cos + dy * sin, -ego.length / 2), ego.length / 2)
+    across = min(max(dy * cos - dx * sin, -ego.width / 2), ego.width / 2)
+    return [round(x + along * cos - across * sin, 2), round(y + along * sin + across * cos, 2)]

@@ -9,6 +9,13 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from typing import TYPE_CHECKING
+
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+
+if TYPE_CHECKING:
+    from chatscene.terms.frame import Frame, Note
 
 
 class BaseScenario(StrEnum):
@@ -30,68 +37,6 @@ class Component(StrEnum):
     BEHAVIOR = "behavior"
     GEOMETRY = "geometry"
     SPAWN = "spawn"
-
-
-class AdversaryKind(StrEnum):
-    """What kind of road user the adversary is."""
-
-    CAR = "car"
-    TRUCK = "truck"
-    BUS = "bus"
-    MOTORCYCLE = "motorcycle"
-    BICYCLE = "bicycle"
-    PEDESTRIAN = "pedestrian"
-    EMERGENCY_VEHICLE = "emergency-vehicle"
-
-
-class Action(StrEnum):
-    """One thing the adversary does; each has a test on the simulated tracks."""
-
-    CROSS = "cross"  # moves across the ego's path from one side
-    STOP = "stop"  # was moving, then stands still
-    BRAKE = "brake"  # loses speed hard
-    ACCELERATE = "accelerate"  # gains speed
-    SLOW = "slow"  # drives much slower than traffic
-    REVERSE = "reverse"  # moves backwards
-    CUT_IN = "cut-in"  # enters the ego's lane from beside
-    CHANGE_LANE = "change-lane"  # leaves its lane for a neighbouring one
-    WEAVE = "weave"  # swings from side to side
-    SWERVE = "swerve"  # leaves its line once, abruptly
-    PACE = "pace"  # keeps level with the ego
-    RUN_LIGHT = "run-light"  # enters a junction on red
-    TURN_LEFT = "turn-left"
-    TURN_RIGHT = "turn-right"
-    ONCOMING = "oncoming"  # approaches against the ego's direction
-    HESITATE = "hesitate"  # starts, pauses, goes on
-    DIAGONAL = "diagonal"  # crosses at a slant
-    TURN_BACK = "turn-back"  # crosses, then goes back where it came from
-    FOLLOW = "follow"  # drives on along its lane
-    OVERTAKE = "overtake"  # passes the ego from behind
-    TAILGATE = "tailgate"  # drives close behind the ego
-    PULL_OUT = "pull-out"  # leaves a standing place beside the road for the ego's lane
-    WRONG_WAY = "wrong-way"  # drives against traffic in the ego's own lane
-    U_TURN = "u-turn"  # turns round to where it came from
-    BLOCK = "block"  # stands still in the ego's way
-    FAST = "fast"  # drives or runs much faster than usual
-
-
-# What somebody does all along: said before or after something else, it comes neither before nor after it.
-MANNERS = frozenset(
-    {Action.SLOW, Action.FAST, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL, Action.FOLLOW, Action.BLOCK}
-)
-
-
-def reordered(does: Iterable[Action], said: Iterable[Action]) -> bool:
-    """Whether acts come in another order than they were said in; manners come in none, and a pause is a stop."""
-    one, other = (
-        list(
-            dict.fromkeys(
-                Action.STOP if action is Action.HESITATE else action for action in acts if action not in MANNERS
-            )
-        )
-        for acts in (does, said)
-    )
-    return [action for action in one if action in other] != [action for action in other if action in one]
 
 
 class Side(StrEnum):
@@ -243,14 +188,14 @@ class Quantity:
 
 
 class Why(StrEnum):
-    """Why something that was said is not in the program."""
+    """Why something that was said is not in the program, in the order in which that is listed."""
 
     LANGUAGE = "only English is read"
     WEATHER = "weather: every scene is dry and clear"
     LIGHT = "light: every scene is in daylight"
-    NUMBER = "nothing in the program can be set to it"
-    ROAD_USER = "another road user; one adversary is searched with"
     REACTION = "how the ego reacts is its own affair"
+    ROAD_USER = "another road user; one adversary is searched with"
+    NUMBER = "nothing in the program can be set to it"
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 
 
@@ -300,11 +245,10 @@ class Scenario:
         base: The base scenario it belongs to, or None where it fits none of the eight.
         parts: A sub-description per component.
         slots: The typed facts found in it.
-        notes: What the reader of the sentence was unsure about, in words for the user.
-        quantities: The numbers found in it.
-        guessed: Slots that no word says outright; a classifier filled them from the whole.
+        notes: What the reader of the sentence was unsure about.
         unused: What was said and is in no slot and no quantity.
-        plain: Whether the patterns know every word and read what is done: then nothing was said beyond that.
+        frame: What the sentence says and how sure that is; None for what nobody read from a sentence, such as a
+            program of one's own.
     """
 
     id: str
@@ -312,8 +256,6 @@ class Scenario:
     base: BaseScenario | None
     parts: SubDescriptions
     slots: Slots
-    notes: tuple[str, ...] = ()
-    quantities: tuple[Quantity, ...] = ()
-    guessed: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     unused: tuple[Unused, ...] = ()
-    plain: bool = False
+    frame: Frame | None = None

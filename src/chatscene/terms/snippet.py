@@ -5,9 +5,10 @@ Paper: sections 3.2 (database) and 3.3 (retrieval).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from chatscene.terms.scenario import AdversaryKind, Component, Slots, Unused
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Component, Slots, Unused
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,10 +39,10 @@ class Snippet:
     """One reviewed piece of Scenic, with the contract that lets it be joined to others.
 
     Attributes:
-        id: ``component/name``; the file is ``library/<component>/<name>.scenic``.
+        id: ``component/name``; it stands in a file of ``library/<component>/``.
         component: Which of the three parts it is.
         description: One sentence, the canonical text that is embedded.
-        rephrasings: At least five other ways to say it, embedded beside it.
+        rephrasings: Other ways to say it, embedded beside it.
         slots: What the code does, as typed facts.
         adversaries: The kinds it works for: of a behavior, who can act it; of a spawn, who fits there;
             empty for a geometry.
@@ -49,7 +50,8 @@ class Snippet:
         provides: Names it defines for its partners, sorted.
         parameters: What can be tuned in it.
         origin: Where the idea comes from.
-        source: The Scenic code, without the header.
+        source: The Scenic code, without the header and our marks.
+        file: Where it stands in its library, such as ``spawn/kerb-left.scenic``; empty if nowhere.
     """
 
     id: str
@@ -63,6 +65,7 @@ class Snippet:
     parameters: tuple[ParameterRange, ...] = ()
     origin: str = ""
     source: str = ""
+    file: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,7 +74,8 @@ class Match:
 
     Attributes:
         snippet: What was found.
-        similarity: Cosine of the nearest of its texts to the sub-description, in [-1, 1].
+        similarity: Words that the nearest of its texts shares with the sub-description, weighed by how rare they are,
+            in [0, 1].
         agreement: Share of the sentence's slots for this component that the snippet fulfils, in [0, 1];
             1 where the sentence says nothing.
         score: What the joint choice maximises: similarity and agreement weighed.

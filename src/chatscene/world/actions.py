@@ -1,4 +1,4 @@
-"""Actions of the world model: one per step and agent, cheap, and the same on every backend."""
+"""Actions of the world model: one per step and agent, cheap, and the same in every simulator."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""What the classes of the world model can do in the embedded simulator, as mix-ins of Scenic's protocols.
+"""What the classes of the world model can do, as mix-ins of Scenic's protocols.
 
-During a simulation each object carries the `body` that moves for it; these methods set that body's controls.
+During a simulation each object carries the `body` that its simulator moves; these methods say what is asked of it.
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ from typing import Any
 
 from scenic.domains.driving.actions import Steers, Walks
 
+from chatscene.world.bodies import Vehicle, Walker
 from chatscene.world.control import Pose
 
 QUARTER = math.pi / 2  # Scenic's headings start at +y, ours at +x
 
 
 class Placed:
-    """Anything with a pose, read the same way on every backend."""
+    """Anything with a pose, read the same way in every simulator."""
 
     @property
     def pose(self: Any) -> Pose:
@@ -25,9 +26,9 @@ class Placed:
 
 
 class Driven(Placed, Steers):
-    """A vehicle or two-wheeler: Scenic's driving actions, limited to what its body can do."""
+    """A vehicle or two-wheeler: Scenic's driving actions, which its body follows within its limits."""
 
-    body: Any
+    body: Vehicle
 
     def setControls(self, throttle: float, brake: float, steer: float, reverse: bool) -> None:  # noqa: N802
         """All controls at once (see `chatscene.world.actions.DriveAction`)."""
@@ -70,7 +71,7 @@ class Driven(Placed, Steers):
 class Walking(Placed, Walks):
     """A pedestrian."""
 
-    body: Any
+    body: Walker
 
     def setWalk(self, course: float, speed: float) -> None:  # noqa: N802
         """Walk in direction `course` [rad, 0 = +x] at `speed` [m/s]."""

@@ -1,7 +1,7 @@
 """The world model: every name a snippet may use. A program says `model chatscene.world.model`, and no more.
 
-Nothing here names a simulator, except that objects carry what the embedded one needs. The only random values in a
-program are its `OPT_` parameters: classes fix what Scenic's driving domain would draw (colours, positions), so
+Nothing here names a simulator: the parameter `simulator` does, and settings have its default. The only random values
+in a program are its `OPT_` parameters: classes fix what Scenic's driving domain would draw (colours, positions), so
 that a scene is exactly its parameter values.
 """
 
@@ -21,7 +21,7 @@ from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDi
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, levelOn, maximum, neighbourPath,
     offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
-from chatscene.terms.limits import LIMITS as _LIMITS
+from chatscene.terms.actors import LIMITS as _LIMITS
 from scenic.core.vectors import globalOrientation as _NORTH
 
 if 'route' not in globalParameters:
@@ -29,8 +29,11 @@ if 'route' not in globalParameters:
 if 'signals' not in globalParameters:
     param signals = 'clock'
 
-from chatscene.simulate.embedded.simulation import EmbeddedSimulator as _EmbeddedSimulator
-simulator _EmbeddedSimulator()
+if 'simulator' not in globalParameters:
+    from chatscene.settings import SimulationSettings as _SimulationSettings
+    param simulator = _SimulationSettings().simulator
+from chatscene.world.stock import stock_simulator as _stock_simulator
+simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=()):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry."""

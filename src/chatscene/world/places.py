@@ -20,7 +20,7 @@ from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
-from chatscene.terms.limits import LIMITS, kind_of
+from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place

@@ -10,15 +10,15 @@ from chatscene.agent.grammar import deed_pairs, deeds, where, who
 from chatscene.agent.grammar.inflection import Form, conjugated, plural, with_article
 from chatscene.agent.grammar.quoting import predicate
 from chatscene.agent.grammar.voice import Voice
+from chatscene.terms.actors import Manner
+from chatscene.terms.acts import Action
 from chatscene.terms.description import Style
-from chatscene.terms.scenario import Action, AdversaryKind, Distance, Position
+from chatscene.terms.scenario import Distance, Position
 
 OWN_WORDS = 0.35  # share of sentences that say what the adversary does in the words of its snippet, where they fit
 
 _BEHIND = (Position.BEHIND, Position.BEHIND_BESIDE)
-_PEOPLE = (AdversaryKind.PEDESTRIAN, AdversaryKind.BICYCLE, AdversaryKind.MOTORCYCLE)
 _WITH_SPEED = {Action.CROSS, Action.ACCELERATE, Action.FOLLOW}  # have phrases of their own for doing so fast
-_PAINTED = (AdversaryKind.CAR, AdversaryKind.TRUCK, AdversaryKind.BUS)
 _QUALIFIED = re.compile(r" (?:on|with) ")
 _AT_JUNCTION = re.compile("intersection|junction|crossroads|corner")
 _COMING_OUT = re.compile(r"\[(?:emerge|come)\](?: out)? \{from\} and ")
@@ -69,13 +69,13 @@ def adversary(voice: Voice, texts: Sequence[str], at_junction: bool) -> Adversar
         at_junction: Whether it happens at a junction.
     """
     slots = voice.slots
-    manner = deeds.MANNERS.get(slots.adversary, deeds.Manner.DRIVES) if slots.adversary else deeds.Manner.DRIVES
+    manner = slots.adversary.row.manner if slots.adversary else Manner.DRIVES
     noun, pronoun, many = _noun(voice)
     finite = many or voice.past or voice.style is Style.TELEGRAM
     quoted = None if finite else _quoted(voice, texts, manner, at_junction)
     does = (quoted,) if quoted else _deeds(voice, manner, at_junction)
     origin = _origin(voice) if not quoted and "{from}" in does[0] and voice.chance(0.65) else ""
-    oncoming = slots.position is Position.ONCOMING and manner is not deeds.Manner.WALKS
+    oncoming = slots.position is Position.ONCOMING and manner is not Manner.WALKS
     before = oncoming and slots.side is None and not many and voice.chance(0.5)
     stands = "" if origin or before else _post(voice, does, manner)
     if not origin:  # nobody emerges from nowhere
@@ -122,9 +122,9 @@ def _noun(voice: Voice) -> tuple[str, str, bool]:
     noun, _, pronoun = voice.pick(options).partition(":")
     if voice.slots.group:
         return voice.pick(who.GROUPS).format(many=plural(noun)), "they", True
-    if kind in _PAINTED and voice.chance(0.15):
+    if kind and kind.row.painted and voice.chance(0.15):
         noun = f"{voice.pick(who.COLOURS)} {noun}"
-    return noun, pronoun or ("they" if kind in _PEOPLE else "it"), False
+    return noun, pronoun or ("they" if kind and kind.is_vulnerable else "it"), False
 
 
 def _article(voice: Voice, noun: str) -> str:
@@ -148,7 +148,7 @@ def _origin(voice: Voice) -> str:
     return voice.pick(where.SIDE_FROM) if slots.position is None and slots.side else ""
 
 
-def _post(voice: Voice, does: tuple[str, ...], manner: deeds.Manner) -> str:
+def _post(voice: Voice, does: tuple[str, ...], manner: Manner) -> str:
     """Where it is, as what follows its noun or *is*; rather in other words than those of what it does."""
     used = {word[:4] for phrase in does for word in _CONTENT.findall(phrase)}
     post = ""
@@ -159,7 +159,7 @@ def _post(voice: Voice, does: tuple[str, ...], manner: deeds.Manner) -> str:
     return voice.fill(post)
 
 
-def _any_post(voice: Voice, manner: deeds.Manner) -> str:
+def _any_post(voice: Voice, manner: Manner) -> str:
     slots = voice.slots
     if slots.occluder is not None:
         thing = voice.pick(where.OCCLUDERS[slots.occluder])
@@ -167,7 +167,7 @@ def _any_post(voice: Voice, manner: deeds.Manner) -> str:
     if slots.position is None:
         return voice.pick(where.SIDE_POST) if slots.side else ""
     sided, plain = where.POST[slots.position]
-    if slots.position is Position.ONCOMING and manner is deeds.Manner.WALKS:
+    if slots.position is Position.ONCOMING and manner is Manner.WALKS:
         sided, plain = (), where.ON_FOOT_ONCOMING
     if slots.side and sided:
         return voice.pick(sided)
@@ -192,7 +192,7 @@ def _distance(voice: Voice) -> str:
 # What it does
 
 
-def _quoted(voice: Voice, texts: Sequence[str], manner: deeds.Manner, at_junction: bool) -> str | None:
+def _quoted(voice: Voice, texts: Sequence[str], manner: Manner, at_junction: bool) -> str | None:
     """What it does in words of its snippet, if any fit."""
     if not texts or not voice.chance(OWN_WORDS):
         return None
@@ -200,7 +200,7 @@ def _quoted(voice: Voice, texts: Sequence[str], manner: deeds.Manner, at_junctio
     return said if said and (at_junction or not _AT_JUNCTION.search(said)) else None
 
 
-def _deeds(voice: Voice, manner: deeds.Manner, at_junction: bool) -> tuple[str, ...]:
+def _deeds(voice: Voice, manner: Manner, at_junction: bool) -> tuple[str, ...]:
     """A marked phrase per thing it does, pairs that belong together in one."""
     left = sorted(voice.slots.actions, key=lambda action: action is not Action.PULL_OUT)  # whoever does, does so first
     if voice.slots.position is Position.ONCOMING and len(left) > 1 and Action.ONCOMING in left:
@@ -214,7 +214,7 @@ def _deeds(voice: Voice, manner: deeds.Manner, at_junction: bool) -> tuple[str, 
     while left:
         table, taken = _next(voice, left, done, manner, at_junction)
         phrase = voice.pick(_possible(voice, deeds.phrases(table, manner)))
-        if sudden and taken[0] in deeds.SUDDEN and phrase.startswith("[") and not _ABRUPT.search(phrase):
+        if sudden and taken[0].row.sudden and phrase.startswith("[") and not _ABRUPT.search(phrase):
             phrase, sudden = f"{voice.pick(deeds.SUDDENLY)} {phrase}", False
         said.append(phrase)
         done += taken
@@ -225,7 +225,7 @@ def _deeds(voice: Voice, manner: deeds.Manner, at_junction: bool) -> tuple[str, 
 
 
 def _next(
-    voice: Voice, left: list[Action], done: list[Action], manner: deeds.Manner, at_junction: bool
+    voice: Voice, left: list[Action], done: list[Action], manner: Manner, at_junction: bool
 ) -> tuple[deeds.Table, list[Action]]:
     """The table that says the next thing it does, and the actions that are said with it."""
     action, position = left[0], voice.slots.position
@@ -239,17 +239,15 @@ def _next(
         if (table := deed_pairs.AFTER.get((before, action))) is not None:
             return table, [action]
     through = at_junction and position in (Position.CROSSING, Position.ONCOMING, None)
-    if through and action in deed_pairs.THROUGH and manner is not deeds.Manner.WALKS:
+    if through and action in deed_pairs.THROUGH and manner is not Manner.WALKS:
         return deed_pairs.THROUGH[action], [action]
     return deeds.DEEDS[action], [action]
 
 
-def _first(
-    left: list[Action], position: Position | None, manner: deeds.Manner
-) -> tuple[deeds.Table, list[Action]] | None:
+def _first(left: list[Action], position: Position | None, manner: Manner) -> tuple[deeds.Table, list[Action]] | None:
     """Beginnings that hang on where it starts, or on what comes later."""
     beside = position in (Position.ROADSIDE, Position.FAR_CORNER, None)
-    if set(left) == {Action.BRAKE, Action.STOP} and beside and manner is not deeds.Manner.DRIVES:
+    if set(left) == {Action.BRAKE, Action.STOP} and beside and manner is not Manner.DRIVES:
         return deed_pairs.FEINT, left
     if left[0] is Action.TURN_BACK and Action.CROSS in left:
         return deed_pairs.ATTEMPT, left[:1]

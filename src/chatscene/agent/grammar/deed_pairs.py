@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from chatscene.agent.grammar.deeds import Manner, Table
+from chatscene.agent.grammar.deeds import Table
 from chatscene.agent.grammar.inflection import listed
-from chatscene.terms.scenario import Action
+from chatscene.terms.actors import Manner
+from chatscene.terms.acts import Action
 
 A = Action
 W, R, D = Manner.WALKS, Manner.RIDES, Manner.DRIVES

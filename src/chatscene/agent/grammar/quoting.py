@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from chatscene.agent.grammar.deeds import Manner
+from chatscene.terms.actors import Manner
 
 _WHO = re.compile(
     r"(?:the|an?) (?:(?:oncoming|crossing|other|neighbouring|parked|waiting|approaching) )*"

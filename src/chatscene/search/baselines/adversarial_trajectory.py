@@ -8,11 +8,10 @@ is near (decision 0022).
 from __future__ import annotations
 
 from chatscene.search.baselines.nominal import Baseline, Nominal
-from chatscene.terms.scenario import AdversaryKind
 from chatscene.terms.snippet import ParameterRange
 
 STRETCHES, SECONDS = 20, 0.5  # of the path, and how long each takes at the nominal speed
-LIMITS = {AdversaryKind.PEDESTRIAN: 1.0, AdversaryKind.BICYCLE: 1.0, AdversaryKind.CAR: 3.0}  # [m] to either side
+VULNERABLE_LIMIT, LIMIT = 1.0, 3.0  # [m] to either side, on foot or two wheels and in a car
 
 
 class AdversarialTrajectory(Baseline):
@@ -24,7 +23,8 @@ class AdversarialTrajectory(Baseline):
 
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
         """Waits, then moves at the nominal speed beside its path, as far as the offsets say."""
-        limit, speed = LIMITS[nominal.adversary], f"{nominal.speed:g}"
+        limit = VULNERABLE_LIMIT if nominal.adversary.is_vulnerable else LIMIT
+        speed = f"{nominal.speed:g}"
         body = f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}\n"
         if nominal.path:
             offset = 'globalParameters[f"OPT_OFFSET_{i:02d}"]'

@@ -11,18 +11,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import SettingsError
 from chatscene.program.assemble import assemble
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings
-from chatscene.simulate.backend import Backend, load_backend
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.simulator import Simulator
 from chatscene.snippets.library import load_library
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import AdversaryKind, BaseScenario, Component, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange, Snippet, Tried
 
@@ -176,9 +176,9 @@ class Baseline:
             source="\n".join(lines) + f"\n\n{turns}behavior AdvBehavior():\n{code}",
         )
 
-    def backend(self, map_path: Path, settings: Settings) -> Backend:
-        """In this process: the code is ours."""
-        return load_backend("embedded", map_path, settings.simulation)
+    def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
+        """Always: the code is ours."""
+        return True
 
     def explore(
         self,
@@ -186,14 +186,14 @@ class Baseline:
         slots: Slots,
         route: int,
         *,
-        backend: Backend,
+        simulator: Simulator,
         ego: EgoPolicy,
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Its own search; the sampler of the settings is ChatScene's."""
         own = replace(settings, sampler=self.sampler)
-        return explore(program, slots, route, backend=backend, ego=ego, settings=own, done=done)
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 
 def _fixed(spawn: Snippet) -> Snippet:

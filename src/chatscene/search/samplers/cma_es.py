@@ -9,17 +9,12 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from cmaes import CMA
 
-from chatscene.errors import MissingExtra
 from chatscene.search.sampler import Proposal
 from chatscene.search.samplers.unit_cube import Array, UnitCube, dangers
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
-
-try:
-    from cmaes import CMA
-except ImportError as error:
-    raise MissingExtra("the sampler cma-es needs cmaes", extra="search") from error
 
 STEP = 0.3  # first deviation, as a share of the range (the tutorial's advice)
 SMALLEST = 4  # population below which no ranking tells a direction

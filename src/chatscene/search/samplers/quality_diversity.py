@@ -9,18 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from chatscene.errors import MissingExtra
+from ribs.archives import GridArchive
+from ribs.emitters import IsoLineEmitter
+
 from chatscene.search.sampler import Proposal
 from chatscene.search.samplers.uniform import Uniform
 from chatscene.search.samplers.unit_cube import UnitCube, dangers
 from chatscene.terms.outcome import FULL_IMPACT, Outcome
 from chatscene.terms.snippet import ParameterRange
-
-try:
-    from ribs.archives import GridArchive
-    from ribs.emitters import IsoLineEmitter
-except ImportError as error:
-    raise MissingExtra("the sampler quality-diversity needs ribs", extra="search") from error
 
 CELLS = (10, 10)  # of share of the route, and of speed of approach
 RANGES = ((0.0, 1.0), (0.0, FULL_IMPACT))

@@ -8,17 +8,13 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 
-from chatscene.errors import MissingExtra
+import optuna
+from optuna.distributions import BaseDistribution, FloatDistribution
+
 from chatscene.program.sample import DECIMALS
 from chatscene.search.sampler import Proposal
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
-
-try:
-    import optuna
-    from optuna.distributions import BaseDistribution, FloatDistribution
-except ImportError as error:
-    raise MissingExtra("the sampler tpe needs optuna", extra="search") from error
 
 
 class TreeParzen:

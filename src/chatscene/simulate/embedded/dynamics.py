@@ -1,10 +1,7 @@
 """How bodies move: a kinematic bicycle for vehicles and two-wheelers, a point for walkers, nothing for things.
 
-Pedals and steering mean what they mean in CARLA: throttle and brake in [0, 1], steering in [-1, 1] with right
-positive, as a share of the largest wheel angle. No body can be asked to teleport or to change its velocity at
-once: every request is limited to what the kind of body can do (decision 0008).
-
-State is kept in plain Python floats: one step of one body costs about a microsecond, an array call costs more.
+No body can be asked to teleport or to change its velocity at once: every request is limited to what the kind of body
+can do (decision 0008).
 """
 
 from __future__ import annotations
@@ -12,7 +9,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from chatscene.terms.limits import LIMITS, Limits
+from chatscene.terms.actors import LIMITS, Limits
+from chatscene.world.bodies import Body, Placement, Vehicle, Walker
 
 TAU = 2.0 * math.pi
 
@@ -23,74 +21,19 @@ THING = Limits(length=0.0, width=0.0)  # stays where it is
 LEAST_REVERSAL = 0.05  # [m/s], below which the gear may change
 
 
-class Body:
-    """A body that does not move, and the common state of those that do.
-
-    Attributes:
-        x, y: Centre [m], map frame.
-        heading: [rad, 0 = +x, counter-clockwise], never wrapped.
-        speed: [m/s] along the heading, negative backwards.
-        before: The speed before the last step [m/s]: what an impact happens at, since a step may end in standstill.
-        length, width: [m].
-    """
-
-    __slots__ = (
-        "before",
-        "cos",
-        "half_length",
-        "half_width",
-        "heading",
-        "length",
-        "radius",
-        "sin",
-        "speed",
-        "width",
-        "x",
-        "y",
-    )
-
-    heading: float
-
-    def __init__(self, x: float, y: float, heading: float, length: float, width: float) -> None:
-        self.x = x
-        self.y = y
-        self.heading = heading
-        self.speed = 0.0
-        self.before = 0.0
-        self.length = length
-        self.width = width
-        self.half_length = length / 2
-        self.half_width = width / 2
-        self.radius = math.hypot(length, width) / 2
-        self.cos = math.cos(heading)
-        self.sin = math.sin(heading)
-
-    def step(self, dt: float) -> None:
-        """Advance by `dt` [s]; a thing stays where it is."""
-
-
-class VehicleBody(Body):
+class VehicleBody(Vehicle):
     """A kinematic bicycle whose reference point is its centre.
 
     Attributes:
-        throttle, brake: Pedals in [0, 1].
-        steer: In [-1, 1], right positive.
-        reverse: Whether the throttle pushes backwards.
-        target_speed: A speed asked for directly [m/s], reached within the pedals' limits; None obeys pedals.
+        wheel: Angle of the front wheels [rad, positive = left].
     """
 
-    __slots__ = ("brake", "limits", "reverse", "steer", "target_speed", "throttle", "wheel")
+    __slots__ = ("limits", "wheel")
 
     def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
-        super().__init__(x, y, heading, limits.length, limits.width)
+        super().__init__(x, y, heading, limits.length, limits.width, speed)
         self.limits = limits
-        self.speed = speed
-        self.throttle = 0.0
-        self.brake = 0.0
-        self.steer = 0.0
         self.wheel = 0.0
-        self.reverse = False
-        self.target_speed: float | None = None
 
     def step(self, dt: float) -> None:
         """Advance by `dt` [s]."""
@@ -142,22 +85,18 @@ class VehicleBody(Body):
         return sign * (rolling if forward or rolling < REVERSE_SPEED else REVERSE_SPEED)
 
 
-class WalkerBody(Body):
+class WalkerBody(Walker):
     """A point that moves in any direction and faces where it goes.
 
     Attributes:
-        course: The direction it wants to walk [rad].
-        target_speed: The speed it wants to walk at [m/s].
+        vx, vy: Velocity [m/s].
     """
 
-    __slots__ = ("course", "limits", "target_speed", "vx", "vy")
+    __slots__ = ("limits", "vx", "vy")
 
     def __init__(self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0) -> None:
-        super().__init__(x, y, heading, limits.length, limits.width)
+        super().__init__(x, y, heading, limits.length, limits.width, speed)
         self.limits = limits
-        self.speed = speed
-        self.course = heading
-        self.target_speed = self.speed
         self.vx = self.speed * self.cos
         self.vy = self.speed * self.sin
 
@@ -184,30 +123,14 @@ class WalkerBody(Body):
             self.sin = vy / self.speed
 
 
-def make_body(
-    kind: str,
-    x: float,
-    y: float,
-    heading: float,
-    *,
-    size: tuple[float, float],
-    wheels: tuple[float, float] = (0.0, 0.0),
-    speed: float = 0.0,
-) -> Body:
+def make_body(placement: Placement) -> Body:
     """The body for a thing of the world model.
-
-    Args:
-        kind: One that moves (see `LIMITS`) or any other, which stays in place.
-        x: Centre [m].
-        y: Centre [m].
-        heading: [rad, 0 = +x, counter-clockwise].
-        size: (length, width) [m].
-        wheels: (wheelbase [m], largest wheel angle [rad]) of a vehicle.
-        speed: Initial speed [m/s].
 
     Raises:
         ValueError: Nothing can be of that size, or nothing of its kind goes at that speed.
     """
+    kind, size = placement.kind, (placement.length, placement.width)
+    x, y, heading, speed = placement.x, placement.y, placement.heading, placement.speed
     if not (min(size) > 0.0 and all(map(math.isfinite, (x, y, heading, speed, *size)))):
         raise ValueError(f"a {kind} of {size[0]:g} m by {size[1]:g} m at ({x:g}, {y:g}), at {speed:g} m/s")
     known = LIMITS.get(kind, THING)
@@ -216,5 +139,7 @@ def make_body(
         raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
     if known is THING:
         return Body(x, y, heading, *size)
-    limits = replace(known, length=size[0], width=size[1], wheelbase=wheels[0], wheel_angle=wheels[1])
+    limits = replace(
+        known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle
+    )
     return VehicleBody(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)

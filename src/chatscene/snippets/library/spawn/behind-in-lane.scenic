@@ -1,28 +1,28 @@
-#: description = "The adversary drives behind the ego in the same lane."
-#: rephrasings = [
-#:   "Following the vehicle under test from a few metres back.",
-#:   "The car is right at the rear bumper.",
-#:   "It tailgates the slower vehicle before it.",
-#:   "Some metres to the rear, on the very path that was just driven.",
-#:   "A pursuer comes up from the back with no lane between them.",
-#:   "Vehicle 2 was following Vehicle 1 in the same travel lane.",
-#: ]
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"]
-#: requires = ["AdvBehavior", "egoRoute"]
-#: provides = ["AdvAgent", "advTrajectory"]
+#: adversaries = ["car", "truck", "bus", "motorcycle", "emergency-vehicle"]
 #: origin = "own code"
 #: [slots]
 #: position = "behind"
-#: [[parameters]]
-#: name = "OPT_GEO_Y"
-#: low = 8.0
-#: high = 18.0
-#: unit = "m"
-#: meaning = "how far behind the ego it starts"
+#: [variants]
+#: behind-in-lane        = { y = [8, 18], back = 20, adversaries = ["car", "truck", "bus", "motorcycle", "bicycle", "emergency-vehicle"] }
+#: behind-in-lane-far    = { y = [35.2, 39], back = 40, place = "road", distance = "far" }
+#: behind-in-lane-leader = { y = [9, 16], back = 20, leader = true, leader_y = [48, 60], leader_speed = [5, 6.5] }
+#: behind-in-lane-near   = { y = [6.8, 8.5], back = 10, distance = "near", adversaries = ["car", "truck", "motorcycle", "bicycle", "emergency-vehicle"] }
+#: [descriptions]
+#: behind-in-lane        = "The adversary drives behind the ego in the same lane."
+#: behind-in-lane-far    = "The adversary is far behind the ego in the same lane."
+#: behind-in-lane-leader = "The adversary drives behind the ego, which follows a slow car."
+#: behind-in-lane-near   = "The adversary is close behind the ego in the same lane."
 
-param OPT_GEO_Y = Range(8, 18)
+param OPT_GEO_Y = Range$y  #: [m] how far behind the ego it starts
+param OPT_LEADER_Y = Range$leader_y  #: if leader  #: [m] how far ahead of the ego the slow vehicle starts
+param OPT_LEADER_SPEED = Range$leader_speed  #: if leader  #: [m/s] how fast the slow vehicle drives
 
-advTrajectory = extended(egoRoute, 20)
-AdvAgent = new AdvClass at pointOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
-    facing directionOn(advTrajectory, 20 - globalParameters.OPT_GEO_Y),
+leaderWay = ownWay(egoRoute)  #: if leader
+LeadingAgent = new Car at pointOn(leaderWay, globalParameters.OPT_LEADER_Y),  #: if leader
+    facing directionOn(leaderWay, globalParameters.OPT_LEADER_Y),  #: if leader
+    with behavior DrivePath(leaderWay, globalParameters.OPT_LEADER_SPEED),  #: if leader
+    with label "leader"  #: if leader
+advTrajectory = extended(egoRoute, $back)
+AdvAgent = new AdvClass at pointOn(advTrajectory, $back - globalParameters.OPT_GEO_Y),
+    facing directionOn(advTrajectory, $back - globalParameters.OPT_GEO_Y),
     with behavior AdvBehavior()

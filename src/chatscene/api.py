@@ -1,0 +1,622 @@
+"""What `import chatscene` gives: the verbs of the command line as functions, and what they come to.
+
+A folder may be left out: a new one is made in the system's temporary folder then, and stays. Errors are those of
+`chatscene.errors`, the same that the command line shows.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from chatscene import pipeline, runs
+from chatscene.errors import RunError, SettingsError, no_such
+from chatscene.pipeline import Progress, Replayed, Summary, Understood, silent
+from chatscene.runs.tables import EPISODES, SCENES, Table, read_table
+from chatscene.settings import RetrievalSettings, Settings
+from chatscene.terms.description import Description
+from chatscene.terms.episode import Episode
+from chatscene.terms.scenario import BaseScenario
+from chatscene.trust import Repeated, follow
+
+if TYPE_CHECKING:
+    from chatscene.ego.driving_env import DrivingEnv
+    from chatscene.evaluation import Evaluated
+    from chatscene.learn.finetune import Finetuned, FinetuneSettings
+    from chatscene.learn.train import Trained
+
+Name = str | Path
+Names = Name | Sequence[Name]
+
+
+class Run:
+    """A finished run: its scenes, the ones worth keeping, and the report.
+
+    In a notebook it shows the report, with a replay of the scenes.
+
+    Args:
+        folder: Folder that `chatscene.run` or the command left.
+        ego: Ego of the run again, if it may run code of its own: that a record names one is not enough to load it.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Attributes:
+        folder: The folder.
+
+    Raises:
+        RunError: There is no run in the folder, it is not finished, or a file was changed since.
+    """
+
+    def __init__(
+        self, folder: Name, *, ego: Names = (), generator: Names = (), simulator: Names = (), library: Names = ()
+    ) -> None:
+        self.folder = Path(folder)
+        self._repeated = Repeated(
+            ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
+        )
+        self._workspace = runs.open_run(self.folder, holds="run")
+        self._record = runs.read_record(self._workspace)
+        if self._record.status is not runs.Status.DONE:
+            raise RunError(f"{folder} is {self._record.status}, not done; finish it with: chatscene resume {folder}")
+
+    @property
+    def summary(self) -> Summary:
+        """How many scenes were driven, collided and were kept, and who drove."""
+        return Summary.of(self._record)
+
+    @property
+    def scenes(self) -> Table:
+        """A row per scene, driven or rejected, with the columns of `scenes.parquet`: an Arrow table."""
+        return read_table(self._workspace.file("scenes.parquet"), SCENES)
+
+    @property
+    def kept(self) -> tuple[DrivenScene, ...]:
+        """The scenes worth keeping, the best first."""
+        return tuple(self._driven(row) for row in self._ranked() if row["selected"])
+
+    @property
+    def best(self) -> DrivenScene:
+        """The first scene that the report shows.
+
+        Raises:
+            RunError: None was driven.
+        """
+        if not (rows := self._ranked()):
+            raise RunError(f"no scene of {self.folder} was driven")
+        return self._driven(rows[0])
+
+    def scene(self, scene_id: str) -> DrivenScene:
+        """A scene by its id.
+
+        Raises:
+            RunError: The run has none of that id, or it was rejected and never driven.
+        """
+        for row in self._ranked():
+            if row["scene_id"] == scene_id:
+                return self._driven(row)
+        raise RunError(f"{self.folder} has no scene {scene_id!r} that was driven; `scenes` lists them")
+
+    @property
+    def report(self) -> Path:
+        """The report: one page that needs nothing but a browser."""
+        return self._workspace.file("report.html")
+
+    def _ranked(self) -> list[Mapping[str, Any]]:
+        from chatscene.report.viewer import ranked
+
+        return ranked(runs.read_scenes(self._workspace))
+
+    def _driven(self, row: Mapping[str, Any]) -> DrivenScene:
+        return DrivenScene(row=row, _workspace=self._workspace, _repeated=self._repeated)
+
+    def __str__(self) -> str:
+        return f"{self.summary.in_words()}\nreport: {self.report}"
+
+    def __repr__(self) -> str:
+        counts = self._record.counts
+        return (
+            f"<Run {str(self.folder)!r}: {counts['ran']} scenes, {counts['collided']} collided, "
+            f"{counts['selected']} kept>"
+        )
+
+    def _repr_html_(self) -> str:
+        from chatscene.report.notebook import framed
+
+        return framed(self.report.read_text(encoding="utf-8"))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DrivenScene:
+    """A scene of a run that was driven.
+
+    In a notebook it shows the drive.
+
+    Attributes:
+        row: Its row of `Run.scenes`: outcome, measures and parameters by column.
+    """
+
+    row: Mapping[str, Any]
+    _workspace: runs.Workspace
+    _repeated: Repeated
+
+    @property
+    def id(self) -> str:
+        """Its id."""
+        return self.row["scene_id"]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The concrete values of the program's parameters, by name."""
+        return {name: value for name, value in self.row.items() if name.startswith("OPT_") and value is not None}
+
+    @property
+    def program(self) -> str:
+        """The Scenic program, whose parameters take the `values`."""
+        return runs.read_programs(self._workspace)[self.row["scenario_id"]]
+
+    @property
+    def tracks(self) -> Table:
+        """A row per actor and step, with the columns of the files in ``episodes/``: an Arrow table."""
+        place = self.row["scenario_id"], runs.route_index(self.row["route_id"]), self.row["block"]
+        return read_table(self._workspace.episodes(*place), EPISODES, scene_id=self.id)
+
+    @property
+    def episode(self) -> Episode:
+        """The drive as it was simulated: tracks as NumPy arrays, events, signals, how it ended."""
+        return runs.read_episode(self._workspace, self.id)
+
+    def replay(self) -> Replayed:
+        """Simulate it again from its stored values, and compare every number of every track."""
+        return pipeline.replay(self._workspace.path, self.id, repeated=self._repeated)
+
+    def env(
+        self,
+        ego_observation: str = "safebench",
+        *,
+        pedals: str = "safebench",
+        reward: str = "safebench",
+        render_mode: str | None = None,
+    ) -> DrivingEnv:
+        """A Gymnasium environment of this scene: every episode begins as it did. Needs the extra ``gym``.
+
+        Args:
+            ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
+            pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
+            reward: One of `chatscene.ego.reward.REWARDS`.
+            render_mode: ``rgb_array`` or None.
+
+        Raises:
+            MissingExtra: The extra is not installed.
+            RunError: The run names what must be repeated.
+            Diverged: This version makes another program than the one that was kept.
+        """
+        from chatscene.ego.driving_env import DrivingEnv
+        from chatscene.program.ordinary import Course
+        from chatscene.search.generator import load_generator, simulator_of
+
+        follow(replace(self._repeated, ego=()), simulators_of=[self._workspace], joining_of=[self._workspace])
+        record = runs.read_record(self._workspace)
+        map_path = pipeline.map_of(record)
+        _, program = pipeline.rebuild(self._workspace)
+        scene = runs.scene_of(self.row, program)
+        return DrivingEnv(
+            [Course(program=program, route=scene.route, values=scene.values)],
+            map_name=map_path,
+            ego_observation=ego_observation,
+            pedals=pedals,
+            reward=reward,
+            simulator=simulator_of(load_generator(record.generator), map_path, runs.settings_of(record)),
+            render_mode=render_mode,
+        )
+
+    def __repr__(self) -> str:
+        outcome = "collision" if self.row["collision"] else self.row["ending"]
+        return f"<DrivenScene {self.id!r}: {outcome}{', kept' * self.row['selected']}>"
+
+    def _repr_html_(self) -> str:
+        from chatscene.report.animation import animate
+        from chatscene.report.notebook import picture
+
+        return picture(animate(self.episode, runs.read_drawing(self._workspace)), said=self.id)
+
+
+def run(
+    text: str = "",
+    folder: Name | None = None,
+    *,
+    program: Name | None = None,
+    map: str | Path = "town",  # noqa: A002 - the word of the command line
+    ego: Name = "sac",
+    scenes: int | None = None,
+    routes: int | None = None,
+    seed: int | None = None,
+    avoidable: bool | None = None,
+    sampler: str | None = None,
+    simulator: str | None = None,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    settings: Settings | None = None,
+    jobs: int = 1,
+    progress: Progress = silent,
+) -> Run:
+    """Understand a sentence, search for crash scenes, keep the ones worth testing on, and write a report.
+
+    Args:
+        text: The sentence.
+        folder: Run folder, new or empty.
+        program: File of a Scenic program of one's own, in place of the sentence.
+        map: Packaged ``town``, or an ``.xodr`` file.
+        ego: An ego by name, file or ``package.module:factory``.
+        scenes: Simulations per scenario and route.
+        routes: Routes per scenario.
+        seed: What everything random derives from.
+        avoidable: Whether to keep no crash that a careful driver would not have avoided.
+        sampler: Who says where to look next.
+        simulator: What scenes run in.
+        library: Folder of one's own snippets, beside the packaged ones.
+        embedder: Who measures wording.
+        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        settings: All other settings; the keywords above come before them.
+        jobs: Processes; any number gives the same files. A script that starts more than one needs the guard
+            ``if __name__ == "__main__":``.
+        progress: Told what is done.
+
+    Raises:
+        NothingFits: The library cannot serve the sentence.
+        ChatSceneError: Anything else that went wrong; the folder can be resumed.
+    """
+    if text and program is not None:
+        raise SettingsError("say what to run: either a text or a program, not both")
+    settings = settings or Settings()
+    reading = _reading(settings.retrieval, library, embedder, language_model)
+    looking = _changed(
+        settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
+    )
+    if program is not None:
+        text = _text_of(Path(program))
+    simulation = _changed(settings.simulation, simulator=simulator)
+    where = _folder(folder)
+    pipeline.run(
+        text,
+        where,
+        settings=replace(settings, search=looking, simulation=simulation, retrieval=reading),
+        map_name=str(map),
+        ego_name=str(ego),
+        jobs=jobs,
+        generator="chatscene" if program is None else "program",
+        progress=progress,
+    )
+    return Run(where, ego=ego, simulator=simulation.simulator, library=reading.library or ())
+
+
+def explain(
+    text: str,
+    *,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    settings: Settings | None = None,
+) -> Understood:
+    """How a sentence is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+
+    As text (``print``) it reads as the command prints it; in a notebook it shows as the report does.
+
+    Args:
+        text: The sentence.
+        library: Folder of one's own snippets, beside the packaged ones.
+        embedder: Who measures wording.
+        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        settings: All other settings; the keywords above come before them.
+
+    Raises:
+        NothingFits: The library cannot serve it.
+    """
+    settings = settings or Settings()
+    reading = _reading(settings.retrieval, library, embedder, language_model)
+    return pipeline.understand(text, replace(settings, retrieval=reading))
+
+
+def describe(
+    n: int = 10,
+    *,
+    base: BaseScenario | str | None = None,
+    instruction: str = "",
+    seed: int = 0,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+) -> tuple[Description, ...]:
+    """Make up scenarios for `run`, each with a sentence of its own (``text``) that the library serves.
+
+    Args:
+        n: How many.
+        base: Base scenario they belong to; any if None.
+        instruction: What they are to be about, in words.
+        seed: Another seed, other sentences.
+        library: Folder of one's own snippets, beside the packaged ones.
+        embedder: Who measures wording.
+        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+
+    Raises:
+        NothingFits: The library has no such scenario, or nothing in the instruction was understood.
+    """
+    from chatscene.search.describe_with_model import describe_for
+
+    settings = _reading(RetrievalSettings(), library, embedder, language_model)
+    wanted = BaseScenario(base) if base else None
+    return describe_for(settings, wanted, n, seed=seed, instruction=instruction).descriptions
+
+
+def resume(
+    folder: Name,
+    *,
+    jobs: int = 1,
+    ego: Names = (),
+    generator: Names = (),
+    sampler: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+    embedder: Names = (),
+    language_model: Names = (),
+    progress: Progress = silent,
+) -> Run | Evaluated:
+    """Go on with what was killed or failed; the result is that of an uninterrupted one.
+
+    Args:
+        folder: Folder of a run or an evaluation.
+        jobs: Processes; any number gives the same files.
+        ego: Egos again that the folder names and that may run code of their own: that its files say so is not enough.
+        generator: Generator again, if it names one that is none of ours.
+        sampler: Sampler again, if it names one that is none of ours.
+        simulator: Simulator again, if it names one that is none of ours.
+        library: Folder of snippets again, if it names one.
+        embedder: Embedder again, if it names another than the packaged one.
+        language_model: Language model again, if it names one.
+        progress: Told what is done.
+
+    Raises:
+        RunError: There is nothing to go on with in the folder, it is damaged, another process is at work on it, or it
+            names what must be repeated.
+    """
+    where = Path(folder)
+    repeated = Repeated(
+        ego=_names(ego),
+        generator=_names(generator),
+        sampler=_names(sampler),
+        simulator=_names(simulator),
+        library=_names(library),
+        embedder=_names(embedder),
+        language_model=_names(language_model),
+    )
+    if runs.read_record(runs.Workspace(where)).command == "evaluate":
+        from chatscene.evaluation import carry_on
+
+        return carry_on(runs.Workspace(where), jobs=jobs, progress=progress, repeated=repeated)
+    pipeline.resume(where, jobs=jobs, progress=progress, repeated=repeated)
+    return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
+
+
+def replay(
+    folder: Name,
+    scene_id: str,
+    *,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+) -> Replayed:
+    """Simulate a scene of a run again from its stored values, and compare every number of every track.
+
+    Args:
+        folder: Run folder.
+        scene_id: Id of the scene.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Raises:
+        RunError: The run has no such scene, or it was never driven; or it names what must be repeated.
+    """
+    repeated = Repeated(
+        ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
+    )
+    return pipeline.replay(Path(folder), scene_id, repeated=repeated)
+
+
+def evaluate(
+    scenes: Run | Name | Sequence[Run | Name],
+    folder: Name | None = None,
+    *,
+    ego: Names = (),
+    all: bool = False,  # noqa: A002 - the word of the command line
+    simulator: str | None = None,
+    jobs: int = 1,
+    generator: Names = (),
+    library: Names = (),
+    progress: Progress = silent,
+) -> Evaluated:
+    """Measure egos on the kept scenes of runs; gives the paper's tables with intervals.
+
+    Args:
+        scenes: Runs, or folders with runs somewhere below.
+        folder: Folder of the evaluation, new or empty.
+        ego: Egos by name, file or ``package.module:factory``; the paper's three if none is given.
+        all: Whether every scene that ran is driven, not only the kept ones.
+        simulator: What they are driven in; that of the runs if None.
+        jobs: Processes; see `run`.
+        generator: Generators of the runs again, if they are none of ours.
+        library: Folders of snippets of the runs again, if they have any.
+        progress: Told what is done.
+
+    Raises:
+        RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
+        EgoError: An ego cannot be loaded.
+    """
+    from chatscene import evaluation
+
+    return evaluation.evaluate(
+        _sources(scenes),
+        _folder(folder),
+        egos=_names(ego) or evaluation.EGOS,
+        every_scene=all,
+        simulator=simulator or "",
+        jobs=jobs,
+        progress=progress,
+        repeated=Repeated(generator=_names(generator), library=_names(library)),
+    )
+
+
+def finetune(
+    scenes: Run | Name | Sequence[Run | Name],
+    folder: Name | None = None,
+    *,
+    ego: Name | None = None,
+    teacher: Name | None = None,
+    preset: str | None = None,
+    choice: str | None = None,
+    episodes: int | None = None,
+    train_routes: int | None = None,
+    reward: str | None = None,
+    ordinary_share: float | None = None,
+    simulator: str | None = None,
+    seed: int | None = None,
+    settings: FinetuneSettings | None = None,
+    progress: Progress = silent,
+) -> Finetuned:
+    """Fine-tune an SAC ego on the kept scenes of runs, or teach a new one; measured before and after.
+
+    Needs the extra ``train``. The same call goes on after a kill.
+
+    Args:
+        scenes: Runs, or folders with runs somewhere below.
+        folder: Where the hardened ego goes: a new folder, or one to go on in.
+        ego: ``sac``, the file of an SAC policy, or its folder.
+        teacher: An ego to learn from, from nothing, instead of by reward.
+        preset: Gradient steps: ``paper``, one per step; ``released``.
+        choice: Who chooses the checkpoint: ``paper`` or ``held-out``.
+        episodes: Scenes driven.
+        train_routes: How many of the first routes train; the rest test.
+        reward: What it is paid for: ``safebench`` or ``progress``.
+        ordinary_share: Share of the episodes on ordinary routes.
+        simulator: What scenes are driven in; that of the runs if None.
+        seed: What everything random derives from.
+        settings: All other settings; the keywords above come before them.
+        progress: Told what is done.
+
+    Raises:
+        MissingExtra: The extra is not installed.
+        RunError: A run is not usable, or there is nothing to train, choose or test on.
+    """
+    from chatscene.learn.finetune import PRESETS, FinetuneSettings
+    from chatscene.learn.finetune import finetune as finetune_ego
+
+    if preset is not None and preset not in PRESETS:
+        raise SettingsError(no_such("preset", preset, PRESETS))
+    chosen = _changed(
+        settings or FinetuneSettings(),
+        ego=None if ego is None else str(ego),
+        teacher=None if teacher is None else str(teacher),
+        choice=choice,
+        episodes=episodes,
+        train_routes=train_routes,
+        reward=reward,
+        ordinary_share=ordinary_share,
+        simulator=simulator,
+        seed=seed,
+        **(PRESETS[preset] if preset else {}),
+    )
+    return finetune_ego(_folder(folder), _sources(scenes), chosen, progress=progress)
+
+
+def train(
+    folder: Name | None = None,
+    *,
+    algorithm: str | None = None,
+    observation: str | None = None,
+    reward: str | None = None,
+    pedals: str | None = None,
+    steps: int | None = None,
+    round: int | None = None,  # noqa: A002 - the word of the command line
+    seed: int | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+    simulator: str | None = None,
+    progress: Progress = silent,
+) -> Trained:
+    """Train an ego on the ordinary drives of a map.
+
+    Needs the extra ``train``. The same call goes on after a kill.
+
+    Args:
+        folder: Where the ego goes: a new folder, or one to go on in.
+        algorithm: ``sac``, ``ppo`` or ``td3``.
+        observation: What the ego sees: ``safebench`` or ``actors``.
+        reward: What it is paid for: ``safebench`` or ``progress``.
+        pedals: ``safebench``, or ``full-brake``.
+        steps: Environment steps of 0.1 s.
+        round: Steps between two evaluations.
+        seed: What everything random derives from.
+        map: Packaged ``town``, or an ``.xodr`` file.
+        simulator: What scenes run in.
+        progress: Told what is done.
+
+    Raises:
+        MissingExtra: The extra is not installed.
+    """
+    from chatscene.learn.train import TrainSettings
+    from chatscene.learn.train import train as train_ego
+
+    chosen = _changed(
+        TrainSettings(),
+        algorithm=algorithm,
+        observation=observation,
+        reward=reward,
+        pedals=pedals,
+        steps=steps,
+        round=round,
+        seed=seed,
+        map_name=None if map is None else str(map),
+        simulator=simulator,
+    )
+    return train_ego(_folder(folder), chosen, progress=progress)
+
+
+def _changed(settings: Any, **given: Any) -> Any:
+    """Settings with those replaced that were given."""
+    return replace(settings, **{name: value for name, value in given.items() if value is not None})
+
+
+def _reading(
+    settings: RetrievalSettings, library: Name | None, embedder: str | None, language_model: str | None
+) -> RetrievalSettings:
+    own = None if library is None else str(library)
+    return _changed(settings, library=own, embedder=embedder, language_model=language_model)
+
+
+def _folder(folder: Name | None) -> Path:
+    return Path(tempfile.mkdtemp(prefix="chatscene-")) if folder is None else Path(folder)
+
+
+def _names(names: Names) -> tuple[str, ...]:
+    return (str(names),) if isinstance(names, str | Path) else tuple(map(str, names))
+
+
+def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
+    every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
+    return [one.folder if isinstance(one, Run) else Path(one) for one in every]
+
+
+def _text_of(program: Path) -> str:
+    """The text of a run of a program of one's own."""
+    from chatscene.program.foreign import read_foreign
+    from chatscene.search.own_program import text_of
+
+    own, *others = read_foreign(program)
+    if others:
+        raise SettingsError(f"{program} holds {len(others) + 1} programs; run them one by one")
+    return text_of(own)

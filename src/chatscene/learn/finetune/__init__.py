@@ -1,0 +1,296 @@
+"""Step 9 of 9: fine-tune an ego on kept scenes, and say what it gained and what it lost.
+
+Paper: section 4.3 and appendix "Adversarial Finetuning Details". What departs from it and why: decision 0021.
+
+Like a training, a fine-tuning goes in rounds that are kept when they are done, so it can be killed at any moment; the
+same call goes on and ends in the same weights. It does not end in the last weights but in those of the checkpoint that
+is chosen, and drives ordinary routes before and after, so that an ego that learned to stand still cannot hide it.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from chatscene.ego.network import NetworkEgo
+from chatscene.ego.policy import EGOS, EgoPolicy, load_ego
+from chatscene.errors import EgoError, MissingExtra, RunError
+from chatscene.learn.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
+from chatscene.learn.finetune.settings import PRESETS, FinetuneSettings
+from chatscene.maps.network import resolve_map
+from chatscene.measure.ordinary import drive_ordinary
+from chatscene.pipeline import Progress
+from chatscene.program.ordinary import ordinary_courses
+from chatscene.runs import alone
+from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
+from chatscene.simulate.simulator import Simulator, load_simulator
+
+if TYPE_CHECKING:
+    from chatscene.learn.finetune.learner import Learner
+    from chatscene.learn.finetune.pupil import Pupil
+
+__all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
+
+LEAST_COMPLETION = 0.3  # of a checkpoint that may be chosen (paper)
+ORDINARY = "ordinary"
+ORDINARY_SEED = 20_000  # of the traffic: neither a training's nor that of its evaluations
+Row = dict[str, Any]  # a row of the curve: numbers by name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finetuned:
+    """What a fine-tuning came to; `finetune.json` in its folder holds the same.
+
+    Attributes:
+        folder: Where everything is; `policy.npz` is the chosen ego, which ``--ego`` takes.
+        curve: One row per round: what was driven and learned and, from the first checkpoint on, the figures on the
+            scenes that choose.
+        chosen: The row of the ego that was kept.
+        reason: Why that one.
+        before: Figures of the start policy, by what was driven: ``train``, ``choice``, ``test``, ``ordinary``.
+        after: The same of the chosen ego.
+        skipped: Why a kept scene could not be driven, by scene.
+    """
+
+    folder: Path
+    curve: tuple[Row, ...]
+    chosen: Row
+    reason: str
+    before: dict[str, dict[str, float]]
+    after: dict[str, dict[str, float]]
+    skipped: dict[str, str]
+
+
+def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, *, progress: Progress) -> Finetuned:
+    """Fine-tune into a new folder, or go on in one where the same fine-tuning was cut.
+
+    Args:
+        folder: Where to.
+        sources: Run folders, finished; or folders with run folders somewhere below.
+        settings: What is done.
+        progress: Told what is done.
+
+    Raises:
+        MissingExtra: Stable-Baselines3 is not installed.
+        EgoError: The ego cannot be loaded, or is no SAC.
+        RunError: A source is not usable, there is nothing to train, choose or test on, or the folder holds something
+            else.
+    """
+    try:
+        from chatscene.learn.finetune.learner import Learner, Schedule
+        from chatscene.learn.finetune.pupil import Pupil
+    except ImportError as error:
+        raise MissingExtra("fine-tuning needs Stable-Baselines3", extra="train") from error
+    if settings.teacher:
+        start = _ego(settings.ego)
+        learner_of = partial(Pupil, _ego(settings.teacher))
+    else:
+        start = _start(settings.ego)
+        learner_of = partial(Learner, start)
+    progress("reading the scenes", 0, 0)
+    lessons = kept_scenes(sources, simulator=settings.simulator)
+    parts = split(
+        lessons.scenes,
+        choice=settings.choice,
+        train_routes=settings.train_routes,
+        validation_routes=settings.validation_routes,
+    )
+    with alone(folder):
+        record = _open_folder(folder, settings, lessons, parts)
+        simulator = load_simulator(resolve_map(lessons.map_name), lessons.simulation)
+        judging = _Judging(parts, simulator, progress)
+        if "before" not in record:
+            record["before"], record["skipped"] = judging.all(start, "driving before")
+            _write(folder, record)
+        schedule = Schedule(
+            scenes=_drivable(parts[TRAIN], record["skipped"]),
+            ordinary=ordinary_courses(simulator) if settings.ordinary_share else (),
+            share=settings.ordinary_share,
+            seed=settings.seed,
+        )
+        if "chosen" not in record:
+            learner = learner_of(settings, schedule, lessons.map_name, lessons.simulation)
+            _rounds(folder, record, learner, judging, settings, progress)
+            chosen, record["reason"] = choose(record["curve"])
+            write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
+            record["chosen"] = chosen
+            _write(folder, record)
+        if "after" not in record:
+            record["after"], _ = judging.all(_ego(str(folder)), "driving after")
+            _write(folder, record)
+        names = ("chosen", "reason", "before", "after", "skipped")
+        return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
+
+
+def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
+    """The checkpoint to keep, and why that one.
+
+    The lowest collision rate among those that complete more than `LEAST_COMPLETION` of their routes (paper); of equal
+    ones the higher overall score, then the earlier. Where none completes so much: the one that completes most.
+
+    Args:
+        curve: Rows; those without figures were not up for choice.
+
+    Raises:
+        RunError: None was.
+    """
+    rows = [dict(row) for row in curve if "collision_rate" in row]
+    if not rows:
+        raise RunError("no checkpoint has figures to choose by: none of the scenes that choose could be driven")
+    able = [row for row in rows if row["completion"] > LEAST_COMPLETION]
+    if able:
+        chosen = min(able, key=lambda row: (row["collision_rate"], -row["overall_score"], row["episode"]))
+        return chosen, f"lowest collision rate of those that complete more than {LEAST_COMPLETION}"
+    chosen = min(rows, key=lambda row: (-row["completion"], row["collision_rate"], row["episode"]))
+    return chosen, f"no checkpoint completes more than {LEAST_COMPLETION} of its routes; this one completes most"
+
+
+def _rounds(
+    folder: Path,
+    record: Row,
+    learner: Learner | Pupil,
+    judging: _Judging,
+    settings: FinetuneSettings,
+    progress: Progress,
+) -> None:
+    """Do the rounds that are not done."""
+    curve: list[Row] = record["curve"]
+    ends = settings.ends()
+    if curve:
+        learner.restore(_state(folder, curve[-1]))
+    else:
+        progress("teaching the critics", 0, 0)
+        record["warm_up"] = learner.warm_up()
+    for number in range(len(curve), len(ends)):
+        begin, end = ends[number - 1] if number else 0, ends[number]
+        progress("fine-tuning, episodes", begin, settings.episodes)
+        began = time.monotonic()
+        collisions = learner.learn(number, range(begin, end))
+        row: Row = {
+            "episode": end,
+            "steps": learner.steps,
+            "updates": learner.updates,
+            "training_collision_rate": collisions / (end - begin),
+            "seconds": round(time.monotonic() - began, 1),
+        }
+        if end >= settings.first_choice or end == settings.episodes:
+            ego = learner.ego()
+            row |= judging.choice(ego)
+            about = {"observation": ego.observation, "pedals": ego.pedals, "algorithm": ego.name}
+            write_bytes(_checkpoint(folder, row), ego.network.stored({**asdict(settings), **about, "episode": end}))
+        learner.keep(_state(folder, row))
+        curve.append(row)  # last: a row says that everything before it is on disk
+        _write(folder, record)
+        if number:
+            _state(folder, curve[-2]).unlink(missing_ok=True)
+    progress("fine-tuning, episodes", settings.episodes, settings.episodes)
+
+
+class _Judging:
+    """Drives an ego for its figures.
+
+    Args:
+        parts: Scenes by what they are for.
+        simulator: Where they are driven, and ordinary routes.
+        progress: Told what is done.
+    """
+
+    def __init__(self, parts: Mapping[str, tuple[KeptScene, ...]], simulator: Simulator, progress: Progress) -> None:
+        self._parts = parts
+        self._simulator = simulator
+        self._progress = progress
+
+    def choice(self, ego: EgoPolicy) -> dict[str, float]:
+        """The figures on the scenes that choose."""
+        return judge(ego, self._parts[CHOICE], self._simulator, on_scene=lambda _done, _total: None).figures
+
+    def all(self, ego: EgoPolicy, what: str) -> tuple[dict[str, dict[str, float]], dict[str, str]]:
+        """The figures on everything, by what was driven, and why a scene could not be."""
+        figures: dict[str, dict[str, float]] = {}
+        rejected: dict[str, str] = {}
+        for name in (TRAIN, CHOICE, TEST):
+            scenes = self._parts[name]
+            if name == TEST and scenes == self._parts[CHOICE]:
+                figures[name] = figures[CHOICE]
+                continue
+            on_scene = partial(self._progress, f"{what}, {name} scenes")
+            judged = judge(ego, scenes, self._simulator, on_scene=on_scene)
+            figures[name] = judged.figures
+            rejected |= judged.rejected
+        self._progress(f"{what}, ordinary routes", 0, 0)
+        ordinary = drive_ordinary(ego, self._simulator, scenes=1, seed=ORDINARY_SEED)
+        figures[ORDINARY] = ordinary.figures()
+        return figures, rejected
+
+
+def _ego(name: str) -> EgoPolicy:
+    """An ego by its name, its file or its folder."""
+    return load_ego(str(Path(name) / "policy.npz" if Path(name).is_dir() else Path(name)))
+
+
+def _start(name: str) -> NetworkEgo:
+    """The ego to fine-tune by reward.
+
+    Raises:
+        EgoError: It cannot be loaded, or is no SAC.
+    """
+    ego = _ego(name)
+    if not isinstance(ego, NetworkEgo):
+        raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
+    if ego.every != 1:
+        raise EgoError(f"{name} holds each action for several steps, as SafeBench's do, and a fine-tuning acts at each")
+    if (name in EGOS.built_in and name != "sac") or (ego.network.hidden, ego.network.output) != ("relu", "tanh"):
+        raise EgoError(f"{name} is no SAC, and nothing else can be fine-tuned; train one with: chatscene train")
+    return ego
+
+
+def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[KeptScene, ...]:
+    """The training scenes that can be placed.
+
+    Raises:
+        RunError: There is none.
+    """
+    left = tuple(kept for kept in scenes if kept.scene.id not in skipped)
+    if not left:
+        reason = skipped[scenes[0].scene.id]
+        raise RunError(f"none of the {len(scenes)} training scenes can be driven ({reason}); search for them again")
+    return left
+
+
+def _open_folder(
+    folder: Path, settings: FinetuneSettings, lessons: Lessons, parts: Mapping[str, Sequence[KeptScene]]
+) -> Row:
+    """The record of what was done so far."""
+    path = folder / "finetune.json"
+    told = {"settings": asdict(settings), "scenes": {"digest": lessons.digest, **{k: len(v) for k, v in parts.items()}}}
+    if path.is_file():
+        record: Row = read_json(path)
+        record["settings"] = asdict(FinetuneSettings()) | record.get("settings", {})  # of before it had all of them
+        if any(record.get(name) != value for name, value in told.items()):
+            raise RunError(f"{folder} holds a fine-tuning with other settings or scenes; choose another with --out")
+        return record
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise RunError(f"{folder} is not empty and holds no fine-tuning; choose another folder with --out")
+    record = {**told, "curve": []}
+    _write(folder, record)
+    return record
+
+
+def _write(folder: Path, record: Row) -> None:
+    write_json(folder / "finetune.json", record)
+
+
+def _state(folder: Path, row: Mapping[str, Any]) -> Path:
+    """Where the learner is kept after a round."""
+    return folder / f"state-{row['episode']:04d}.pt"
+
+
+def _checkpoint(folder: Path, row: Mapping[str, Any]) -> Path:
+    """Where the policy is kept after a round."""
+    return folder / "checkpoints" / f"policy-{row['episode']:04d}.npz"

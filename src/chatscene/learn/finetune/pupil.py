@@ -1,0 +1,156 @@
+"""A learner that is shown what to do: at each step of its own drives, a teacher says what it would have done.
+
+S. Ross, G. Gordon, J. A. Bagnell, "A Reduction of Imitation Learning and Structured Prediction to No-Regret Online
+Learning", AISTATS 2011 (DAgger). The first round is driven by the teacher, every later one by the pupil as it is, so
+that it learns what to do where its own mistakes take it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import nn
+
+from chatscene.ego.driving_env import DrivingEnv
+from chatscene.ego.network import Network, NetworkEgo
+from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.policy import EgoPolicy, observation_of, pedals_of
+from chatscene.learn.finetune.learner import Schedule
+from chatscene.learn.finetune.settings import FinetuneSettings
+from chatscene.learn.finetune.state import keep, kept
+from chatscene.settings import SimulationSettings
+
+Array = NDArray[np.float32]
+HIDDEN = 512  # units of either layer: what a planner does is hard to put into fewer
+STEPS, BATCH, RATE = 4_000, 256, 1e-3  # gradient steps after a round, rows of each, and Adam's first rate
+NOISE = np.array([0.3, 0.2])  # standard deviation of what is added to acceleration and steering, so that slips occur …
+LASTING = 0.9  # … and last: the share of it that stays from step to step
+
+
+class Pupil:
+    """Drives episodes and learns to do in them as its teacher would.
+
+    Args:
+        teacher: Who is asked; what it says may depend on nothing but what it sees.
+        settings: Of the fine-tuning.
+        schedule: What is driven.
+        map_name: Where.
+        simulation: Step and limits.
+    """
+
+    def __init__(
+        self,
+        teacher: EgoPolicy,
+        settings: FinetuneSettings,
+        schedule: Schedule,
+        map_name: str,
+        simulation: SimulationSettings,
+    ) -> None:
+        torch.set_num_threads(1)  # networks this small are slower on two
+        self._teacher = teacher
+        self._schedule = schedule
+        self._seed = settings.seed
+        self._env = DrivingEnv(
+            schedule.courses(),
+            map_name=map_name,
+            ego_observation=observation_of(teacher),
+            pedals=pedals_of(teacher),
+            settings=simulation,
+        )
+        size = OBSERVATIONS[observation_of(teacher)]
+        torch.manual_seed(settings.seed)
+        layers = nn.Linear(size, HIDDEN), nn.Linear(HIDDEN, HIDDEN), nn.Linear(HIDDEN, 2)
+        self._net = nn.Sequential(layers[0], nn.ReLU(), layers[1], nn.ReLU(), layers[2], nn.Tanh())
+        self._scale = torch.ones(size)
+        self._seen = torch.empty((0, size))
+        self._shown = torch.empty((0, 2))
+        self.updates = 0
+
+    @property
+    def steps(self) -> int:
+        """How many steps were driven."""
+        return len(self._seen)
+
+    def warm_up(self) -> dict[str, float]:
+        """Nothing: a pupil learns from its first drive on."""
+        return {}
+
+    def learn(self, number: int, episodes: range) -> int:
+        """Drive some episodes, then learn from all driven so far; how many collided.
+
+        Args:
+            number: Of the round; everything random derives from it.
+            episodes: Which.
+        """
+        rng = np.random.default_rng((self._seed, number))
+        collisions = 0
+        for episode in episodes:
+            seen, shown, collided = self._drive(episode, rng, led=number == 0)
+            self._seen = torch.cat([self._seen, torch.from_numpy(seen)])
+            self._shown = torch.cat([self._shown, torch.from_numpy(shown)])
+            collisions += collided
+        self._env.close()
+        if number == 0:
+            self._scale = self._seen.abs().amax(dim=0).clamp(min=1.0)
+        self._fit(rng)
+        return collisions
+
+    def _drive(self, episode: int, rng: np.random.Generator, *, led: bool) -> tuple[Array, Array, bool]:
+        """One episode: what was seen, what the teacher says to it, and whether it ended in a collision."""
+        seed = int(np.random.SeedSequence((self._seed, episode)).generate_state(1)[0])
+        observation, _ = self._env.reset(seed=seed, options=self._schedule.options(episode))
+        seen, shown, noise = list[Array](), list[Any](), np.zeros(2)
+        if (reset := getattr(self._teacher, "reset", None)) is not None:
+            reset()
+        terminated = truncated = False
+        while not (terminated or truncated):
+            told = self._teacher.act(observation.astype(np.float64))
+            seen.append(observation)
+            shown.append(told)
+            with torch.no_grad():
+                own = self._net(torch.from_numpy(observation) / self._scale).numpy()
+            noise = LASTING * noise + rng.normal(0.0, NOISE * np.sqrt(1.0 - LASTING**2))
+            action = np.clip((np.array(told) if led else own) + noise, -1.0, 1.0).astype(np.float32)
+            observation, _, terminated, truncated, _ = self._env.step(action)
+        return np.array(seen, np.float32), np.array(shown, np.float32), terminated
+
+    def _fit(self, rng: np.random.Generator) -> None:
+        seen = self._seen / self._scale
+        optimizer = torch.optim.Adam(self._net.parameters(), RATE)
+        for step in range(STEPS):
+            optimizer.param_groups[0]["lr"] = RATE * (1.0 - step / STEPS)
+            rows = torch.from_numpy(rng.integers(len(seen), size=BATCH))
+            loss = (self._net(seen[rows]) - self._shown[rows]).square().mean()
+            optimizer.zero_grad()
+            loss.backward()
+            optimizer.step()
+        self.updates += STEPS
+
+    def ego(self) -> NetworkEgo:
+        """The ego as it is."""
+        layers = [module for module in self._net if isinstance(module, nn.Linear)]
+        arrays = [[layer.weight.detach().clone(), layer.bias.detach().clone()] for layer in layers]
+        arrays[0][0] /= self._scale
+        network = Network(layers=tuple((weights.numpy(), bias.numpy()) for weights, bias in arrays), output="tanh")
+        teacher = self._teacher
+        return NetworkEgo(network, name="pupil", observation=observation_of(teacher), pedals=pedals_of(teacher))
+
+    def keep(self, path: Path) -> None:
+        """Write what the next round needs, as tensors."""
+        state = {"scale": self._scale, "seen": self._seen, "shown": self._shown, "updates": self.updates}
+        keep(path, {**state, "network": self._net.state_dict()})
+
+    def restore(self, path: Path) -> None:
+        """Take up what `keep` wrote.
+
+        Raises:
+            RunError: It is damaged.
+        """
+        with kept(path) as state:
+            self._net.load_state_dict(state["network"])
+            self._scale, self._seen, self._shown = state["scale"], state["seen"], state["shown"]
+            self.updates = state["updates"]

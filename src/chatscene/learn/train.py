@@ -1,0 +1,308 @@
+"""Train an ego on ordinary drives, never on the scenes it will be judged by.
+
+Stable-Baselines3 learns; this module gives it the environment, the paper's hyperparameters, and a folder that can be
+killed at any moment. Training goes in rounds. Between two rounds nothing is in progress, so that is where an ego is
+evaluated, kept and, after a kill, taken up again; each round seeds everything from its own number, so a training
+that was taken up again ends in the same weights as one that was not.
+
+Hyperparameters: SafeBench v1, the configuration files beside its checkpoints (SAC, PPO, TD3).
+"""
+
+from __future__ import annotations
+
+import io
+import pickle
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from chatscene.ego.network import Network, NetworkEgo, layers_of
+from chatscene.ego.reward import DESIRED_SPEED
+from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
+from chatscene.maps.network import resolve_map
+from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
+from chatscene.runs import alone
+from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import load_simulator
+
+if TYPE_CHECKING:
+    from stable_baselines3.common.base_class import BaseAlgorithm
+
+HIDDEN = (256, 256)
+EVALUATION_SEED = 10_000  # far from any seed a training draws with
+ALGORITHMS: dict[str, dict[str, Any]] = {
+    "sac": {
+        "learning_rate": 1e-3,
+        "batch_size": 100,
+        "buffer_size": 20_000,
+        "learning_starts": 600,
+        "gamma": 0.99,
+        "tau": 0.005,
+        "ent_coef": 0.01,
+    },
+    "td3": {
+        "learning_rate": 1e-3,
+        "batch_size": 100,
+        "buffer_size": 20_000,
+        "learning_starts": 600,
+        "gamma": 0.99,
+        "tau": 0.005,
+        "policy_delay": 2,
+        "target_policy_noise": 0.2,
+        "target_noise_clip": 0.5,
+    },
+    # The reference trains the critic at 1e-3; Stable-Baselines3 has one rate for both.
+    "ppo": {
+        "learning_rate": 3e-4,
+        "n_steps": 1000,
+        "batch_size": 1000,
+        "n_epochs": 80,
+        "gamma": 0.99,
+        "gae_lambda": 0.97,
+        "clip_range": 0.2,
+        "target_kl": 0.01,
+    },
+}
+"""The preset `safebench`, by algorithm, in the words of Stable-Baselines3."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrainSettings:
+    """What a training is.
+
+    Attributes:
+        algorithm: One of `ALGORITHMS`.
+        observation: A preset of `chatscene.ego.observation`.
+        reward: One of `chatscene.ego.reward.REWARDS`.
+        pedals: One of `chatscene.ego.policy.PEDALS`.
+        steps: Environment steps of 0.1 s.
+        round: Steps between two evaluations.
+        seed: Everything random derives from it.
+        map_name: Where.
+        simulator: In what, one of `chatscene.simulate.simulator.SIMULATORS`.
+    """
+
+    algorithm: str = "sac"
+    observation: str = "safebench"
+    reward: str = "safebench"
+    pedals: str = "safebench"
+    steps: int = 60_000
+    round: int = 5_000
+    seed: int = 0
+    map_name: str = "town"
+    simulator: str = SimulationSettings().simulator
+
+    def __post_init__(self) -> None:
+        if self.algorithm not in ALGORITHMS:
+            raise SettingsError(no_such("algorithm", self.algorithm, ALGORITHMS))
+        if not 0 < self.round <= self.steps:
+            raise SettingsError(f"a round of {self.round} steps does not fit a training of {self.steps}")
+        if self.algorithm == "ppo" and self.round % ALGORITHMS["ppo"]["n_steps"]:
+            raise SettingsError(f"PPO learns every {ALGORITHMS['ppo']['n_steps']} steps; make --round a multiple of it")
+
+    @property
+    def simulation(self) -> SimulationSettings:
+        """How an episode is stepped, and by what."""
+        return SimulationSettings(simulator=self.simulator)
+
+    @property
+    def rounds(self) -> int:
+        """How many rounds; the last may overshoot `steps`."""
+        return -(-self.steps // self.round)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trained:
+    """What a training came to.
+
+    Attributes:
+        folder: Where everything is; `policy.npz` is the best ego, which `--ego` takes.
+        curve: One row per round: steps, seconds, and the figures of the ego then.
+        best: The row of the ego that was kept.
+    """
+
+    folder: Path
+    curve: tuple[dict[str, float], ...]
+    best: dict[str, float]
+
+
+Progress = Callable[[str, int, int], None]
+
+
+def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Trained:
+    """Train into a new folder, or go on in one where a training with the same settings was cut.
+
+    Raises:
+        MissingExtra: Stable-Baselines3 is not installed.
+        RunError: The folder holds another training, or something else, or cannot be written.
+    """
+    with alone(folder):
+        curve = _open_folder(folder, settings)
+        learner = _Learner(folder, settings)
+        if curve:
+            learner.restore()
+        for number in range(len(curve), settings.rounds):
+            progress("training, steps", number * settings.round, settings.steps)
+            began = time.monotonic()
+            learner.learn(number)
+            seconds = time.monotonic() - began
+            network = learner.network()
+            result = evaluate_network(network, settings)
+            row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
+            if not curve or _worth(row) > max(map(_worth, curve)):
+                write_bytes(folder / "policy.npz", network.stored(_about(settings, row)))
+            learner.keep()
+            curve.append(row)  # last: a row says that everything before it is on disk
+            write_json(folder / "train.json", {"settings": asdict(settings), "curve": curve})
+        progress("training, steps", settings.steps, settings.steps)
+        return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
+
+
+def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = EVALUATION_SEED) -> OrdinaryResult:
+    """How a network fares on every ordinary drive of the map."""
+    ego = NetworkEgo(network, name=settings.algorithm, observation=settings.observation, pedals=settings.pedals)
+    simulator = load_simulator(resolve_map(settings.map_name), settings.simulation)
+    return drive_ordinary(ego, simulator, scenes=1, seed=settings.seed + seed)
+
+
+def _worth(row: Mapping[str, float]) -> float:
+    """What makes one ego better than another: to arrive, not to crash, to stay on the road, and then to be swift."""
+    swift = min(row["mean_speed"], DESIRED_SPEED)
+    return row["completion"] - 5.0 * row["collision_rate"] - row["off_road"] + 0.01 * swift
+
+
+def _about(settings: TrainSettings, row: Mapping[str, float]) -> dict[str, str | float]:
+    return {**asdict(settings), **{f"evaluation_{name}": value for name, value in row.items()}}
+
+
+def _open_folder(folder: Path, settings: TrainSettings) -> list[dict[str, float]]:
+    """The rounds done so far."""
+    record = folder / "train.json"
+    if record.is_file():
+        content = read_json(record)
+        before = asdict(TrainSettings()) | content.get("settings", {})
+        if before | {"steps": settings.steps} != asdict(settings):  # it may go on for longer
+            raise RunError(f"{folder} holds a training with other settings; choose another folder with --out")
+        return list(content["curve"])
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise RunError(f"{folder} is not empty and holds no training; choose another folder with --out")
+    write_json(record, {"settings": asdict(settings), "curve": []})
+    return []
+
+
+_BUFFER_ARRAYS = ("observations", "next_observations", "actions", "rewards", "dones", "timeouts")
+_ACTORS = {
+    "sac": (("actor.latent_pi.0", "actor.latent_pi.2", "actor.mu"), "tanh"),
+    "td3": (("actor.mu.0", "actor.mu.2", "actor.mu.4"), "tanh"),
+    "ppo": (("mlp_extractor.policy_net.0", "mlp_extractor.policy_net.2", "action_net"), "clip"),
+}  # the layers of the deterministic policy in Stable-Baselines3's names, and what follows them
+
+
+class _Learner:
+    """A Stable-Baselines3 model that is kept as plain arrays: nothing it reads back can run code."""
+
+    def __init__(self, folder: Path, settings: TrainSettings) -> None:
+        try:
+            import stable_baselines3
+            import torch
+            from stable_baselines3.common.logger import configure
+            from stable_baselines3.common.noise import NormalActionNoise
+        except ImportError as error:
+            raise MissingExtra("training needs Stable-Baselines3", extra="train") from error
+        from chatscene.ego.driving_env import DrivingEnv
+
+        self._folder = folder
+        self._settings = settings
+        self._env = DrivingEnv(
+            map_name=settings.map_name,
+            ego_observation=settings.observation,
+            pedals=settings.pedals,
+            reward=settings.reward,
+            settings=settings.simulation,
+        )
+        torch.set_num_threads(1)  # networks this small are slower on two
+        policy: dict[str, Any] = {"net_arch": list(HIDDEN), "activation_fn": torch.nn.ReLU}
+        more: dict[str, Any] = {}
+        if settings.algorithm == "td3":
+            more["action_noise"] = NormalActionNoise(np.zeros(2), np.full(2, 0.1))
+        if settings.algorithm == "ppo":
+            policy["log_std_init"] = -0.5
+        make = getattr(stable_baselines3, settings.algorithm.upper())
+        self.model: BaseAlgorithm = make(
+            "MlpPolicy",
+            self._env,
+            policy_kwargs=policy,
+            seed=settings.seed,
+            device="cpu",
+            **ALGORITHMS[settings.algorithm],
+            **more,
+        )
+        self.model.set_logger(configure(str(folder / "tensorboard"), ["tensorboard"]))
+
+    def learn(self, number: int) -> None:
+        """Learn for one round."""
+        seed = int(np.random.SeedSequence((self._settings.seed, number)).generate_state(1)[0] >> 1)
+        self.model.set_random_seed(seed)
+        self.model._last_obs = None  # pyright: ignore[reportPrivateUsage] - the last drive ended with its round
+        self.model.learn(self._settings.round, reset_num_timesteps=False)
+        self._env.close()
+
+    def network(self) -> Network:
+        """The policy as it is, deterministic."""
+        state = {name: tensor.numpy() for name, tensor in self.model.policy.state_dict().items()}
+        names, output = _ACTORS[self._settings.algorithm]
+        return Network(layers=layers_of(state, names), output=output)
+
+    def keep(self) -> None:
+        """Write what the next round needs."""
+        import torch
+
+        sink = io.BytesIO()
+        torch.save(
+            {
+                "parameters": self.model.get_parameters(),
+                "steps": self.model.num_timesteps,
+                "updates": self.model._n_updates,  # pyright: ignore[reportPrivateUsage]
+                "buffer": self._buffer(),
+            },
+            sink,
+        )
+        write_bytes(self._folder / "checkpoint.pt", sink.getvalue())
+
+    def _buffer(self) -> dict[str, Any]:
+        import torch
+
+        buffer: Any = getattr(self.model, "replay_buffer", None)
+        if buffer is None:
+            return {}
+        arrays = {name: torch.from_numpy(getattr(buffer, name)) for name in _BUFFER_ARRAYS}
+        return arrays | {"pos": buffer.pos, "full": buffer.full}
+
+    def restore(self) -> None:
+        """Take up what `keep` wrote.
+
+        Raises:
+            RunError: It is damaged.
+        """
+        import torch
+
+        path = self._folder / "checkpoint.pt"
+        try:
+            kept: dict[str, Any] = torch.load(path, weights_only=True)
+        except (OSError, RuntimeError, EOFError, pickle.UnpicklingError) as error:
+            raise RunError(f"cannot read {path}: {error}; delete {self._folder} and train again") from error
+        self.model.set_parameters(kept["parameters"])
+        self.model.num_timesteps = kept["steps"]
+        self.model._n_updates = kept["updates"]  # pyright: ignore[reportPrivateUsage]
+        buffer: Any = getattr(self.model, "replay_buffer", None)
+        if buffer is not None:
+            for name in _BUFFER_ARRAYS:
+                getattr(buffer, name)[:] = kept["buffer"][name].numpy()
+            buffer.pos, buffer.full = kept["buffer"]["pos"], kept["buffer"]["full"]

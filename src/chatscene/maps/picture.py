@@ -1,0 +1,173 @@
+"""A moment of an episode as a picture: the map and who is on it from above, drawn with Pillow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from chatscene.terms.actors import Manner, manner_of
+from chatscene.terms.episode import Episode, Role, Track, contact_point
+
+WIDTH, HEIGHT = 640, 360  # [px]
+OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges
+SIDE, WIDEST = 6.0, 120.0  # [m] smallest margin around the actors, largest width of what is shown
+NEAR = 80.0  # [m] width of what is shown around one actor
+
+GROUND, PAINT, CENTRE = "#e9ebe4", "#ffffff", "#f2d27a"
+AREAS = {"sidewalks": "#d9d7cf", "shoulders": "#cfd1cf", "roads": "#c4c8cc", "junctions": "#c4c8cc"}
+INK, STAR, STAR_EDGE = "#1c2024", "#ffd23f", "#c23a12"
+ROLES = {
+    Role.EGO: "#2a66e0",
+    Role.ADVERSARY: "#d9481c",
+    Role.BACKGROUND: "#7a858f",
+    Role.OCCLUDER: "#a38a63",
+}
+SIGNALS = {"r": "#d3282f", "y": "#e0a100", "g": "#1b9e50"}
+
+Points = Sequence[Sequence[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """A fixed view from above: its centre [m] and its scale [px/m] in the large picture."""
+
+    x: float
+    y: float
+    scale: float
+
+    @classmethod
+    def on(cls, episode: Episode, shown: Sequence[int], largest: float) -> Camera:
+        """Hold the ego and its adversaries over the steps shown, or the end of it if they go too far."""
+        actors = (episode.ego_track, *episode.adversaries)
+        x = np.concatenate([track.x[shown] for track in actors])
+        y = np.concatenate([track.y[shown] for track in actors])
+        width = max(np.ptp(x), np.ptp(y) * WIDTH / HEIGHT) + 2 * SIDE
+        end_x, end_y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
+        middle_x, middle_y = float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2
+        if width > largest:  # then the ego's last position is kept inside
+            reach = largest / 2 - 4 * SIDE
+            middle_x = end_x + min(max(middle_x - end_x, -reach), reach)
+            reach *= HEIGHT / WIDTH
+            middle_y = end_y + min(max(middle_y - end_y, -reach), reach)
+        return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / float(min(max(width, 40.0), largest)))
+
+    @classmethod
+    def around(cls, x: float, y: float) -> Camera:
+        """Hold one place [m]."""
+        return cls(x, y, WIDTH * OVERSAMPLE / NEAR)
+
+    def points(self, line: Points) -> list[tuple[float, float]]:
+        """Points of the map [m] as pixels of the large picture."""
+        left, top = WIDTH * OVERSAMPLE / 2, HEIGHT * OVERSAMPLE / 2
+        return [(left + (p[0] - self.x) * self.scale, top - (p[1] - self.y) * self.scale) for p in line]
+
+    def pixels(self, metres: float) -> int:
+        """A width [m] in pixels of the large picture, at least one of the small one."""
+        return max(round(metres * self.scale), OVERSAMPLE)
+
+
+def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
+    """The map as a large picture.
+
+    Args:
+        camera: Where it is seen from.
+        drawing: What `chatscene.maps.drawing.map_drawing` gives.
+    """
+    picture = Image.new("RGB", (WIDTH * OVERSAMPLE, HEIGHT * OVERSAMPLE), GROUND)
+    brush = ImageDraw.Draw(picture)
+    for kind, colour in AREAS.items():
+        for rings in drawing.get(kind, ()):
+            # One path through all rings and back each time: Pillow fills by the even-odd rule, so holes stay open.
+            brush.polygon(camera.points([p for ring in rings for p in (*ring, rings[0][0])]), fill=colour)
+    for line in drawing.get("lane_boundaries", ()):
+        colour = CENTRE if line["kind"] == "centre" else PAINT
+        pieces = _dashes(line["points"]) if line["kind"] == "dashed" else [line["points"]]
+        for piece in pieces:
+            brush.line(camera.points(piece), fill=colour, width=camera.pixels(0.15))
+    for line in drawing.get("stop_lines", ()):
+        brush.line(camera.points(line["points"]), fill=PAINT, width=camera.pixels(0.4))
+    return picture
+
+
+def _dashes(line: Points, dash: float = 3.0, gap: float = 4.5) -> list[list[tuple[float, float]]]:
+    """A dashed line [m] as its dashes, corners inside a dash cut."""
+    x, y = np.array([p[0] for p in line], float), np.array([p[1] for p in line], float)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    starts = np.arange(0.0, along[-1], dash + gap)
+    ends = np.minimum(starts + dash, along[-1])
+    return [
+        [(float(np.interp(s, along, x)), float(np.interp(s, along, y))) for s in pair]
+        for pair in zip(starts, ends, strict=True)
+    ]
+
+
+def draw_frame(camera: Camera, ground: Image.Image, episode: Episode, step: int) -> Image.Image:
+    """One step of an episode, `WIDTH` by `HEIGHT` [px].
+
+    Args:
+        camera: Where it is seen from.
+        ground: The map, seen from there.
+        episode: Who is on it.
+        step: Which moment.
+    """
+    picture = ground.copy()
+    brush = ImageDraw.Draw(picture)
+    for signal in episode.signals:
+        line = camera.points([(signal.x0, signal.y0), (signal.x1, signal.y1)])
+        colour = SIGNALS.get(signal.state[min(step, len(signal.state) - 1)], PAINT)
+        brush.line(line, fill=colour, width=camera.pixels(0.7))
+    for track in (episode.ego_track, *episode.adversaries):
+        trail = camera.points(np.stack([track.x[: step + 1], track.y[: step + 1]], axis=1).tolist())
+        if len(trail) > 1:
+            brush.line(trail, fill=ROLES[track.role], width=camera.pixels(0.2))
+    _draw_crash(camera, brush, episode, step)
+    for track in reversed(episode.tracks):
+        _draw_actor(camera, brush, track, step)
+    brush.text(
+        (10 * OVERSAMPLE, 8 * OVERSAMPLE),
+        f"{step * episode.dt:.1f} s   ego {episode.ego_track.speed[step]:.1f} m/s",
+        fill=INK,
+        font_size=14 * OVERSAMPLE,
+    )
+    return picture.resize((WIDTH, HEIGHT), Image.Resampling.BOX)
+
+
+def _draw_crash(camera: Camera, brush: ImageDraw.ImageDraw, episode: Episode, step: int) -> None:
+    crash = episode.collision
+    if crash is None or step < crash.step:
+        return
+    x, y = contact_point(episode, crash)
+    radii = [2.6 if i % 2 == 0 else 1.3 for i in range(20)]
+    star = [(x + r * math.cos(i * math.pi / 10), y + r * math.sin(i * math.pi / 10)) for i, r in enumerate(radii)]
+    brush.polygon(camera.points(star), fill=STAR, outline=STAR_EDGE, width=2 * OVERSAMPLE)
+
+
+def _draw_actor(camera: Camera, brush: ImageDraw.ImageDraw, track: Track, step: int) -> None:
+    x, y, heading = float(track.x[step]), float(track.y[step]), float(track.heading[step])
+    cos, sin = math.cos(heading), math.sin(heading)
+
+    def placed(shape: Points) -> list[tuple[float, float]]:
+        return camera.points([(x + u * cos - v * sin, y + u * sin + v * cos) for u, v in shape])
+
+    half, side = track.length / 2, track.width / 2
+    if manner_of(track.kind) is Manner.WALKS:
+        radius = max(0.45, 5 * OVERSAMPLE / camera.scale)
+        brush.polygon(placed([(2 * radius, 0), (0, radius), (0, -radius)]), fill=ROLES[track.role])
+        brush.ellipse([*_circle(camera, x, y, radius)], fill=ROLES[track.role], outline=PAINT)
+        return
+    corners = placed([(half, side), (-half, side), (-half, -side), (half, -side)])
+    brush.polygon(corners, fill=ROLES[track.role], outline=PAINT, width=OVERSAMPLE)
+    if track.role is not Role.OCCLUDER:
+        tip, base = 0.75 * half, 0.75 * half - 0.8 * side
+        brush.polygon(placed([(tip, 0), (base, 0.6 * side), (base, -0.6 * side)]), fill=PAINT)
+
+
+def _circle(camera: Camera, x: float, y: float, radius: float) -> tuple[float, float, float, float]:
+    """Left, top, right, bottom [px] of a circle on the map [m]."""
+    (left, top), (right, bottom) = camera.points([(x - radius, y + radius), (x + radius, y - radius)])
+    return left, top, right, bottom

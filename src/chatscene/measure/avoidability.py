@@ -1,0 +1,205 @@
+"""Whether a careful and competent driver would have avoided a crash.
+
+UN Regulation No. 157 (automated lane keeping systems, 01 series of amendments, annex 3, "guidance on traffic
+disturbance critical scenarios") models such a driver: once somebody is perceived as a risk, the driver needs 0.4 s to
+judge it, 0.75 s until braking begins, and 0.6 s until the brake gives 0.774 g. The regulation says what a risk is for
+cut-ins, cut-outs and braking leaders on motorways; decision 0013 says what we take for one anywhere.
+
+The answer is found by driving, not by formula: the same ego drives the same scene again and does as it did, until the
+moment the careful driver would brake; from then on it keeps to its way and brakes as that driver would, and the
+adversary reacts to that as its program says.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.observation import Observation
+from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
+from chatscene.errors import EgoError, SimulationError
+from chatscene.simulate.simulator import Simulator
+from chatscene.simulate.watchdog import time_limit
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.episode import Array, Episode, Role, Track
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+RISK_EVALUATION = 0.4  # [s] (UN R157, annex 3)
+BRAKING_DELAY = 0.75  # [s] from having judged until braking begins (the same)
+RAMP = 0.6  # [s] from the first touch of the pedal to full braking (the same)
+FULL_BRAKE = 0.774 * 9.81  # [m/s²] (the same)
+WANDERING = 0.375  # [m] beside a vehicle that its wandering in its lane takes up (the same)
+HORIZON = 3.0  # [s] a driver looks ahead; braking from 50 km/h takes 1.15 + 0.6 + 1.5 s
+STANDSTILL = 3.0  # [s] of standing after which nothing more is to come
+
+
+def risk_step(episode: Episode, route: Polyline) -> int | None:
+    """The step at which the actor that the ego will hit becomes a risk, and stays one while it is judged.
+
+    It is a risk if both, going on as they do, will touch within `HORIZON`: the ego along its route at its present
+    speed, the other straight on; and if nothing hides it.
+
+    Args:
+        episode: A drive with a collision.
+        route: The ego's.
+
+    Returns:
+        The step, or None if it never was a risk, or there was no collision.
+    """
+    crash = episode.collision
+    if crash is None:
+        return None
+    other = next(track for track in episode.tracks if track.actor == crash.other)
+    risk = _predicted(episode, other, route) & _visible(episode, other)
+    judged = math.ceil(RISK_EVALUATION / episode.dt)
+    lasting = np.convolve(risk, np.ones(judged + 1, dtype=int), mode="valid") == judged + 1
+    steps = np.flatnonzero(lasting)
+    return int(steps[0]) if steps.size else None
+
+
+def avoidable(
+    episode: Episode, program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Simulator
+) -> bool | None:
+    """Whether a careful and competent driver, in the ego's place from the moment of risk, does not crash.
+
+    Args:
+        episode: What happened to the ego.
+        program: What it happened in.
+        scene: The scene.
+        ego: Who drove.
+        simulator: Where to drive it again.
+
+    Returns:
+        None if the ego did not crash.
+
+    Raises:
+        SimulationError: The scene cannot be driven again.
+        EgoError: The ego fails this time.
+    """
+    crash = episode.collision
+    if crash is None:
+        return None
+    risk = risk_step(episode, simulator.route(program, scene.route).line)
+    if risk is None:
+        return False
+    braking = risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / episode.dt - 1e-9)
+    with time_limit(f"scene {scene.id!r}, driven again"):
+        return braking < crash.step and not _crashes(program, scene, ego, simulator, braking, episode.dt)
+
+
+def _crashes(
+    program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Simulator, braking: int, dt: float
+) -> bool:
+    """Whether the ego still crashes if it brakes as the careful driver does from step `braking` on."""
+    drive = simulator.open(program, scene, observation=observation_of(ego), pedals="full-brake")
+    if isinstance(drive, Rejected):
+        raise SimulationError(f"scene {scene.id!r} ran once and is now rejected: {drive.reason}")
+    driver = _CarefulDriver(ego, braking, dt)
+    standing = 0
+    try:
+        while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
+            try:
+                action = driver.act(drive.observation)
+            except Exception as error:
+                raise EgoError(
+                    f"the ego {name_of(ego)!r} drove scene {scene.id!r} once and fails when it drives it again, "
+                    f"at step {drive.step_number}: {type(error).__name__}: {error}"
+                ) from error
+            drive.step(action)
+            standing = standing + 1 if drive.step_number > braking and abs(drive.speed) < 0.01 else 0
+        return drive.ending == "collision"
+    finally:
+        drive.close()
+
+
+class _CarefulDriver:
+    """Another ego until a step, then the brake of the careful driver; the other's steering throughout."""
+
+    def __init__(self, ego: EgoPolicy, braking: int, dt: float) -> None:
+        self._ego = ego
+        self._scale = PEDALS[pedals_of(ego)]
+        self._braking = braking
+        self._dt = dt
+        self._step = 0
+        if (reset := getattr(ego, "reset", None)) is not None:
+            reset()
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        acceleration, steering = self._ego.act(observation)
+        braked = self._step - self._braking
+        self._step += 1
+        if acceleration < 0.0:
+            acceleration *= self._scale
+        if braked >= 0:
+            car = LIMITS["Car"]
+            wish = FULL_BRAKE * min(1.0, (braked + 1) * self._dt / RAMP)
+            acceleration = min(acceleration, -max(0.0, wish - car.drag) / car.brake)
+        return acceleration, steering
+
+
+def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bool_]:
+    """(T,) Whether, at each step, the ego along its route and the other straight on will touch within `HORIZON`."""
+    ego = episode.ego_track
+    ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
+    along = np.array([route.project(x, y)[0] for x, y in zip(ego.x.tolist(), ego.y.tolist(), strict=True)])
+    arc = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(route.points, axis=0).T))))
+    stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
+    beyond = np.maximum(stops - arc[-1], 0.0)
+    heading = np.unwrap(np.arctan2(*np.diff(route.points, axis=0).T[::-1]))
+    toward = heading[np.clip(np.searchsorted(arc, stops, side="right") - 1, 0, len(heading) - 1)]
+    ex = np.interp(stops, arc, route.points[:, 0]) + beyond * np.cos(toward)
+    ey = np.interp(stops, arc, route.points[:, 1]) + beyond * np.sin(toward)
+    ox = other.x[:, None] + (other.speed * np.cos(other.heading))[:, None] * ahead
+    oy = other.y[:, None] + (other.speed * np.sin(other.heading))[:, None] * ahead
+    touching = _touching(ex, ey, toward, ego, ox, oy, other.heading[:, None], other)
+    return np.logical_or.reduce(touching, axis=1)
+
+
+def _touching(
+    ax: Array, ay: Array, a_heading: Array, a: Track, bx: Array, by: Array, b_heading: Array, b: Track
+) -> NDArray[np.bool_]:
+    """Whether boxes overlap, where `b` is wider than it is by `WANDERING` on each side (separating axes)."""
+    dx, dy = bx - ax, by - ay
+    ca, sa, cb, sb = np.cos(a_heading), np.sin(a_heading), np.cos(b_heading), np.sin(b_heading)
+    c, s = np.abs(ca * cb + sa * sb), np.abs(ca * sb - sa * cb)
+    al, aw = a.length / 2, a.width / 2
+    bl, bw = b.length / 2, b.width / 2 + (WANDERING if b.role is not Role.OCCLUDER else 0.0)
+    overlap: NDArray[np.bool_] = np.logical_and.reduce(
+        (
+            np.abs(dx * ca + dy * sa) <= al + bl * c + bw * s,
+            np.abs(dy * ca - dx * sa) <= aw + bl * s + bw * c,
+            np.abs(dx * cb + dy * sb) <= bl + al * c + aw * s,
+            np.abs(dy * cb - dx * sb) <= bw + al * s + aw * c,
+        )
+    )
+    return overlap
+
+
+def _visible(episode: Episode, other: Track) -> NDArray[np.bool_]:
+    """(T,) Whether no thing stands between the centres of the ego and the other."""
+    ego = episode.ego_track
+    seen = np.ones(len(ego.x), dtype=bool)
+    for thing in episode.tracks:
+        if thing.role is not Role.OCCLUDER or thing is other:
+            continue
+        cos, sin = math.cos(thing.heading[0]), math.sin(thing.heading[0])
+        half = np.array((thing.length / 2, thing.width / 2))
+        starts, ends = (
+            np.column_stack(
+                (
+                    (t.x - thing.x[0]) * cos + (t.y - thing.y[0]) * sin,
+                    (t.y - thing.y[0]) * cos - (t.x - thing.x[0]) * sin,
+                )
+            )
+            for t in (ego, other)
+        )
+        # The part of the line of sight within the box, slab by slab; a line along a slab divides by nothing.
+        way = ends - starts
+        way = np.where(np.abs(way) < 1e-12, 1e-12, way)
+        near, far = (-half - starts) / way, (half - starts) / way
+        enter, leave = np.minimum(near, far).max(axis=1), np.maximum(near, far).min(axis=1)
+        seen &= ~((enter < leave) & (leave > 0.0) & (enter < 1.0))
+    return seen

@@ -1,0 +1,74 @@
+"""Drive one scene and judge the drive: what was said, how the ego fared, how critical it was, whose doing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.measure.avoidability import avoidable
+from chatscene.measure.criticality import criticality, fault
+from chatscene.measure.score import columns, measure
+from chatscene.program.meaning import check_meaning
+from chatscene.simulate.simulator import Simulator, simulate
+from chatscene.terms.criticality import Criticality, Fault
+from chatscene.terms.episode import Episode
+from chatscene.terms.metrics import Measurements
+from chatscene.terms.scenario import Slots
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ran:
+    """A scene that was driven, and what came of it.
+
+    Attributes:
+        scene: The scene.
+        episode: The ego's drive.
+        measurements: Its raw numbers.
+        metrics: One number per metric, by column name, paper mode.
+        meaning: What the drive did not show of what was said; empty is good.
+        criticality: How close it came.
+        fault: Who ran into whom; None without a collision.
+        avoidable: Whether a careful driver would have avoided the collision; None without one.
+    """
+
+    scene: Scene
+    episode: Episode
+    measurements: Measurements
+    metrics: dict[str, float]
+    meaning: tuple[str, ...]
+    criticality: Criticality
+    fault: Fault | None
+    avoidable: bool | None
+
+
+def drive(
+    program: ScenicProgram, slots: Slots, scene: Scene, *, simulator: Simulator, ego: EgoPolicy
+) -> Ran | Rejected:
+    """Drive one scene and judge it.
+
+    Args:
+        program: What to run.
+        slots: What was said.
+        scene: The concrete values.
+        simulator: Where.
+        ego: Who drives.
+
+    Raises:
+        EgoError: The ego fails.
+        ProgramError: The program's own code fails.
+    """
+    episode = simulate(simulator, program, scene, ego)
+    if isinstance(episode, Rejected):
+        return episode
+    measurements = measure(episode)
+    return Ran(
+        scene=scene,
+        episode=episode,
+        measurements=measurements,
+        metrics=columns(measurements),
+        meaning=check_meaning(slots, episode, simulator.route(program, scene.route)),
+        criticality=criticality(episode),
+        fault=fault(episode),
+        avoidable=avoidable(episode, program, scene, ego, simulator),
+    )

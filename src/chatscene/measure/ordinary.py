@@ -1,0 +1,150 @@
+"""How an ego fares on ordinary drives: whether it gets there, and whether it crashes on the way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from statistics import fmean
+
+from chatscene.ego.policy import EgoPolicy, name_of
+from chatscene.measure.intervals import bootstrap
+from chatscene.measure.score import wilson
+from chatscene.program.ordinary import Course, ordinary_courses
+from chatscene.program.sample import draw, scene_seed
+from chatscene.simulate.simulator import Simulator, simulate
+from chatscene.terms.episode import Episode
+from chatscene.terms.results import Cell, ResultTable
+from chatscene.terms.scene import Rejected, Scene
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinaryDrive:
+    """One drive of a course.
+
+    Attributes:
+        course: Which, by number.
+        completion: Share of the route driven, in [0, 1].
+        speed: Mean speed [m/s].
+        off_road: Share of the time that it was off the driving lanes, in [0, 1].
+        collided: Whether it crashed.
+    """
+
+    course: int
+    completion: float
+    speed: float
+    off_road: float
+    collided: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinaryResult:
+    """The ordinary drives of one ego.
+
+    Attributes:
+        ego: Its name.
+        drives: Course by course.
+        rejected: Draws that could not be placed.
+    """
+
+    ego: str
+    drives: tuple[OrdinaryDrive, ...]
+    rejected: int
+
+    def figures(self) -> dict[str, float]:
+        """The means, by name, and the Wilson interval of the collision rate."""
+        hits = sum(drive.collided for drive in self.drives)
+        low, high = wilson(hits, len(self.drives))
+        return {
+            "drives": float(len(self.drives)),
+            "completion": fmean(drive.completion for drive in self.drives),
+            "collision_rate": hits / len(self.drives),
+            "collision_rate_low": low,
+            "collision_rate_high": high,
+            "off_road": fmean(drive.off_road for drive in self.drives),
+            "mean_speed": fmean(drive.speed for drive in self.drives),
+        }
+
+
+def drive_ordinary(ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int) -> OrdinaryResult:
+    """Let an ego drive every ordinary course of a map.
+
+    Args:
+        ego: Who drives.
+        simulator: Where, on which map.
+        scenes: Draws of traffic per course.
+        seed: Of the traffic.
+
+    Raises:
+        MapError: The map offers no route.
+        EgoError: The ego fails.
+    """
+    driven: list[OrdinaryDrive] = []
+    rejected = 0
+    for course, outcome in ordinary_episodes(ego, simulator, scenes=scenes, seed=seed):
+        if isinstance(outcome, Rejected):
+            rejected += 1
+            continue
+        driven.append(
+            OrdinaryDrive(
+                course=course,
+                completion=outcome.route_completion,
+                speed=float(outcome.ego_track.speed.mean()),
+                off_road=float(outcome.off_road.mean()),
+                collided=outcome.collision is not None,
+            )
+        )
+    return OrdinaryResult(ego=name_of(ego), drives=tuple(driven), rejected=rejected)
+
+
+def ordinary_episodes(
+    ego: EgoPolicy, simulator: Simulator, *, scenes: int, seed: int
+) -> Iterator[tuple[int, Episode | Rejected]]:
+    """The drives themselves, each with the number of its course."""
+    for number, course in enumerate(ordinary_courses(simulator)):
+        for index in range(scenes):
+            yield number, simulate(simulator, course.program, _scene(course, index, seed), ego)
+
+
+def ordinary_table(results: Sequence[OrdinaryResult]) -> ResultTable:
+    """Completion, collision rate, share of the time off the road, and mean speed of each ego."""
+    rows: list[tuple[str, tuple[Cell, ...]]] = []
+    for result in results:
+        hits = sum(drive.collided for drive in result.drives)
+        rate = Cell(hits / len(result.drives), *wilson(hits, len(result.drives)))
+        rows.append(
+            (result.ego, (_mean(result, "completion"), rate, _mean(result, "off_road"), _mean(result, "speed")))
+        )
+    counts = sorted({len(result.drives) for result in results})
+    courses = len({drive.course for result in results for drive in result.drives})
+    return ResultTable(
+        title="Ordinary drives",
+        columns=("Completion", "Collision rate", "Off road", "Mean speed [m/s]"),
+        rows=tuple(rows),
+        notes=(
+            f"{', '.join(map(str, counts))} drives per ego on {courses} courses.",
+            "Collision rate: 95 % Wilson interval. The others: 95 % cluster bootstrap over the courses.",
+        ),
+    )
+
+
+def _mean(result: OrdinaryResult, name: str) -> Cell:
+    courses: dict[int, list[float]] = {}
+    for drive in result.drives:
+        courses.setdefault(drive.course, []).append(float(getattr(drive, name)))
+    value = fmean(number for course in courses.values() for number in course)
+    low, high = bootstrap(list(courses.values()), fmean, seed=0)
+    return Cell(value) if math.isnan(low) else Cell(value, low, high)
+
+
+def _scene(course: Course, number: int, seed: int) -> Scene:
+    name = f"{course.program.scenario_id}/route-{course.route:02d}/scene-{number:03d}"
+    own = scene_seed(seed, name)
+    return Scene(
+        id=name,
+        scenario_id=course.program.scenario_id,
+        route=course.route,
+        block=0,
+        seed=own,
+        values=draw(course.program.parameters, seed=own),
+    )

@@ -1,0 +1,132 @@
+"""One way for all kinds of plug-ins: what is built in, what installed packages bring, and what the user points at.
+
+A name stands, in this order, for
+
+1. what is built in;
+2. an entry point that an installed package brings under the group of its kind, such as ``chatscene.samplers``;
+3. ``package.module:factory``, the user's own, which is also looked for in the working folder.
+
+Whatever is named is imported and run, so a name must come from the user: `chatscene.trust` holds back those that
+stand in a record only.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from chatscene.errors import ChatSceneError, MissingExtra, SettingsError, no_such
+
+Plugin = TypeVar("Plugin")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind(Generic[Plugin]):
+    """A kind of plug-in.
+
+    Attributes:
+        noun: What one is called.
+        group: Group of the entry points by which other packages bring theirs.
+        method: Name of a method that each one has.
+        built_in: What is packaged by name, each written as an entry point: ``module:factory``, and behind it in
+            brackets the extra that it needs, if any.
+        forms: What else a user may type besides a name and ``package.module:factory``, in words.
+        error: What is raised for one that cannot be had.
+    """
+
+    noun: str
+    group: str
+    method: str
+    built_in: Mapping[str, str]
+    forms: tuple[str, ...] = ()
+    error: type[ChatSceneError] = SettingsError
+
+
+def names(kind: Kind[Any]) -> list[str]:
+    """What is built in or installed, by name, sorted."""
+    return sorted({*kind.built_in, *entry_points(group=kind.group).names})
+
+
+def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin:
+    """A new plug-in by its name.
+
+    Args:
+        kind: Its kind.
+        name: As in the head of this module.
+        arguments: What its factory takes.
+        named: What its factory takes by name.
+
+    Raises:
+        ChatSceneError: The error of its kind: there is none of that name, its code fails, whatever it raises, or what
+            is made lacks the method; the message names the nearest.
+        MissingExtra: A package that its extra brings is not installed.
+    """
+    entry = _find(kind, name)
+    with nullcontext() if entry.group else _importable_from_here():
+        factory = _imported(kind, entry)
+        try:
+            made = factory(*arguments, **named)
+        except ChatSceneError:
+            raise
+        except (Exception, SystemExit) as error:
+            raise kind.error(f"{kind.noun} {name!r}: {entry.attr!r} fails: {type(error).__name__}: {error}") from error
+    if not callable(getattr(made, kind.method, None)):
+        raise kind.error(f"{kind.noun} {name!r} makes a {type(made).__name__}, which has no method {kind.method}")
+    return made
+
+
+def _find(kind: Kind[Any], name: str) -> EntryPoint:
+    """Where a name leads; one that the user points at is of no group."""
+    if name in kind.built_in:
+        return EntryPoint(name, kind.built_in[name], kind.group)
+    found = list(entry_points(group=kind.group, name=name))
+    if len(found) > 1:
+        places = ", ".join(sorted(entry.value for entry in found))
+        raise kind.error(f"several packages bring a {kind.noun} {name!r} ({places}); name one as module:factory")
+    if found:
+        return found[0]
+    module, colon, factory = name.partition(":")
+    if not colon:
+        forms = " or ".join(("", *kind.forms, "package.module:factory"))
+        raise kind.error(f"{no_such(kind.noun, name, names(kind))};{forms}")
+    if not all(part.isidentifier() for part in (*module.split("."), factory)):
+        raise kind.error(f"{kind.noun} {name!r} is not of the form package.module:factory, such as my_stack.x:make")
+    return EntryPoint(name, name, "")
+
+
+def _imported(kind: Kind[Any], entry: EntryPoint) -> Any:
+    """What an entry point leads to."""
+    of, value = f"{kind.noun} {entry.name!r}", entry.value
+    if not (entry.pattern.match(value) and entry.attr):
+        raise kind.error(f"{of}: {value!r}, which its package names, is not of the form package.module:factory")
+    try:
+        found = importlib.import_module(entry.module)
+    except (Exception, SystemExit) as error:
+        ours = entry.module.partition(".")[0]
+        if entry.extras and isinstance(error, ImportError) and (error.name or ours).partition(".")[0] != ours:
+            package = entry.dist.name if entry.dist else "chatscene"
+            raise MissingExtra(f"the {of} needs {error.name}", extra=entry.extras[0], package=package) from error
+        raise kind.error(f"{of}: cannot import {value!r}: {type(error).__name__}: {error}") from error
+    if not hasattr(found, entry.attr):
+        raise kind.error(f"{of}: module {entry.module!r} has no {entry.attr!r}")
+    return getattr(found, entry.attr)
+
+
+@contextmanager
+def _importable_from_here() -> Generator[None]:
+    """Let a user's own module be found in the working folder, behind all that is installed, and only for now."""
+    if (here := str(Path.cwd())) in sys.path:
+        yield
+        return
+    sys.path.append(here)
+    try:
+        yield
+    finally:
+        if here in sys.path:
+            sys.path.remove(here)

@@ -1,0 +1,131 @@
+"""What lies along a route: lanes, stop lines, signals; and the events that follow from a finished track.
+
+Events other than collisions change nothing while a drive goes on, so they are found afterwards on whole tracks.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from chatscene.errors import MapError
+from chatscene.maps.junctions import StopLine, junction_control, junction_signals
+from chatscene.maps.lane_map import LaneMap
+from chatscene.simulate.signals import MODES, signal_states
+from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
+from chatscene.terms.route import Route
+from chatscene.terms.scenario import Control
+
+HALTED = 0.1  # [m/s], slow enough to count as a stop at a stop sign (SafeBench, RunningStopTest)
+STOP_ZONE = 6.0  # [m] before the line within which the ego must have halted
+_AXIS = math.sqrt(0.5)  # cosine of 45°: a lane nearer than that to the ego's direction is on its axis
+
+
+class RouteSurroundings:
+    """The neighbourhood of one route, prepared for quick questions.
+
+    Args:
+        network: Scenic's road network.
+        route: The route.
+        lane_map: The lanes of the network.
+    """
+
+    def __init__(self, network: Any, route: Route, lane_map: LaneMap) -> None:
+        self._route = route
+        self._lane_map = lane_map
+        self._lanes = [network.elements[uid].polygons for uid in route.lane_ids]
+        self._junctions = network.intersectionRegion.polygons if network.intersections else shapely.Polygon()
+        for shape in (*self._lanes, self._junctions):
+            shapely.prepare(shape)
+        self._control = Control.NONE
+        self._lines: tuple[StopLine, ...] = ()
+        if route.junction is not None:
+            self._control = junction_control(network.elements[route.junction])
+            self._lines = junction_signals(network, route.junction)
+        self._approach = route.line.heading_at(max(route.event_at - 1.0, 0.0))
+
+    def _own(self, line: StopLine) -> bool:
+        return line.lane in self._route.lane_ids
+
+    def same_lane(self, x: float, y: float, other_x: float, other_y: float) -> bool:
+        """Whether two points lie in the same lane of the route."""
+        return any(
+            shapely.contains_xy(lane, other_x, other_y) and shapely.contains_xy(lane, x, y) for lane in self._lanes
+        )
+
+    def signal_tracks(self, mode: str, steps: int, dt: float) -> tuple[SignalTrack, ...]:
+        """The signals at the route's junction, for as many states.
+
+        Raises:
+            MapError: `mode` is none of `MODES`.
+        """
+        if mode not in MODES:
+            raise MapError(f"a program sets signals to {mode!r}; they can be {', '.join(MODES)}")
+        if self._control is not Control.SIGNAL:
+            return ()
+        return tuple(
+            SignalTrack(
+                x0=line.x0,
+                y0=line.y0,
+                x1=line.x1,
+                y1=line.y1,
+                state=signal_states(mode, abs(math.cos(line.heading - self._approach)) > _AXIS, steps, dt),
+                role="ego" if self._own(line) else "other",
+            )
+            for line in self._lines
+        )
+
+    def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
+        """Whether the ego was off the road at each step, and everything it did wrong but collide."""
+        off_road = self._lane_map.off_road(np.column_stack((ego.x, ego.y)))
+        events = [Event(kind=EventKind.OFF_ROAD, step=step) for step in _onsets(off_road)]
+        events += self._lane_invasions(ego)
+        events += [
+            Event(kind=EventKind.RED_LIGHT, step=step, other="signal")
+            for signal in signals
+            if signal.role == "ego" and (step := crossing_step(ego, signal)) is not None and signal.state[step] == "r"
+        ]
+        if self._control is Control.STOP_SIGN:
+            events += self._stop_signs(ego)
+        return off_road, events
+
+    def _lane_invasions(self, ego: Track) -> list[Event]:
+        """A change of lane outside junctions, or onto no lane at all."""
+        lane = self._lane_map.lane_index(np.column_stack((ego.x, ego.y)), self._route.lane_ids)
+        inside = np.asarray(shapely.contains_xy(self._junctions, ego.x, ego.y))
+        changed = (lane[1:] != lane[:-1]) & ~inside[1:] & ~inside[:-1] & (lane[:-1] >= 0)
+        return [Event(kind=EventKind.LANE_INVASION, step=int(i) + 1) for i in np.flatnonzero(changed)]
+
+    def _stop_signs(self, ego: Track) -> list[Event]:
+        events: list[Event] = []
+        for line in self._lines:
+            step = crossing_step(ego, line) if self._own(line) else None
+            if step is None:
+                continue
+            distance = np.hypot(ego.x[: step + 1] - ego.x[step], ego.y[: step + 1] - ego.y[step])
+            before = np.abs(ego.speed[: step + 1][distance < STOP_ZONE])
+            if before.min() > HALTED:
+                events.append(Event(kind=EventKind.STOP_SIGN, step=step, other="stop sign"))
+        return events
+
+
+def crossing_step(track: Track, line: StopLine | SignalTrack) -> int | None:
+    """The first step at which an actor's centre crosses a stop line, or None."""
+    px, py = track.x - line.x0, track.y - line.y0
+    lx, ly = line.x1 - line.x0, line.y1 - line.y0
+    side = lx * py - ly * px
+    change = np.flatnonzero(side[:-1] * side[1:] < 0)
+    for i in change.tolist():
+        share = side[i] / (side[i] - side[i + 1])
+        along = (px[i] + share * (px[i + 1] - px[i])) * lx + (py[i] + share * (py[i + 1] - py[i])) * ly
+        if -0.1 <= along / (lx * lx + ly * ly) <= 1.1:
+            return i + 1
+    return None
+
+
+def _onsets(flags: NDArray[np.bool_]) -> list[int]:
+    return np.flatnonzero(flags & ~np.concatenate(([False], flags[:-1]))).tolist()

@@ -1,0 +1,278 @@
+"""A session over Scenic's loop: what the ego sees, what it does, and the episode that comes of it."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
+from chatscene.ego.policy import controls
+from chatscene.errors import ChatSceneError, ProgramError
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.contact import approach_speed, contact_side, touch
+from chatscene.simulate.roadside import RouteSurroundings
+from chatscene.simulate.simulation import SteppedSimulation
+from chatscene.terms.actors import kind_of
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.route import Route
+from chatscene.world.bodies import Body, Vehicle
+
+ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
+SECONDS_PER_METRE = 1.0  # SafeBench's time limit per metre of route
+
+
+class SteppedSession:
+    """A simulation in progress; see `chatscene.simulate.simulator.Session` for the contract.
+
+    Args:
+        simulation: The scene, set up.
+        route: The ego's.
+        around: What lies along it.
+        settings: Step and limits.
+        observation: A preset of `chatscene.ego.observation`.
+        pedals: One of `chatscene.ego.policy.PEDALS`.
+        through: Whether to go on after a collision.
+        label: The program and scene, for messages.
+
+    Attributes:
+        observation: What the ego sees now.
+        ending: Why it ended, or None while it goes on.
+        rejection: Why the program itself rejects it, or empty.
+        step_number: How many steps were made.
+        offset: Lateral offset of the ego from its route [m, positive = left].
+        along: Arc length of the ego on its route [m].
+    """
+
+    def __init__(
+        self,
+        simulation: SteppedSimulation,
+        route: Route,
+        around: RouteSurroundings,
+        settings: SimulationSettings,
+        observation: str,
+        pedals: str,
+        through: bool,
+        label: str,
+    ) -> None:
+        objects, bodies = simulation.objects, simulation.bodies
+        body, own = bodies[0], objects[0].behavior
+        if not isinstance(body, Vehicle):
+            raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(objects[0]).__name__}")
+        if own is not None:
+            raise ProgramError(
+                f"{label} fails: the ego has a behavior of its own, {type(own).__name__}, and the ego under test is to "
+                "drive it; leave its `with behavior …` away"
+            )
+        self._ego = body
+        self._simulation = simulation
+        self._route = route
+        self._around = around
+        self._settings = settings
+        self._pedals = pedals
+        self._through = through
+        self._label = label
+        self._names = _names(objects)
+        self._limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
+        self._view = RouteView(route.line)
+        self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
+        self._moving = [body for body in bodies if body.moves]
+        self._vehicles = [body for obj, body in zip(objects, bodies, strict=True) if obj.isVehicle][1:]
+        self._others = [(body, obj.isWalker) for obj, body in zip(objects, bodies, strict=True)][1:]
+        self._rows: list[float] = []
+        self._offsets: list[float] = []
+        self._contacts: list[Event] = []
+        self._touching: set[int] = set()
+        self.step_number = 0
+        self.ending: Ending | None = None
+        self.rejection = _overlap(objects, bodies, self._names)
+        self.observation: Observation
+        if not self.rejection:
+            self._look()
+
+    @property
+    def along(self) -> float:
+        """Arc length of the ego on its route [m]."""
+        return self._view.along
+
+    @property
+    def offset(self) -> float:
+        """Lateral offset of the ego from its route [m, positive = left]."""
+        return self._view.offset
+
+    @property
+    def speed(self) -> float:
+        """Speed of the ego [m/s]."""
+        return self._ego.speed
+
+    def step(self, action: Any) -> None:
+        """Drive one step of the simulation.
+
+        Raises:
+            EgoError: The action is not two finite numbers.
+            ProgramError: The program's own code fails.
+        """
+        body, simulation = self._ego, self._simulation
+        body.throttle, body.brake, body.steer = controls(action, self._pedals)
+        if not self._go_on(simulation.advance):
+            return
+        if simulation.done is not None:  # a behavior ended the scenario, and nothing moved
+            self._end(Ending.SCENARIO_DONE)
+            return
+        self.step_number += 1
+        self._look()
+
+    def close(self) -> None:
+        """Give the process free for another session."""
+        self._simulation.__exit__()
+
+    def _look(self) -> None:
+        """Take in the state that a step left: what the ego sees, what is kept, whether it is over."""
+        body, view = self._ego, self._view
+        view.locate(body.x, body.y)
+        add = self._rows.extend
+        for moving in self._moving:
+            add((moving.x, moving.y, moving.heading, moving.speed))
+        self._offsets.append(view.offset)
+        self.observation = self._see()  # after the last step too: a learner's value of a cut episode rests on it
+        if self._go_on(self._simulation.check) and (ending := self._ended()) is not None:
+            self._end(ending)
+
+    def _go_on(self, part: Callable[[], None]) -> bool:
+        """Run a part of the program's own code; whether it goes on.
+
+        Raises:
+            ProgramError: It fails.
+        """
+        try:
+            part()
+        except self._simulation.REJECTIONS as error:
+            self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
+        except (ChatSceneError, MemoryError):
+            raise
+        except Exception as error:  # the program's own code, which may raise anything
+            raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
+        return not self.rejection
+
+    def _end(self, ending: Ending) -> None:
+        """End it, unless the program rejects it for how it ends."""
+        if self._go_on(self._simulation.finish):
+            self.ending = ending
+
+    def _ended(self) -> Ending | None:
+        if self._collides() and not self._through:
+            return Ending.COLLISION
+        if self._view.along >= ARRIVAL * self._route.length:
+            return Ending.ARRIVED
+        if self._simulation.done is not None:
+            return Ending.SCENARIO_DONE
+        return Ending.TIMEOUT if self.step_number >= self._limit else None
+
+    def _four_numbers(self) -> Observation:
+        body = self._ego
+        return self._view.four_numbers(body.x, body.y, body.heading, body.speed, self._vehicle_ahead())
+
+    def _actors(self) -> Observation:
+        return self._view.actors(self._ego, self._others)
+
+    def _vehicle_ahead(self) -> bool:
+        ego = self._ego
+        for other in self._vehicles:
+            dx, dy = other.x - ego.x, other.y - ego.y
+            near = dx * dx + dy * dy < SIGHT * SIGHT and dx * ego.cos + dy * ego.sin > 0.0
+            if near and self._around.same_lane(ego.x, ego.y, other.x, other.y):
+                return True
+        return False
+
+    def _collides(self) -> bool:
+        bodies, ego = self._simulation.bodies, self._ego
+        for i in range(1, len(bodies)):
+            if touch(ego, bodies[i]):
+                if i not in self._touching:
+                    self._touching.add(i)
+                    self._contacts.append(
+                        Event(
+                            kind=EventKind.COLLISION,
+                            step=self.step_number,
+                            other=self._names[i][0],
+                            side=contact_side(ego, bodies[i]),
+                            impact_speed=approach_speed(ego, bodies[i]),
+                        )
+                    )
+            else:
+                self._touching.discard(i)
+        return bool(self._touching)
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far, with the events that follow from the tracks."""
+        tracks = self._tracks()
+        signals = str(self._simulation.scene.params["signals"])
+        states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt)
+        off_road, events = self._around.events(tracks[0], states)
+        return Episode(
+            scene_id=scene_id,
+            ego=ego,
+            dt=self._settings.dt,
+            tracks=tracks,
+            events=tuple(sorted((*self._contacts, *events), key=lambda e: (e.step, e.kind, e.other))),
+            signals=states,
+            ending=self.ending or Ending.TIMEOUT,
+            route_completion=1.0
+            if self.ending is Ending.ARRIVED
+            else min(max(self._view.along / self._route.length, 0.0), 1.0),
+            distance_to_route=np.abs(np.array(self._offsets)),
+            off_road=off_road,
+        )
+
+    def _tracks(self) -> tuple[Track, ...]:
+        steps = len(self._offsets)
+        moving = iter(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
+        tracks: list[Track] = []
+        for obj, body, (name, role) in zip(self._simulation.objects, self._simulation.bodies, self._names, strict=True):
+            if not body.moves:
+                state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
+            else:
+                state = next(moving)
+            tracks.append(
+                Track(
+                    actor=name,
+                    role=role,
+                    kind=kind_of(obj),
+                    length=body.length,
+                    width=body.width,
+                    x=state[0],
+                    y=state[1],
+                    heading=state[2],
+                    speed=state[3],
+                )
+            )
+        order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
+        return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
+
+
+def _names(objects: list[Any]) -> list[tuple[str, Role]]:
+    """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary."""
+    named: list[tuple[str, Role]] = []
+    seen: dict[str, int] = {}
+    for i, obj in enumerate(objects):
+        if i == 0:
+            name, role = "ego", Role.EGO
+        elif type(obj.behavior).__name__ == "AdvBehavior":
+            name, role = "adversary", Role.ADVERSARY
+        elif obj.behavior is not None:
+            name, role = obj.label or type(obj).__name__.lower(), Role.BACKGROUND
+        else:
+            name, role = obj.label or type(obj).__name__.lower(), Role.OCCLUDER
+        seen[name] = seen.get(name, 0) + 1
+        named.append((name if seen[name] == 1 else f"{name}-{seen[name]}", role))
+    return named
+
+
+def _overlap(objects: list[Any], bodies: list[Body], names: list[tuple[str, Role]]) -> str:
+    """Which two actors stand in each other at the start and may not, in words; empty if none do."""
+    for (i, a), (j, b) in itertools.combinations(enumerate(bodies), 2):
+        if touch(a, b) and not (objects[i].allowCollisions or objects[j].allowCollisions):
+            return f"{names[j][0]} overlaps {names[i][0]} at the start"
+    return ""

@@ -1,0 +1,321 @@
+"""Scenic's loop over the bodies of any physics, and the same loop stepped from outside.
+
+Scenic runs a simulation to its end inside the constructor. `SteppedSimulation` restates that loop as open, advance,
+close, so that a policy outside decides at each step, and leaves out what our programs do not use (sensors, recorders,
+replays). Objects are not copied back from the simulator at each step: their poses are properties that read the
+moving body when somebody asks, which takes most of the time out of a step.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import scenic.core.dynamics as scenic_dynamics
+from scenic.core.distributions import RejectionException
+from scenic.core.dynamics.actions import (  # Scenic has no public names for what `terminate` yields
+    _EndScenarioAction,  # pyright: ignore[reportPrivateUsage]
+    _EndSimulationAction,  # pyright: ignore[reportPrivateUsage]
+)
+from scenic.core.dynamics.guards import GuardViolation
+from scenic.core.dynamics.utils import RejectSimulationException
+from scenic.core.object_types import disableDynamicProxyFor, setDynamicProxyFor
+from scenic.core.vectors import Orientation, Vector
+from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulator
+from scenic.syntax import veneer
+
+from chatscene.simulate.physics import Physics, PhysicsOf
+from chatscene.terms.actors import kind_of
+from chatscene.world.actors import QUARTER
+from chatscene.world.bodies import Body, Placement
+from chatscene.world.control import Pose
+
+SIDEWAYS = 0.01  # share of a velocity across the heading that is put down to rounding
+_ENDINGS = (_EndSimulationAction, _EndScenarioAction)
+_CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
+
+
+class LivePose:
+    """The dynamic properties of a Scenic object, read from its body at the moment they are asked for."""
+
+    body: Body
+
+    @property
+    def pose(self) -> Pose:
+        """X [m], y [m], heading [rad, 0 = +x], speed [m/s]."""
+        body = self.body
+        return body.x, body.y, body.heading, body.speed
+
+    @property
+    def position(self) -> Vector:
+        """Centre [m]."""
+        return Vector(self.body.x, self.body.y)
+
+    @property
+    def heading(self) -> float:
+        """Scenic's heading [rad, 0 = +y]."""
+        return self.body.heading - QUARTER
+
+    @property
+    def yaw(self) -> float:
+        """The same as `heading`: in two dimensions our objects have no parent orientation."""
+        return self.body.heading - QUARTER
+
+    @property
+    def orientation(self) -> Orientation:
+        """Scenic's orientation."""
+        return Orientation.fromEuler(self.body.heading - QUARTER, 0.0, 0.0)
+
+    @property
+    def speed(self) -> float:
+        """[m/s] along the heading."""
+        return self.body.speed
+
+    @property
+    def velocity(self) -> Vector:
+        """[m/s]."""
+        body = self.body
+        return Vector(body.speed * body.cos, body.speed * body.sin)
+
+    @property
+    def elevation(self) -> float:
+        """The world is flat."""
+        return 0.0
+
+
+def _live(obj: Any) -> Any:
+    """A stand-in for a Scenic object while it moves: same class and attributes, live pose."""
+    cls = type(obj)
+    live = cls.__dict__.get("_live_class")
+    if live is None:
+        # The two entries tell Scenic that the class needs no further work on its properties.
+        ready = {"_defaults": cls._defaults, "_props_transformed": str(cls)}
+        live = type(f"Live{cls.__name__}", (LivePose, cls), ready)
+        cls._live_class = live
+    proxy = object.__new__(live)
+    setDynamicProxyFor(proxy, proxy)  # first of all, since every look-up goes through it
+    proxy.__dict__.update(obj.__dict__)
+    setDynamicProxyFor(proxy, proxy)
+    return proxy
+
+
+def _speed_at_start(obj: Any, properties: dict[str, Any]) -> float:
+    """The speed [m/s] along its heading that a program gives to a thing, with `with speed` or `with velocity`.
+
+    Raises:
+        ValueError: The two differ, or its velocity is not along its heading.
+    """
+    speed: float = properties["speed"]
+    heading, (vx, vy, _) = properties["heading"] + QUARTER, properties["velocity"]
+    along = vx * math.cos(heading) + vy * math.sin(heading)
+    if abs(vy * math.cos(heading) - vx * math.sin(heading)) > SIDEWAYS * abs(along):
+        raise ValueError(
+            f"the {type(obj).__name__} has a velocity that is not along its heading; turn it with `facing`"
+        )
+    if math.isclose(along, speed, rel_tol=1e-6, abs_tol=1e-9):
+        return speed
+    if speed != 0.0:
+        raise ValueError(f"the {type(obj).__name__} has a velocity of {along:g} m/s and a speed of {speed:g} m/s")
+    return along
+
+
+class PhysicsSimulation(DrivingSimulation):
+    """Scenic's view of one scene; `scenic` itself can run it from start to end.
+
+    Args:
+        scene: A scene that Scenic generated.
+        physics: Its bodies, none made yet.
+        options: Of Scenic's `Simulation`.
+    """
+
+    bodies: list[Body]
+
+    def __init__(self, scene: Any, *, physics: Physics, **options: Any) -> None:
+        self._physics = physics
+        super().__init__(scene, **options)
+
+    def setup(self) -> None:
+        """Create every object of the scene, the ego first."""
+        self.bodies = []
+        self._proxies: list[tuple[Any, int]] = []
+        super().setup()
+
+    def createObjectInSimulator(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
+        """Give an object its body and its live pose."""
+        proxy = _live(obj)
+        setDynamicProxyFor(obj, proxy)
+        original = proxy.__dict__
+        position = original["position"]
+        proxy.body = self._physics.add(
+            Placement(
+                kind=kind_of(obj),
+                x=position.x,
+                y=position.y,
+                heading=original["heading"] + QUARTER,
+                speed=_speed_at_start(obj, original),
+                length=original["length"],
+                width=original["width"],
+                wheelbase=original.get("wheelbase", 0.0),
+                wheel_angle=original.get("wheelAngle", 0.0),
+            )
+        )
+        self.bodies.append(proxy.body)
+        self._proxies.append((proxy, len(original)))
+
+    def step(self) -> None:
+        """Move every body by one step."""
+        self._physics.step(self.timestep)
+
+    def destroy(self) -> None:
+        """Take the bodies away."""
+        self._physics.close()
+
+    def updateObjects(self) -> None:  # noqa: N802
+        """Forget what Scenic computed from poses that are no longer true."""
+        for i, (proxy, size) in enumerate(self._proxies):
+            attributes = proxy.__dict__
+            if len(attributes) != size:
+                for name in [name for name in attributes if name.startswith(_CACHED)]:
+                    del attributes[name]
+                self._proxies[i] = (proxy, len(attributes))
+
+    def getProperties(self, obj: Any, properties: Any) -> dict[str, Any]:  # noqa: N802
+        """Poses are live (see `LivePose`); Scenic's own copying is not used."""
+        return {name: getattr(obj, name) for name in properties}
+
+
+class PhysicsSimulator(DrivingSimulator):
+    """What Scenic's own command simulates programs in.
+
+    Args:
+        physics_of: Makes the physics of each scene.
+    """
+
+    def __init__(self, physics_of: PhysicsOf) -> None:
+        super().__init__()
+        self._physics_of = physics_of
+
+    def createSimulation(self, scene: Any, **options: Any) -> PhysicsSimulation:  # noqa: N802
+        """Run one scene to its end, with nobody at the ego's wheel."""
+        return PhysicsSimulation(scene, physics=self._physics_of(), **options)
+
+
+class SteppedSimulation(PhysicsSimulation):
+    """One simulation, stepped from outside. Use as a context manager: one at a time per process.
+
+    Args:
+        scene: A scene that Scenic generated.
+        physics: Its bodies, none made yet.
+        dt: Step [s].
+
+    Attributes:
+        bodies: The body of each object of the scene, the ego's first.
+        done: Why the program ended the scenario, or None while it goes on.
+
+    The order is Scenic's: `check` judges a state, the first included, before anybody acts on it; `advance` makes the
+    next; `finish` judges the whole, once.
+    """
+
+    REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation)
+
+    def __init__(self, scene: Any, physics: Physics, dt: float) -> None:  # Scenic's own would run it to its end
+        self._physics = physics
+        self.scene = scene
+        self.timestep = dt
+        self.currentTime = 0
+        self.objects = []
+        self.agents = []
+        self.verbosity = 0
+        self.name = "session"
+        self.replaying = False
+        self._replayOut = None
+        self.done: str | None = None
+
+    def __enter__(self) -> SteppedSimulation:
+        # Our steps have no time limit of their own (a watchdog guards whole episodes), and signal handlers are dear.
+        scenic_dynamics.stuckBehaviorWarningTimeout = 0
+        veneer.beginSimulation(self)
+        try:
+            self.setup()
+            self._scenario = self.scene.dynamicScenario
+            self._scenario._start()
+        except BaseException:
+            self.__exit__()
+            raise
+        self._behaviors = [(agent, agent.behavior) for agent in self.agents]
+        scenario = self._scenario
+        self._has_conditions = bool(
+            scenario._requirementMonitors
+            or scenario._terminationConditions
+            or scenario._terminateSimulationConditions
+            or scenario._monitors
+            or scenario._timeLimitInSteps
+        )
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for agent in self.agents:
+            if agent.behavior and agent.behavior._isRunning:
+                agent.behavior._stop()
+        for obj in self.objects:
+            disableDynamicProxyFor(obj)
+        for scenario in tuple(reversed(veneer.runningScenarios)):
+            scenario._stop("session closed", quiet=True)
+        veneer.endSimulation(self)
+        self.destroy()
+
+    def check(self) -> None:
+        """Hold the present state against the program's own conditions, in Scenic's order; may set `done`.
+
+        Raises:
+            RejectionException: One of `REJECTIONS`: a requirement or a monitor of the program is violated.
+        """
+        if not self._has_conditions:
+            return
+        scenario = self._scenario
+        reason = scenario._step()
+        reason = scenario._runMonitors() or reason  # also after the scenario's end: a monitor may still reject
+        if reason is None:
+            reason = scenario._checkSimulationTerminationConditions()
+        if reason is not None:
+            self.done = str(reason)
+
+    def advance(self) -> None:
+        """Let every agent act, then move every body; if a behavior ends the scenario (see `done`), nothing moves.
+
+        Raises:
+            RejectionException: One of `REJECTIONS`: a requirement or guard of the program is violated.
+        """
+        for agent, behavior in self._behaviors:
+            veneer.currentBehavior = behavior
+            try:
+                actions = behavior._runningIterator.send(None)
+            except StopIteration:
+                continue
+            if isinstance(actions, _ENDINGS):
+                self._end(actions)
+                return
+            if len(actions) == 1 and isinstance(actions[0], list | tuple):
+                actions = actions[0]
+            for action in actions:
+                action.applyTo(agent, self)
+        veneer.currentBehavior = None
+        self._physics.step(self.timestep)
+        self.currentTime += 1
+        self.updateObjects()
+
+    def finish(self) -> None:
+        """End the program's scenario as Scenic ends a simulation, whatever ended it.
+
+        Raises:
+            RejectSimulationException: What was required over time did not come true.
+        """
+        for scenario in tuple(reversed(veneer.runningScenarios)):
+            scenario._stop("the session is over")
+
+    def _end(self, action: Any) -> None:
+        """What `terminate` in a behavior does: the scenario stops, and its requirements are judged."""
+        veneer.currentBehavior = None
+        self.done = str(action)
+        if isinstance(action, _EndScenarioAction) and self._scenario._isRunning:
+            self._scenario._stop(action)

@@ -1,0 +1,181 @@
+"""Where scenes are run: one Protocol, one table of names, and the one way from a scene to its episode."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Protocol
+
+from chatscene.ego.observation import Observation
+from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
+from chatscene.errors import EgoError, StuckBehavior
+from chatscene.plugins import Kind, make
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.watchdog import time_limit
+from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.simulator import SimulatorIdentity
+
+
+class Session(Protocol):
+    """A simulation that is stepped from outside; one at a time per process.
+
+    `observation` is what the ego sees now; `ending` is None while the session goes on; `rejection` says why the
+    program itself gave it up, and is empty otherwise. Nothing may be stepped after an ending or a rejection.
+    """
+
+    observation: Observation
+    ending: Ending | None
+    rejection: str
+    step_number: int
+
+    @property
+    def along(self) -> float:
+        """Arc length of the ego on its route [m]."""
+        ...
+
+    @property
+    def offset(self) -> float:
+        """Lateral offset of the ego from its route [m, positive = left]."""
+        ...
+
+    @property
+    def speed(self) -> float:
+        """Speed of the ego [m/s]."""
+        ...
+
+    def step(self, action: Any) -> None:
+        """Go on by one step with an action of the ego's, acceleration and steering in [-1, 1].
+
+        Raises:
+            EgoError: The action is not two finite numbers.
+            ProgramError: The program's own code fails.
+        """
+        ...
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far."""
+        ...
+
+    def close(self) -> None:
+        """Give the process free for another session; to be called once, whatever happened."""
+        ...
+
+
+class Simulator(Protocol):
+    """Opens scenes of programs as sessions, on one map; made with the map's path and the settings.
+
+    Determinism: where its identity says `exact`, the same program, scene and ego give the same episode, bit for bit,
+    whatever ran before.
+    Failure: a scene that cannot be placed is a `Rejected` value; a program that does not compile raises
+    `ProgramError`; a behavior that never yields raises `StuckBehavior`.
+    """
+
+    @property
+    def identity(self) -> SimulatorIdentity:
+        """What it is."""
+        ...
+
+    def open(
+        self,
+        program: ScenicProgram,
+        scene: Scene,
+        *,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        through_collisions: bool = False,
+    ) -> Session | Rejected:
+        """Start a session.
+
+        Args:
+            program: What to run.
+            scene: The concrete values.
+            observation: A preset of `chatscene.ego.observation`.
+            pedals: One of `chatscene.ego.policy.PEDALS`.
+            through_collisions: Whether to go on after a collision.
+        """
+        ...
+
+    def route(self, program: ScenicProgram, index: int) -> Route:
+        """The route a program's geometry picks under this index."""
+        ...
+
+    def routes(self, program: ScenicProgram) -> int:
+        """How many routes the map has for a program's geometry, at most ten."""
+        ...
+
+
+def simulate(
+    simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
+) -> Episode | Rejected:
+    """Run one scene to its end.
+
+    Args:
+        simulator: Where.
+        program: What to run.
+        scene: The concrete values.
+        ego: Who drives.
+        through_collisions: Whether to go on after a collision, to see whether the adversary does what was said.
+
+    Raises:
+        EgoError: The ego fails, or does not answer.
+        ProgramError: The program does not compile, or its own code fails.
+        StuckBehavior: The program does not come to its end.
+    """
+    with time_limit(f"scene {scene.id!r}"):
+        session = simulator.open(
+            program,
+            scene,
+            observation=observation_of(ego),
+            pedals=pedals_of(ego),
+            through_collisions=through_collisions,
+        )
+        if isinstance(session, Rejected):
+            return session
+        try:
+            _drive(session, ego)
+            if session.rejection:
+                return Rejected(scene=scene, reason=session.rejection)
+            return session.episode(scene.id, name_of(ego))
+        finally:
+            session.close()
+
+
+def _drive(session: Session, ego: EgoPolicy) -> None:
+    """Let an ego drive until the session ends."""
+    if (reset := getattr(ego, "reset", None)) is not None:
+        reset()
+    act, step = ego.act, session.step
+    while session.ending is None and not session.rejection:
+        try:
+            action = act(session.observation)
+        except StuckBehavior as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} gave no action at step {session.step_number}: its drive was stopped after "
+                f"{error.within}"
+            ) from error
+        except (Exception, SystemExit) as error:
+            raise EgoError(
+                f"the ego {name_of(ego)!r} fails at step {session.step_number}: {type(error).__name__}: {error}"
+            ) from error
+        step(action)
+
+
+SIMULATORS: Kind[Simulator] = Kind(
+    noun="simulator",
+    group="chatscene.simulators",
+    method="open",
+    built_in={
+        "embedded": "chatscene.simulate.embedded.physics:make_simulator",
+        "confined": "chatscene.sandbox.simulator:ConfinedSimulator",
+    },
+)
+
+
+def load_simulator(map_path: Path, settings: SimulationSettings) -> Simulator:
+    """The simulator that settings name (`chatscene.plugins`), for one map.
+
+    Raises:
+        SettingsError: There is none of that name.
+    """
+    return make(SIMULATORS, settings.simulator, map_path, settings)

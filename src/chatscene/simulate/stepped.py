@@ -1,0 +1,96 @@
+"""A simulator made of Scenic's loop and a physics."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from chatscene.errors import ChatSceneError, ProgramError
+from chatscene.maps.lane_map import LaneMap
+from chatscene.maps.network import load_network
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.physics import PhysicsOf
+from chatscene.simulate.roadside import RouteSurroundings
+from chatscene.simulate.session import SteppedSession
+from chatscene.simulate.simulation import SteppedSimulation
+from chatscene.simulate.staging import Stage
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.simulator import SimulatorIdentity
+
+
+class SteppedSimulator:
+    """Opens sessions in this process; see `chatscene.simulate.simulator.Simulator` for the contract.
+
+    Args:
+        map_path: The map everything runs on.
+        settings: Step and limits.
+        identity: What it is.
+        physics_of: Makes the physics of each scene.
+
+    Attributes:
+        identity: What it is.
+        physics_of: Makes the physics of each scene.
+    """
+
+    def __init__(
+        self, map_path: Path, settings: SimulationSettings, *, identity: SimulatorIdentity, physics_of: PhysicsOf
+    ) -> None:
+        self.identity = identity
+        self.physics_of = physics_of
+        self._settings = settings
+        self._map_path = map_path
+        self._stage = Stage(map_path)
+        self._lane_map: LaneMap | None = None
+        self._surroundings: dict[str, RouteSurroundings] = {}
+
+    def route(self, program: ScenicProgram, index: int) -> Route:
+        """The route a program's geometry picks under this index."""
+        route: Route = self._stage.compiled(program, index).egoObject.route.route
+        return route
+
+    def routes(self, program: ScenicProgram) -> int:
+        """How many routes the map has for a program's geometry, at most ten."""
+        count: int = self._stage.compiled(program, 0).egoObject.route.count
+        return count
+
+    def open(
+        self,
+        program: ScenicProgram,
+        scene: Scene,
+        *,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        through_collisions: bool = False,
+    ) -> SteppedSession | Rejected:
+        """Start a session."""
+        label = f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}), scene {scene.id!r},"
+        try:
+            placed = self._stage.place(program, scene)
+            if isinstance(placed, Rejected):
+                return placed
+            simulation = SteppedSimulation(placed, self.physics_of(), self._settings.dt).__enter__()
+        except SteppedSimulation.REJECTIONS as error:
+            return Rejected(scene=scene, reason=f"the program rejects the episode before it begins: {error}")
+        except (ChatSceneError, MemoryError):
+            raise
+        except Exception as error:  # the program's own code, which may raise anything
+            raise ProgramError(f"{label} fails while it is set up: {type(error).__name__}: {error}") from error
+        route: Route = placed.egoObject.route.route
+        try:
+            session = SteppedSession(
+                simulation, route, self._around(route), self._settings, observation, pedals, through_collisions, label
+            )
+        except BaseException:
+            simulation.__exit__()
+            raise
+        if session.rejection:
+            session.close()
+            return Rejected(scene=scene, reason=session.rejection)
+        return session
+
+    def _around(self, route: Route) -> RouteSurroundings:
+        if route.id not in self._surroundings:
+            network = load_network(self._map_path)
+            self._lane_map = self._lane_map or LaneMap(network)
+            self._surroundings[route.id] = RouteSurroundings(network, route, self._lane_map)
+        return self._surroundings[route.id]

@@ -1,0 +1,328 @@
+"""Road users: the one table of their kinds. A new kind is a row here, and a class in `world/model.scenic`.
+
+Sizes are those of typical road users, accelerations mid-size production figures; the car is CARLA's Lincoln MKZ
+2017. Walkers: sprint starts reach about 4 m/s²; 8 m/s is a fast adult's sprint. The nouns are written by us, after the
+way crash reports, test protocols, driving schools and people at the kitchen table speak.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Manner(StrEnum):
+    """How a road user moves, as far as verbs are concerned."""
+
+    WALKS = "walks"
+    RIDES = "rides"
+    DRIVES = "drives"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limits:
+    """What a kind of body can do.
+
+    Attributes:
+        length: [m].
+        width: [m].
+        throttle: Acceleration at full throttle and standstill [m/s²].
+        brake: Deceleration at full brake [m/s²].
+        top_speed: [m/s]; throttle fades linearly towards it.
+        wheelbase: [m]; 0 for walkers and things.
+        wheel_angle: Largest wheel angle [rad].
+        wheel_rate: Largest rate of the wheel angle [rad/s].
+        lateral: Largest lateral acceleration [m/s²]; beyond it the turn widens.
+        drag: Deceleration when coasting [m/s²] at standstill; grows with speed squared.
+    """
+
+    length: float
+    width: float
+    throttle: float = 0.0
+    brake: float = 0.0
+    top_speed: float = 0.0
+    wheelbase: float = 0.0
+    wheel_angle: float = 0.0
+    wheel_rate: float = 0.0
+    lateral: float = 0.0
+    drag: float = 0.2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RoadUser:
+    """What holds of all road users of a kind.
+
+    Attributes:
+        scenic: Class in `world/model.scenic`, and the kind of its tracks.
+        blueprint: What it is in CARLA 0.9.
+        limits: What its body can do.
+        manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
+        words: Regular expression of the words that name it.
+        general: How general its words are: where those of two kinds overlap, the less general are heard.
+        nouns: What it is called, parted by `|` or lines; what comes up more often stands more often. After a colon
+            stands the pronoun, where it is not the kind's usual one.
+        painted: Whether it comes in any colour.
+        motorised: Whether it is meant where a text speaks of vehicles in general.
+        slow: Speed [m/s] below which a watcher calls it slow.
+        fast: Speed [m/s] from which a watcher calls it fast.
+    """
+
+    scenic: str
+    blueprint: str
+    limits: Limits
+    manner: Manner
+    words: str
+    nouns: str
+    general: int = 0
+    painted: bool = False
+    motorised: bool = True
+    slow: float = 4.0
+    fast: float = 11.0
+
+
+class AdversaryKind(StrEnum):
+    """What kind of road user the adversary is.
+
+    Attributes:
+        row: What holds of all of the kind.
+    """
+
+    _value_: str
+    row: RoadUser
+
+    def __new__(cls, value: str, row: RoadUser) -> AdversaryKind:
+        """A member of a name, with its row."""
+        kind = str.__new__(cls, value)
+        kind._value_, kind.row = value, row
+        return kind
+
+    CAR = (
+        "car",
+        RoadUser(
+            scenic="Car",
+            blueprint="vehicle.lincoln.mkz_2017",
+            limits=Limits(
+                length=4.9,
+                width=2.13,
+                throttle=4.5,
+                brake=8.0,
+                top_speed=50.0,
+                wheelbase=2.85,
+                wheel_angle=1.22,
+                wheel_rate=2.4,
+                lateral=7.0,
+            ),
+            manner=Manner.DRIVES,
+            words=(
+                r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|"
+                r"cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|"
+                r"hatchback|estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|"
+                r"veh(?:icle)?|targets?|tesla|bmw|audi|golf|hatch|limos?|roadsters?|minicabs?|uber|4x4|corsa|prius|"
+                r"volvo|toyota|honda|fiat|micra|passat|skoda|renault|clio|peugeot|nissan|mazda|hyundai|kia|opel|"
+                r"vauxhall|mercedes|porsche|lexus|subaru|chevy|chevrolet|cadillac|camry|corolla|civic|fiesta|astra|"
+                r"polo|seat ibiza|citro[eë]n"
+            ),
+            nouns="""
+                car | car | car | car | sedan | SUV | van | taxi | hatchback | estate car | minivan | cab
+                convertible
+                sports car | station wagon | vehicle | delivery van | limousine | jeep | family car | small car
+                rental car
+            """,
+            painted=True,
+            general=2,
+        ),
+    )
+    TRUCK = (
+        "truck",
+        RoadUser(
+            scenic="Truck",
+            blueprint="vehicle.carlamotors.carlacola",
+            limits=Limits(
+                length=7.8,
+                width=2.5,
+                throttle=2.2,
+                brake=6.0,
+                top_speed=30.0,
+                wheelbase=4.5,
+                wheel_angle=0.8,
+                wheel_rate=1.0,
+                lateral=4.0,
+            ),
+            manner=Manner.DRIVES,
+            words=(
+                r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|"
+                r"delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|"
+                r"tanker|dumper|removal van|artics?|articulated|juggernauts?|camions?|(?:eighteen|18)[- ]wheelers?|"
+                r"big rigs?|cement mixer|car transporter|low[- ]?loader|flatbed|dustcart|prime mover"
+            ),
+            nouns="""
+                truck | truck | lorry | HGV | semi-trailer truck | tractor-trailer | delivery truck | dump truck
+                box truck | articulated lorry | tipper truck | garbage truck | refuse lorry | heavy goods vehicle
+                flatbed truck | tanker truck | removal lorry
+            """,
+            painted=True,
+            general=1,
+        ),
+    )
+    BUS = (
+        "bus",
+        RoadUser(
+            scenic="Bus",
+            blueprint="vehicle.mitsubishi.fusorosa",
+            limits=Limits(
+                length=11.5,
+                width=2.5,
+                throttle=1.8,
+                brake=5.5,
+                top_speed=28.0,
+                wheelbase=6.0,
+                wheel_angle=0.8,
+                wheel_rate=1.0,
+                lateral=3.5,
+            ),
+            manner=Manner.DRIVES,
+            words=(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
+            nouns="""
+                bus | bus | bus | city bus | coach | school bus | double-decker bus | tour bus | articulated bus
+                shuttle bus | night bus | tourist coach | commuter bus
+            """,
+            painted=True,
+        ),
+    )
+    MOTORCYCLE = (
+        "motorcycle",
+        RoadUser(
+            scenic="Motorcycle",
+            blueprint="vehicle.yamaha.yzf",
+            limits=Limits(
+                length=2.2,
+                width=0.8,
+                throttle=6.0,
+                brake=8.0,
+                top_speed=50.0,
+                wheelbase=1.45,
+                wheel_angle=0.8,
+                wheel_rate=2.5,
+                lateral=7.0,
+            ),
+            manner=Manner.RIDES,
+            words=(
+                r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|"
+                r"motorist on two wheels|vespa|mc|(?:dirt|trials?|trail|pit|sports?|super|touring|"
+                r"enduro)[- ]?bikes?|scramblers?|harley|ducati|kawasaki|yamaha"
+            ),
+            nouns="""
+                motorcyclist | motorcyclist | motorcycle:it | motorcycle:it | motorbike:it | biker | moped:it
+                scooter:it
+                scooter rider | motor scooter:it | motorcycle courier | moped rider | rider on a motorbike
+                motorbike rider | man on a scooter:he | woman on a motorcycle:she
+            """,
+        ),
+    )
+    BICYCLE = (
+        "bicycle",
+        RoadUser(
+            scenic="Bicycle",
+            blueprint="vehicle.bh.crossbike",
+            limits=Limits(
+                length=1.8,
+                width=0.6,
+                throttle=1.8,
+                brake=4.5,
+                top_speed=12.0,
+                wheelbase=1.05,
+                wheel_angle=0.8,
+                wheel_rate=2.5,
+                lateral=4.0,
+            ),
+            manner=Manner.RIDES,
+            words=(
+                r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
+                r"bmx(?:er)?|fixies?|pedelecs?|tandem|(?:push|racing|road|mountain|city|folding|delivery)[- ]?bikes?"
+            ),
+            nouns="""
+                cyclist | cyclist | cyclist | bicycle:it | bicyclist | bike rider | e-bike rider | bike:it
+                cargo bike:it
+                boy on a bike:he | woman on a bicycle:she | bike courier | cycle courier | man on a bicycle:he
+                racing cyclist | young cyclist | child on a bike | e-bike:it | delivery cyclist
+            """,
+            fast=6.5,
+            motorised=False,
+            general=1,
+        ),
+    )
+    PEDESTRIAN = (
+        "pedestrian",
+        RoadUser(
+            scenic="Pedestrian",
+            blueprint="walker.pedestrian.0001",
+            limits=Limits(length=0.6, width=0.6, throttle=4.0, brake=5.0, top_speed=8.0),
+            manner=Manner.WALKS,
+            words=(
+                r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|"
+                r"pupils?|lady|gentleman|girl|boy|guy on foot|persons?|people|child|children|kids?|man|woman|men|"
+                r"women|boys?|girls?|joggers?|runners?|jaywalk\w*|toddlers?|students?|old lady|on foot|passers?-?by|"
+                r"school ?(?:kids?|children|boys?|girls?)|pensioners?|teen\w*|worker|police officer|(?:elderly|"
+                r"old) (?:person|lady|gentleman)|somebody on foot|peds?"
+            ),
+            nouns="""
+                pedestrian | pedestrian | pedestrian | child | kid | man:he | woman:she | boy:he | girl:she | jogger
+                runner | old man:he | elderly woman:she | young man:he | teenager | student | walker | passer-by
+                schoolchild | person | tourist | old lady:she | man with a suitcase:he | woman with a pram:she
+                person on foot | dog walker | little girl:she | schoolboy:he
+            """,
+            slow=1.45,
+            fast=3.0,
+            motorised=False,
+        ),
+    )
+    EMERGENCY_VEHICLE = (
+        "emergency-vehicle",
+        RoadUser(
+            scenic="EmergencyVehicle",
+            blueprint="vehicle.ford.ambulance",
+            limits=Limits(
+                length=5.9,
+                width=2.1,
+                throttle=3.5,
+                brake=7.5,
+                top_speed=40.0,
+                wheelbase=3.7,
+                wheel_angle=1.0,
+                wheel_rate=2.0,
+                lateral=6.0,
+            ),
+            manner=Manner.DRIVES,
+            words=(
+                r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|"
+                r"cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|cop cars?|fire tenders?|medic units?|"
+                r"response (?:cars?|units?)|ems|(?:emergency|rescue) (?:vehicles?|cars?|services?)"
+            ),
+            nouns="""
+                ambulance | ambulance | police car | fire engine | fire truck | patrol car | squad car
+                emergency vehicle
+                rescue vehicle | police van | ambulance on an emergency call | police car with its siren on
+                fire engine with flashing lights | emergency ambulance
+            """,
+        ),
+    )
+
+    @property
+    def is_vulnerable(self) -> bool:
+        """Whether it is on foot or on two wheels."""
+        return self.row.manner is not Manner.DRIVES
+
+
+BY_CLASS: dict[str, AdversaryKind] = {kind.row.scenic: kind for kind in AdversaryKind}
+LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.items()}
+
+
+def manner_of(kind: str) -> Manner | None:
+    """How what a track is of moves, by its class; None for a thing."""
+    return BY_CLASS[kind].row.manner if kind in BY_CLASS else None
+
+
+def kind_of(thing: object) -> str:
+    """The kind of road user that a thing is: the nearest of its classes in `LIMITS`; else its own class."""
+    names = [cls.__name__ for cls in type(thing).__mro__]
+    return next((name for name in names if name in LIMITS), names[0])

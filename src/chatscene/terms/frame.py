@@ -1,0 +1,132 @@
+"""What a text says, before anything of the library is chosen for it: words, facts, and how sure each fact is.
+
+Paper: section 3.3, step ii. A reader makes a frame once; whoever interprets it is handed the value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from enum import StrEnum
+
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Quantity, Slots, Unused
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clauses:
+    """A text, sorted by whom it speaks of.
+
+    Attributes:
+        whole: All of it, mended, without what the ego then has to do.
+        ego: What is said of the ego.
+        adversary: What is said of the adversary.
+    """
+
+    whole: str = ""
+    ego: str = ""
+    adversary: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Beliefs:
+    """How sure a reader is of what a text says. What it was not asked for is absent.
+
+    Attributes:
+        slots: For each slot with one value, the probability of each value; ``None`` is that it was not said.
+        actions: For each action, the probability that the adversary does it.
+        behaviors: For each behavior that the reader knows, the probability that it is meant.
+        others: For each further behavior, such as a user's own, how likely its wordings make it.
+        in_scope: The probability that it is a driving scenario, of the kind that the library has.
+    """
+
+    slots: Mapping[str, Mapping[object, float]] = field(default_factory=dict[str, Mapping[object, float]])
+    actions: Mapping[Action, float] = field(default_factory=dict[Action, float])
+    behaviors: Mapping[str, float] = field(default_factory=dict[str, float])
+    others: Mapping[str, float] = field(default_factory=dict[str, float])
+    in_scope: float = 1.0
+
+    def of(self, slot: str, value: object) -> float:
+        """The probability that a slot has a value."""
+        return self.slots.get(slot, {}).get(value, 0.0)
+
+    def meant(self, behavior: str) -> float:
+        """How likely a behavior is to be meant."""
+        return self.behaviors.get(behavior, self.others.get(behavior, 0.0))
+
+    def heard(self, action: Action) -> float:
+        """The probability that the adversary does something."""
+        return self.actions.get(action, 0.0)
+
+
+def certain(slots: Slots, beliefs: Beliefs | None = None) -> Beliefs:
+    """Beliefs in which facts are sure: each value and each action has probability one or zero.
+
+    Args:
+        slots: The facts.
+        beliefs: How sure the rest is, which behavior is meant and whether any is.
+    """
+    single = {f.name: {getattr(slots, f.name): 1.0} for f in fields(Slots) if f.name != "actions"}
+    return replace(
+        beliefs or Beliefs(), slots=single, actions={action: float(action in slots.actions) for action in Action}
+    )
+
+
+class About(StrEnum):
+    """What a reader was unsure about; the values are its words for it."""
+
+    MENDED = "read {} as {}"
+    WHO = "who the adversary is was not said"
+    STRANGER = "who the adversary is was not said; no road user the library has: {}"
+    WHAT = "what the adversary does was not understood"
+    SIDE = "to which side the ego changes lanes was not said; the left is assumed"
+    FOREIGN = "not in the library: {}"
+    DIFFERENT = "{}: {} read {}, {} {}"
+    READER = "read by {}"
+    OFFLINE = "read offline: {}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Note:
+    """Something that a reader was unsure about.
+
+    Attributes:
+        about: The kind of doubt.
+        said: What stands in the places of its words.
+    """
+
+    about: About
+    said: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        """The note in words for the user."""
+        return self.about.format(*self.said)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Frame:
+    """What a text says.
+
+    Attributes:
+        text: The text as it was written, printable and with single spaces.
+        canonical: The text in the one form in which it is read.
+        told: `canonical`, mended and put into the words that patterns know.
+        clauses: `told`, sorted by whom it speaks of.
+        outright: The facts that words say outright.
+        beliefs: How sure every fact is.
+        quantities: The numbers that can be set.
+        unused: What is in no slot and no quantity, whatever the slots are.
+        notes: What was unsure.
+        plain: Whether every word is known and says what is done: then nothing was said beyond that.
+    """
+
+    text: str = ""
+    canonical: str = ""
+    told: str = ""
+    clauses: Clauses = field(default_factory=Clauses)
+    outright: Slots = field(default_factory=Slots)
+    beliefs: Beliefs = field(default_factory=Beliefs)
+    quantities: tuple[Quantity, ...] = ()
+    unused: tuple[Unused, ...] = ()
+    notes: tuple[Note, ...] = ()
+    plain: bool = False

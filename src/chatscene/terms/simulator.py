@@ -1,0 +1,24 @@
+"""What a simulator says of itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SimulatorIdentity:
+    """What a simulator is, as `run.json` keeps it.
+
+    Attributes:
+        name: Its name in the table of simulators.
+        version: Version of what its numbers depend on.
+        physics: How it moves bodies, in a few words.
+        exact: Whether the same scene gives the same episode bit for bit, or only within a tolerance.
+        confinable: Whether it can run behind the sandbox's walls: in one process, without files and sockets.
+    """
+
+    name: str
+    version: str
+    physics: str
+    exact: bool
+    confinable: bool

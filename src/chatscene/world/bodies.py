@@ -1,0 +1,137 @@
+"""The bodies of a scene: where each is, and what is asked of it.
+
+This is where a behavior and a simulator meet. Behaviors and the ego write into a body what they ask for; the simulator
+that made it moves it and writes into it where it is then; everybody reads that.
+Pedals and steering mean what they mean in CARLA: throttle and brake in [0, 1], steering in [-1, 1] with right
+positive, as a share of the largest wheel angle.
+
+State is kept in plain Python floats: one step of one body costs about a microsecond, an array call costs more.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from chatscene.terms.actors import LIMITS
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Placement:
+    """How a thing of a scene begins.
+
+    Attributes:
+        kind: One that moves (see `LIMITS`) or any other, which stays in place.
+        x: Centre [m], map frame.
+        y: Centre [m], map frame.
+        heading: [rad, 0 = +x, counter-clockwise].
+        speed: [m/s] along the heading.
+        length: [m].
+        width: [m].
+        wheelbase: Of a vehicle [m]; else 0.
+        wheel_angle: Largest wheel angle of a vehicle [rad]; else 0.
+    """
+
+    kind: str
+    x: float
+    y: float
+    heading: float
+    speed: float = 0.0
+    length: float
+    width: float
+    wheelbase: float = 0.0
+    wheel_angle: float = 0.0
+
+
+class Body:
+    """A body that does not move, and the common state of those that do.
+
+    Attributes:
+        moves: Whether bodies of this class move.
+        x, y: Centre [m], map frame.
+        heading: [rad, 0 = +x, counter-clockwise], never wrapped.
+        cos, sin: Of the heading.
+        speed: [m/s] along the heading, negative backwards.
+        before: The speed before the last step [m/s]: what an impact happens at, since a step may end in standstill.
+        length, width: [m].
+    """
+
+    __slots__ = (
+        "before",
+        "cos",
+        "half_length",
+        "half_width",
+        "heading",
+        "length",
+        "radius",
+        "sin",
+        "speed",
+        "width",
+        "x",
+        "y",
+    )
+
+    moves = False
+    heading: float
+
+    def __init__(self, x: float, y: float, heading: float, length: float, width: float, speed: float = 0.0) -> None:
+        self.x = x
+        self.y = y
+        self.heading = heading
+        self.speed = speed
+        self.before = 0.0
+        self.length = length
+        self.width = width
+        self.half_length = length / 2
+        self.half_width = width / 2
+        self.radius = math.hypot(length, width) / 2
+        self.cos = math.cos(heading)
+        self.sin = math.sin(heading)
+
+
+class Vehicle(Body):
+    """A vehicle or two-wheeler, and what is asked of it.
+
+    Attributes:
+        throttle, brake: Pedals in [0, 1].
+        steer: In [-1, 1], right positive.
+        reverse: Whether the throttle pushes backwards.
+        target_speed: A speed asked for directly [m/s], to be reached within the pedals' limits; None obeys pedals.
+    """
+
+    __slots__ = ("brake", "reverse", "steer", "target_speed", "throttle")
+
+    moves = True
+
+    def __init__(self, x: float, y: float, heading: float, length: float, width: float, speed: float = 0.0) -> None:
+        super().__init__(x, y, heading, length, width, speed)
+        self.throttle = 0.0
+        self.brake = 0.0
+        self.steer = 0.0
+        self.reverse = False
+        self.target_speed: float | None = None
+
+
+class Walker(Body):
+    """Somebody on foot, and what is asked of them.
+
+    Attributes:
+        course: The direction to walk in [rad, 0 = +x, counter-clockwise].
+        target_speed: The speed to walk at [m/s].
+    """
+
+    __slots__ = ("course", "target_speed")
+
+    moves = True
+
+    def __init__(self, x: float, y: float, heading: float, length: float, width: float, speed: float = 0.0) -> None:
+        super().__init__(x, y, heading, length, width, speed)
+        self.course = heading
+        self.target_speed = speed
+
+
+def body_of(placement: Placement) -> Body:
+    """The plain body of a thing, for a simulator that keeps how it moves elsewhere."""
+    limits = LIMITS.get(placement.kind)
+    cls = Body if limits is None else Vehicle if limits.wheelbase else Walker
+    return cls(placement.x, placement.y, placement.heading, placement.length, placement.width, placement.speed)

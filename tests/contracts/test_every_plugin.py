@@ -1,0 +1,120 @@
+# pyright: reportUnknownLambdaType=false, reportUnknownArgumentType=false
+"""What is packaged keeps the contract of its kind, and the functions that say so find what does not."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from chatscene.ego.policy import EGOS
+from chatscene.errors import MissingExtra
+from chatscene.language_models.checked import CheckedModel
+from chatscene.language_models.protocol import Limits
+from chatscene.language_models.scripted import Scripted
+from chatscene.search.generator import GENERATORS
+from chatscene.search.sampler import SAMPLERS, Proposal
+from chatscene.terms.snippet import ParameterRange
+from chatscene.testing import (
+    ContractBroken,
+    check_ego,
+    check_generator,
+    check_language_model,
+    check_sampler,
+)
+from chatscene.testing.language_models import PROMPT
+
+OWN_PROGRAM = Path(__file__).parents[1] / "golden" / "bus-stop.scenic"
+
+
+@pytest.mark.parametrize("name", sorted(EGOS.built_in))
+def test_every_ego_keeps_the_contract(name: str) -> None:
+    check_ego(name)
+
+
+@pytest.mark.parametrize("name", sorted(SAMPLERS.built_in))
+def test_every_sampler_keeps_the_contract(name: str) -> None:
+    try:
+        check_sampler(name)
+    except MissingExtra as error:
+        pytest.skip(str(error))
+
+
+@pytest.mark.parametrize("name", sorted(set(GENERATORS.built_in) - {"program"}))
+def test_every_generator_keeps_the_contract(name: str) -> None:
+    check_generator(name)
+
+
+def test_a_program_of_ones_own_keeps_the_contract_of_generators() -> None:
+    check_generator("program", text=OWN_PROGRAM.read_text(encoding="utf-8"))
+
+
+def test_a_scripted_model_keeps_the_contract() -> None:
+    script = {PROMPT.text: '{"who": "pedestrian", "count": 1}'}
+    check_language_model(CheckedModel(Scripted(script), limits=Limits(reasks=1)))
+
+
+class Ego:
+    """An ego that does what a function says."""
+
+    def __init__(self, act: Callable[[Any, int], Any], observation: str = "safebench") -> None:
+        self._act, self._calls, self.observation = act, 0, observation
+
+    def act(self, observation: Any) -> Any:
+        self._calls += 1
+        return self._act(observation, self._calls)
+
+
+def blind(observation: Any, _: int) -> tuple[float, float]:
+    observation[:] = 0.0
+    return 0.0, 0.0
+
+
+@pytest.mark.parametrize(
+    ("ego", "rule"),
+    [
+        (Ego(lambda _, n: (0.01 * n, 0.0)), "the same observations since reset give the same actions"),
+        (Ego(lambda *_: (3.0, 0.0)), r"lie in \[-1, 1\]; found: \(3.0, 0.0\)"),
+        (Ego(lambda *_: (float("nan"), 0.0)), "two finite numbers"),
+        (Ego(lambda *_: None), "two finite numbers"),
+        (Ego(blind), "leaves what it is shown as it is"),
+        (Ego(lambda *_: (0.0, 0.0), "lidar"), "no observation 'lidar'"),
+        (object(), "has a method act"),
+    ],
+)
+def test_an_ego_that_breaks_a_rule_is_told_which(ego: Any, rule: str) -> None:
+    with pytest.raises(ContractBroken, match=rule):
+        check_ego(ego)
+
+
+class Sampler:
+    """A sampler that draws the same place again and again, or as a function says."""
+
+    def __init__(self, draw: Callable[[ParameterRange, int], float]) -> None:
+        self._draw = draw
+
+    def propose(self, declared: Sequence[ParameterRange], done: Any, *, count: int, seed: int) -> Proposal:
+        return Proposal(ranges=tuple(declared), draw=lambda s: {p.name: self._draw(p, s) for p in declared})
+
+
+@pytest.mark.parametrize(
+    ("draw", "rule"),
+    [
+        (lambda p, _: p.high + 1.0, "in its declared range"),
+        (lambda p, _: p.low, "is followed by another; found: 1 of 40 differ"),
+        (lambda p, s: p.low + (p.high - p.low) / 3.0, "at most six decimals"),
+        (lambda p, _: round(p.low), "every value is a float"),
+    ],
+)
+def test_a_sampler_that_breaks_a_rule_is_told_which(draw: Callable[[Any, int], float], rule: str) -> None:
+    with pytest.raises(ContractBroken, match=rule):
+        check_sampler(lambda: Sampler(draw))
+
+
+def test_no_test_runner_is_needed() -> None:
+    code = "import sys, chatscene.testing; print({'pytest', 'hypothesis'} & {*sys.modules})"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "set()\n"

@@ -1,0 +1,81 @@
+"""The table of road users is the only place that lists them."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from scenic.simulators.carla import blueprints
+
+from chatscene.agent import lexicon
+from chatscene.agent.grammar.who import NOUNS
+from chatscene.sandbox.words import world_words
+from chatscene.terms.actors import BY_CLASS, AdversaryKind
+
+SOURCE = Path(__file__).parents[1] / "src" / "chatscene"
+TABLE = {SOURCE / "terms" / "actors.py", SOURCE / "world" / "model.scenic"}
+NAMES = {kind.name for kind in AdversaryKind} | {kind.value for kind in AdversaryKind} | set(BY_CLASS)
+QUOTED = re.compile(rf"""\b(?:{"|".join(sorted(BY_CLASS))})\b(?=["']?\s*[,:\])])""")
+
+every_kind = pytest.mark.parametrize("kind", AdversaryKind)
+
+
+def named(node: ast.expr | None) -> str:
+    """The kind that an expression names, if it names one."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "AdversaryKind":
+        return node.attr
+    return str(node.value) if isinstance(node, ast.Constant) and node.value in NAMES else ""
+
+
+def listed(source: str) -> Iterator[int]:
+    """The lines of a Python file where a list, a set or a table has more than one kind in it."""
+    for node in ast.walk(ast.parse(source)):
+        elements = node.keys if isinstance(node, ast.Dict) else getattr(node, "elts", [])
+        if len({named(element) for element in elements} - {""}) > 1:
+            yield node.lineno  # type: ignore[attr-defined]
+
+
+def test_no_other_file_lists_the_kinds_of_road_users() -> None:
+    found = [
+        f"{path.name}:{line}" for path in SOURCE.rglob("*.py") if path not in TABLE for line in listed(path.read_text())
+    ]
+    pages = [path for ending in ("js", "html", "css", "scenic") for path in SOURCE.rglob(f"*.{ending}")]
+    found += [
+        f"{path.name}:{number}"
+        for path in pages
+        if path not in TABLE and "snippets" not in path.parts
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if len(set(QUOTED.findall(line))) > 1
+    ]
+    assert not found
+
+
+@pytest.mark.parametrize(
+    "source",
+    ["X = {AdversaryKind.CAR: 1, AdversaryKind.BUS: 2}", "x in ('Car', 'Truck')", "{'bicycle', AdversaryKind.CAR}"],
+)
+def test_a_list_of_kinds_is_recognised_as_one(source: str) -> None:
+    assert list(listed(source)) == [1]
+    assert not list(listed("f(AdversaryKind.CAR, AdversaryKind.BUS); x = ['Car', 'Wall']"))
+
+
+@every_kind
+def test_a_kind_has_a_class_in_the_world_and_a_blueprint_in_carla(kind: AdversaryKind) -> None:
+    assert kind.row.scenic in world_words()
+    known = {name for models in vars(blueprints).values() if isinstance(models, list) for name in models}
+    assert kind.row.blueprint in known
+
+
+@every_kind
+def test_what_a_kind_is_called_first_is_read_as_that_kind(kind: AdversaryKind) -> None:
+    noun = NOUNS[kind][0].partition(":")[0]
+    assert [read for read, words in lexicon.KINDS.items() if words.fullmatch(noun)] == [kind]
+
+
+def test_a_kind_survives_being_copied_and_written_down() -> None:
+    for kind in AdversaryKind:
+        assert AdversaryKind(str(kind)) is kind
+        assert kind == kind.value

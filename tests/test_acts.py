@@ -1,0 +1,113 @@
+"""The table of acts is the only place that says what holds of one, beside its test on tracks."""
+
+from __future__ import annotations
+
+import ast
+import pickle
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from chatscene.agent import lexicon
+from chatscene.agent.grammar.deeds import DEEDS, phrases
+from chatscene.agent.grammar.inflection import Form, conjugated
+from chatscene.program.deeds import ACTIONS
+from chatscene.terms.actors import Manner
+from chatscene.terms.acts import TURNS, Action, reordered
+
+ROOT = Path(__file__).parents[1]
+SOURCE = ROOT / "src" / "chatscene"
+ELSEWHERE = {
+    "program/deeds.py": "a test on tracks for each",
+    "snippets/plan_check.py": "acts that a plan shows before it is driven",
+    "agent/decompose.py": "what the reader makes of several acts heard at once",
+    "agent/grammar/deed_pairs.py": "phrases that say two acts at once",
+    "agent/grammar/adversary_clause.py": "where two acts are one phrase",
+}
+READ = lexicon.ACTIONS | {Action.TURN_LEFT: lexicon.LEFT_TURN, Action.TURN_RIGHT: lexicon.RIGHT_TURN}
+
+every_act = pytest.mark.parametrize("action", Action)
+
+
+def named(node: ast.expr | None) -> str:
+    """The act that an expression names, if it names one."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in ("Action", "A"):
+        return node.attr
+    return ""
+
+
+def listed(source: str) -> Iterator[int]:
+    """The lines of a Python file where a list, a set or a table has more than one act in it."""
+    for node in ast.walk(ast.parse(source)):
+        elements = [*node.keys, *node.values] if isinstance(node, ast.Dict) else getattr(node, "elts", [])
+        within = [inner for element in elements for inner in getattr(element, "elts", [element])]
+        if len({named(element) for element in within} - {""}) > 1:
+            yield node.lineno  # type: ignore[attr-defined]
+
+
+def test_no_other_file_lists_acts() -> None:
+    found = {
+        str(path.relative_to(SOURCE)): list(lines)
+        for path in SOURCE.rglob("*.py")
+        if (lines := list(listed(path.read_text())))
+    }
+    assert set(found) == set(ELSEWHERE), found
+
+
+@pytest.mark.parametrize(
+    "source",
+    ["X = {Action.STOP: 1, Action.FAST: 2}", "x in (Action.STOP, Action.FAST)", "{'a': (Action.STOP, Action.FAST)}"],
+)
+def test_a_list_of_acts_is_recognised_as_one(source: str) -> None:
+    assert set(listed(source)) == {1}
+    assert not list(listed("f(Action.STOP, Action.FAST); x = [Action.STOP, Action.STOP]"))
+
+
+def written(action: Action, manner: Manner) -> list[str]:
+    """The phrases of an act, of one on the road ahead of the ego."""
+    said = {"ego": "the ego", "egos": "the ego's", "its": "its", "it": "it", "from": "from the left"}
+    return [conjugated(p, Form.SINGULAR).format_map(said).lower() for p in phrases(DEEDS[action], manner)]
+
+
+@every_act
+def test_an_act_has_one_test_on_tracks(action: Action) -> None:
+    tree = ast.parse((SOURCE / "program" / "deeds.py").read_text())
+    assert [
+        key for node in ast.walk(tree) if isinstance(node, ast.Dict) for key in node.keys if named(key) == action.name
+    ]
+    assert callable(ACTIONS[action])
+
+
+@every_act
+@pytest.mark.parametrize("manner", Manner)
+def test_an_act_is_heard_in_words_that_it_is_written_with_and_not_in_others(action: Action, manner: Manner) -> None:
+    assert any(READ[action].search(text) for text in written(action, manner))
+    assert not READ[action].search("the sun is out")
+
+
+@every_act
+def test_the_page_about_snippets_says_what_an_act_is(action: Action) -> None:
+    assert action.row.meaning
+    assert f"| `{action}` | {action.row.meaning} |" in (ROOT / "docs" / "snippets.md").read_text()
+
+
+@every_act
+def test_opposites_are_each_other_s(action: Action) -> None:
+    assert action.opposite is None or action.opposite.opposite is action is not action.opposite
+
+
+@every_act
+def test_an_act_survives_being_copied_and_written_down(action: Action) -> None:
+    assert Action(str(action)) is action is pickle.loads(pickle.dumps(action))
+
+
+def test_what_lasts_has_no_place_in_the_order_of_acts() -> None:
+    assert reordered((Action.BRAKE, Action.CROSS), (Action.CROSS, Action.BRAKE))
+    lasting = [action for action in Action if action.row.all_along]
+    assert lasting
+    assert not any(reordered((action, Action.CROSS), (Action.CROSS, action)) for action in lasting)
+
+
+def test_the_right_is_the_other_side() -> None:
+    assert TURNS == {Action.TURN_LEFT: 1, Action.TURN_RIGHT: -1}

@@ -1,0 +1,247 @@
+"""The package's own face: its names, its nouns, and that it says what the command line says."""
+
+from __future__ import annotations
+
+import html
+import importlib.util
+import inspect
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+import numpy as np
+import pytest
+
+import chatscene
+from chatscene import api, cli
+from chatscene.cli_finetune import finetune
+from chatscene.cli_proposal import describe
+from chatscene.errors import NothingFits, RunError, SettingsError
+from chatscene.report.viewer import write_report
+from fake_run import SCENARIO, finished, started
+
+BRAKES = "A delivery van ahead of us brakes hard on a straight road."
+
+
+@pytest.fixture(scope="module")
+def by_hand(tmp_path_factory: pytest.TempPathFactory) -> chatscene.Run:
+    run = finished(tmp_path_factory.mktemp("runs") / "by hand", count=2)
+    write_report(run.path)
+    return chatscene.Run(run.path)
+
+
+@pytest.fixture(scope="module")
+def simulated() -> chatscene.Run:
+    return chatscene.run(BRAKES, scenes=3, ego="rule-based", seed=1)
+
+
+def source_of(frame: str) -> str:
+    """The page in a frame."""
+    (page,) = re.findall(r'srcdoc="([^"]*)"', frame)
+    return html.unescape(page)
+
+
+@pytest.mark.parametrize("name", chatscene.__all__)
+def test_every_public_name_is_there_and_none_is_a_module(name: str) -> None:
+    assert getattr(chatscene, name)
+    assert name in dir(chatscene)
+    # A module of that name would take its place as soon as somebody imports it.
+    assert importlib.util.find_spec(f"chatscene.{name}") is None
+
+
+def test_to_import_the_package_loads_nothing_of_it() -> None:
+    loaded = "import chatscene, sys; print(*(m for m in sys.modules if m.startswith(('chatscene', 'numpy'))))"
+    told = subprocess.run([sys.executable, "-c", loaded], capture_output=True, text=True, check=True)
+    assert told.stdout.split() == ["chatscene"]
+
+
+def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'simulate_all'"):
+        chatscene.simulate_all  # type: ignore[attr-defined]  # noqa: B018
+
+
+def test_the_package_says_that_it_is_typed() -> None:
+    assert (Path(chatscene.__file__).parent / "py.typed").is_file()
+
+
+COMMANDS: dict[str, tuple[click.Command, dict[str, str]]] = {
+    # The words that differ: where the command prints or names a folder, a function takes a place or gives a noun.
+    "run": (cli.run, {"out": "folder", "map_name": "map"}),
+    "explain": (cli.explain, {}),
+    "describe": (describe, {"count": "n"}),
+    "resume": (cli.resume, {}),
+    "replay": (cli.replay, {}),
+    "evaluate": (cli.evaluate, {"out": "folder", "egos": "ego", "every_scene": "all"}),
+    "finetune": (finetune, {"out": "folder", "sources": "scenes"}),
+    "train": (cli.train, {"out": "folder", "map_name": "map", "round_": "round"}),
+}
+
+
+@pytest.mark.parametrize("verb", COMMANDS)
+def test_a_function_takes_what_its_command_takes(verb: str) -> None:
+    command, words = COMMANDS[verb]
+    options = {words.get(str(option.name), str(option.name)) for option in command.params}
+    taken = set(inspect.signature(getattr(api, verb)).parameters)
+    assert taken - {"settings", "progress"} == options - {"as_json", "show_program"}
+
+
+class Asked(Exception):  # noqa: N818
+    """Stands for the work; holds what was asked for."""
+
+
+@pytest.mark.parametrize(
+    ("verb", "work", "places"),
+    [
+        ("run", "chatscene.pipeline.run", (BRAKES, "x")),
+        ("describe", "chatscene.search.describe_with_model.describe_for", ()),
+        ("finetune", "chatscene.learn.finetune.finetune", ("scenes", "x")),
+        ("train", "chatscene.learn.train.train", ("x",)),
+    ],
+)
+def test_what_is_not_said_is_what_the_command_takes_for_it(
+    verb: str, work: str, places: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command, words = COMMANDS[verb]
+    defaults = {
+        words.get(str(option.name), str(option.name)): option.get_default(click.Context(command))
+        for option in command.params
+        if isinstance(option, click.Option) and not option.required
+    }
+    taken = set(inspect.signature(getattr(api, verb)).parameters) - {"folder", "jobs"}
+
+    def ask(*arguments: object, **named: object) -> None:
+        raise Asked(arguments, named)
+
+    def asked(**said: object) -> object:
+        with pytest.raises(Asked) as found:
+            getattr(api, verb)(*places, **said)
+        return found.value.args
+
+    monkeypatch.setattr(work, ask)
+    said = {name: value for name, value in defaults.items() if name in taken and value is not None}
+    assert "seed" in said
+    assert asked() == asked(**said)
+
+
+def test_a_run_without_a_folder_has_one_that_stays(simulated: chatscene.Run) -> None:
+    assert simulated.folder.is_dir()
+    assert simulated.report.is_file()
+    assert simulated.scenes.num_rows == 3
+    assert "3 scenes" in repr(simulated)
+    assert str(simulated).startswith("3 scenes in")
+    assert str(simulated).endswith(f"report: {simulated.report}")
+
+
+def test_a_scene_of_a_run_is_simulated_again_bit_for_bit(simulated: chatscene.Run) -> None:
+    assert simulated.best.replay().identical
+    assert chatscene.replay(str(simulated.folder), simulated.best.id).identical
+
+
+def test_a_scene_is_an_environment_that_begins_as_it_did(simulated: chatscene.Run) -> None:
+    pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    scene, ego = simulated.best, chatscene.load_ego("rule-based")
+    env = scene.env(ego_observation="safebench")
+    seen, _ = env.reset()
+    for _ in range(len(scene.episode.ego_track.x) - 1):
+        seen, *_ = env.step(np.asarray(ego.act(seen.astype(float)), np.float32))
+    again = env.episode("rule-based")
+    env.close()
+    # The environment hands on single precision, so that the last bits of what the ego does are others.
+    for track, twin in zip(scene.episode.tracks, again.tracks, strict=True):
+        assert (track.actor, track.kind) == (twin.actor, twin.kind)
+        assert twin.x == pytest.approx(track.x, abs=1e-3)
+
+
+def test_a_finished_run_goes_on_to_what_it_is(simulated: chatscene.Run) -> None:
+    again = chatscene.resume(str(simulated.folder))
+    assert isinstance(again, chatscene.Run)
+    assert again.scenes == simulated.scenes
+
+
+def test_egos_are_measured_on_the_kept_scenes(simulated: chatscene.Run, tmp_path: Path) -> None:
+    evaluated = chatscene.evaluate(simulated, tmp_path / "e", ego="idm")
+    assert "avoidability" in evaluated.tables
+    again = chatscene.resume(tmp_path / "e")
+    assert not isinstance(again, chatscene.Run)
+    assert again.tables == evaluated.tables
+
+
+def test_a_run_shows_the_best_scenes_first(by_hand: chatscene.Run) -> None:
+    kept = by_hand.kept
+    assert kept[0].id == by_hand.best.id
+    assert {scene.id for scene in kept} == {row["scene_id"] for row in by_hand.scenes.to_pylist() if row["selected"]}
+    assert by_hand.scene(by_hand.best.id).row == by_hand.best.row
+
+
+def test_a_scene_has_its_program_its_values_and_its_tracks(by_hand: chatscene.Run) -> None:
+    scene = by_hand.best
+    assert "behavior AdvBehavior" in scene.program
+    assert set(scene.values) == {"OPT_ADV_SPEED", "OPT_ADV_DISTANCE", "OPT_GEO_Y"}
+    assert scene.tracks.num_rows == sum(len(track.x) for track in scene.episode.tracks)
+    assert set(scene.tracks.column("scene_id").to_pylist()) == {scene.id}
+    assert scene.id in repr(scene)
+    assert "kept" in repr(scene)
+
+
+def test_a_scene_that_was_not_driven_cannot_be_had(by_hand: chatscene.Run) -> None:
+    for scene_id in (f"{SCENARIO}/route-00/scene-000.1", "nothing"):
+        with pytest.raises(RunError, match="no scene"):
+            by_hand.scene(scene_id)
+
+
+def test_a_folder_that_is_no_finished_run_is_refused(tmp_path: Path) -> None:
+    started(tmp_path / "cut")
+    with pytest.raises(RunError, match="finish it with: chatscene resume"):
+        chatscene.Run(tmp_path / "cut")
+    with pytest.raises(RunError, match="not a run folder"):
+        chatscene.Run(tmp_path)
+
+
+def test_a_notebook_shows_the_report_in_a_frame_that_reaches_nothing(by_hand: chatscene.Run) -> None:
+    frame = by_hand._repr_html_()  # pyright: ignore[reportPrivateUsage]
+    assert frame.startswith('<iframe sandbox="allow-scripts" srcdoc="')
+    assert source_of(frame) == by_hand.report.read_text(encoding="utf-8")
+    assert frame.count("<") == 2  # the frame's own: all of the page is quoted
+
+
+def test_a_notebook_shows_a_scene_as_a_picture_of_its_own(by_hand: chatscene.Run) -> None:
+    shown = by_hand.best._repr_html_()  # pyright: ignore[reportPrivateUsage]
+    assert shown.startswith('<img src="data:image/gif;base64,R0lGOD')
+
+
+def test_a_reading_is_text_and_a_page() -> None:
+    understood = chatscene.explain("A <b>cyclist</b> rides out from the left & stops in front of us.")
+    assert "bicycle" in str(understood)
+    assert "model chatscene.world.model" in str(understood)
+    frame = understood._repr_html_()  # pyright: ignore[reportPrivateUsage]
+    page = source_of(frame)
+    assert frame.count("<") == 2
+    assert "A &lt;b&gt;cyclist&lt;/b&gt; rides out" in page
+    assert "<b>cyclist" not in page
+    assert "default-src 'none'" in html.unescape(page)
+
+
+def test_a_refusal_is_the_error_of_the_command() -> None:
+    with pytest.raises(NothingFits, match=r"\S"):
+        chatscene.explain("a dragon lands on the bonnet")
+
+
+def test_made_up_sentences_can_be_served() -> None:
+    (one, other) = chatscene.describe(2, base="right-turn")
+    assert one.text != other.text
+    assert chatscene.explain(one.text).scenario.base == "right-turn"
+
+
+def test_a_sentence_and_a_program_are_not_run_at_once(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="not both"):
+        chatscene.run(BRAKES, tmp_path / "x", program="mine.scenic")
+
+
+def test_a_folder_of_programs_is_not_one_program(tmp_path: Path) -> None:
+    source = chatscene.explain(BRAKES).program.source
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.scenic").write_text(source)
+    with pytest.raises(SettingsError, match="holds 2 programs"):
+        chatscene.run(program=tmp_path)
