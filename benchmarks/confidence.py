@@ -12,13 +12,13 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import minimize
 
-from chatscene.curation import FITTING, kept_back
+from chatscene.grow.curation import FITTING, kept_back
+from chatscene.interpret.retrieve import CONFIDENCE, doubts, retrieve
+from chatscene.interpret.understand import read
+from chatscene.library.load import load_library
+from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import CONFIDENCE, doubts, retrieve
-from chatscene.understanding import load_sentences
+from chatscene.studies.reading import load_sentences
 
 RIDGE = 0.01
 

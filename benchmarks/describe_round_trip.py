@@ -17,16 +17,16 @@ from dataclasses import dataclass
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ChatSceneError
+from chatscene.interpret.retrieve import retrieve
+from chatscene.interpret.understand import read
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
+from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check
-from chatscene.search.describe import describe, diversity
+from chatscene.sentences.describe import describe, diversity
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.description import Description
 from chatscene.terms.scenario import BaseScenario
 

@@ -19,19 +19,19 @@ from contextlib import suppress
 from pathlib import Path
 
 from chatscene import pipeline
-from chatscene.agent.decompose import decompose
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NothingFits
+from chatscene.interpret.retrieve import retrieve
+from chatscene.library.compatibility import compatibility
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
+from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.assemble import assemble
 from chatscene.program.check import probe_scenes
+from chatscene.read.decompose import decompose
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.simulate.staging import Stage
-from chatscene.snippets.compatibility import compatibility
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.retrieve import retrieve
 from chatscene.terms.scenario import Component, Scenario
 from chatscene.terms.scene import ScenicProgram
 

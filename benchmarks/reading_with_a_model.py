@@ -11,11 +11,11 @@ import argparse
 import random
 import time
 
-from chatscene.curation import FITTING, kept_back
+from chatscene.grow.curation import FITTING, kept_back
 from chatscene.report.tables import as_text
 from chatscene.settings import OFFLINE, RetrievalSettings
+from chatscene.studies.reading import load_sentences, measure, summary_table
 from chatscene.terms.results import ResultTable
-from chatscene.understanding import load_sentences, measure, summary_table
 
 
 def main() -> None:

@@ -25,12 +25,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.retrieve import retrieve
+from chatscene.interpret.understand import read
+from chatscene.interpret.vector_index import PROBED, Rows, build
+from chatscene.library.load import load_library
+from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached, load_embedder
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.embedding import Embedder, Vectors, encode_cached, load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import retrieve
-from chatscene.snippets.vector_index import PROBED, Rows, build
 from chatscene.terms.scenario import Component, Scenario
 
 Times = NDArray[np.float64]  # by the clock and of the processor, s

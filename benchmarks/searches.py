@@ -18,12 +18,12 @@ import numpy as np
 from chatscene import pipeline
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
+from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore
 from chatscene.search.sampler import SAMPLERS
 from chatscene.settings import SearchSettings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.snippet import ParameterRange
-from chatscene.workers import spread
 
 SCENARIOS = {
     "hidden pedestrian": "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",

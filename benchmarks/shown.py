@@ -1,6 +1,6 @@
 """How many of the scenes that are kept show what their sentence says, acts in order.
 
-    python benchmarks/shown.py src/chatscene/search/benchmark_scenarios.json
+    python benchmarks/shown.py src/chatscene/search/generators/benchmark_scenarios.json
 
 A file of sentences, one a line or strings in lists of JSON, however nested. Each is searched as a run does, by
 default 50 scenes on one route with seed 0 against the ego `sac`; of the same scenes, it is told what the run would
@@ -23,7 +23,7 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.program.meaning import check_meaning
 from chatscene.search.generator import simulator_of
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
 

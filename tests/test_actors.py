@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from scenic.simulators.carla import blueprints
 
-from chatscene.agent import lexicon
-from chatscene.agent.grammar.who import NOUNS
-from chatscene.sandbox.words import world_words
+from chatscene.read import lexicon
+from chatscene.sentences.grammar.who import NOUNS
+from chatscene.simulate.confined.words import world_words
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
 
 SOURCE = Path(__file__).parents[1] / "src" / "chatscene"
@@ -46,7 +46,7 @@ def test_no_other_file_lists_the_kinds_of_road_users() -> None:
     found += [
         f"{path.name}:{number}"
         for path in pages
-        if path not in TABLE and "snippets" not in path.parts
+        if path not in TABLE and "library" not in path.parts
         for number, line in enumerate(path.read_text().splitlines(), 1)
         if len(set(QUOTED.findall(line))) > 1
     ]

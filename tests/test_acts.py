@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.agent import lexicon
-from chatscene.agent.grammar.deeds import DEEDS, phrases
-from chatscene.agent.grammar.inflection import Form, conjugated
 from chatscene.program.deeds import ACTIONS
+from chatscene.read import lexicon
+from chatscene.sentences.grammar.deeds import DEEDS, phrases
+from chatscene.sentences.grammar.inflection import Form, conjugated
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS, Action, reordered
 
@@ -20,10 +20,10 @@ ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "chatscene"
 ELSEWHERE = {
     "program/deeds.py": "a test on tracks for each",
-    "snippets/plan_check.py": "acts that a plan shows before it is driven",
-    "agent/decompose.py": "what the reader makes of several acts heard at once",
-    "agent/grammar/deed_pairs.py": "phrases that say two acts at once",
-    "agent/grammar/adversary_clause.py": "where two acts are one phrase",
+    "library/plan_check.py": "acts that a plan shows before it is driven",
+    "read/decompose.py": "what the reader makes of several acts heard at once",
+    "sentences/grammar/deed_pairs.py": "phrases that say two acts at once",
+    "sentences/grammar/adversary_clause.py": "where two acts are one phrase",
 }
 READ = lexicon.ACTIONS | {Action.TURN_LEFT: lexicon.LEFT_TURN, Action.TURN_RIGHT: lexicon.RIGHT_TURN}
 

@@ -15,9 +15,10 @@ import numpy as np
 import pytest
 
 import chatscene
-from chatscene import api, cli
-from chatscene.cli_finetune import finetune
-from chatscene.cli_proposal import describe
+from chatscene import api
+from chatscene.commands import main as cli
+from chatscene.commands.finetune import finetune
+from chatscene.commands.proposal import describe
 from chatscene.errors import NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report
 from fake_run import SCENARIO, finished, started
@@ -95,7 +96,7 @@ class Asked(Exception):  # noqa: N818
     ("verb", "work", "places"),
     [
         ("run", "chatscene.pipeline.run", (BRAKES, "x")),
-        ("describe", "chatscene.search.describe_with_model.describe_for", ()),
+        ("describe", "chatscene.sentences.describe_with_model.describe_for", ()),
         ("finetune", "chatscene.learn.finetune.finetune", ("scenes", "x")),
         ("train", "chatscene.learn.train.train", ("x",)),
     ],

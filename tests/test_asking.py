@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from chatscene.agent.asking import EXAMPLES, Decomposition, decompose_with
-from chatscene.agent.decompose import decompose
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.protocol import LanguageModel, Limits
-from chatscene.language_models.scripted import Scripted
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.protocol import LanguageModel, Limits
+from chatscene.models.language.scripted import Scripted
+from chatscene.read.asking import EXAMPLES, Decomposition, decompose_with
+from chatscene.read.decompose import decompose
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Control, Maneuver, Place, Side

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.agent.decompose import decompose
+from chatscene.library.load import load_library
+from chatscene.read.decompose import decompose
 from chatscene.search.generator import Written
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.library import load_library
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario
 

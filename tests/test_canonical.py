@@ -8,17 +8,17 @@ from importlib.resources import files
 
 import pytest
 
-from chatscene.agent.canonical import canonical
+from chatscene.interpret.retrieve import retrieve
+from chatscene.interpret.understand import read
+from chatscene.library.load import load_library
+from chatscene.models.encoders.embedding import load_embedder
 from chatscene.pipeline import understand
-from chatscene.search.retrieved import Retrieved
+from chatscene.read.canonical import canonical
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import retrieve
 
 BENCHMARK: dict[str, list[str]] = json.loads(
-    files("chatscene.search").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8")
+    files("chatscene.search.generators").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8")
 )
 FORTY = [text for texts in BENCHMARK.values() for text in texts]
 EXAMPLES = [

@@ -7,16 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.agent.decompose import decompose
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import rebuild, run
 from chatscene.program.check import Checked
+from chatscene.read.decompose import decompose
 from chatscene.runs import open_run, read_explanation
 from chatscene.search import generator as searching
 from chatscene.search.generator import TRIES, Written, climb, simulator_of
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram

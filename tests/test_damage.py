@@ -20,10 +20,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from chatscene import pipeline
-from chatscene.benchmark import benchmark
-from chatscene.cli import main
+from chatscene.commands.main import main
 from chatscene.errors import ChatSceneError, RunError, SettingsError
-from chatscene.evaluation import evaluate
 from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.learn.train import TrainSettings, train
 from chatscene.report.animation import write_gif
@@ -53,6 +51,8 @@ from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.tables import scene_of
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.studies.benchmark import benchmark
+from chatscene.studies.evaluation import evaluate
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started

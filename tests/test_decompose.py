@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.agent.decompose import LONGEST, decompose
-from chatscene.agent.lexicon import edits, mended
 from chatscene.errors import SettingsError
+from chatscene.read.decompose import LONGEST, decompose
+from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side

@@ -2,13 +2,13 @@ from __future__ import annotations
 
 import pytest
 
-from chatscene.agent.base import base_of
 from chatscene.errors import NothingFits
-from chatscene.search.describe import describe, diversity, joined, misread
-from chatscene.snippets.compatibility import incompatibility
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
+from chatscene.interpret.understand import read
+from chatscene.library.compatibility import incompatibility
+from chatscene.library.load import load_library
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.read.base import base_of
+from chatscene.sentences.describe import describe, diversity, joined, misread
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario, Place, Position, Side, Slots

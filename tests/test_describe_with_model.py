@@ -9,16 +9,16 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from chatscene import cli_proposal
+from chatscene.commands import proposal as cli_proposal
 from chatscene.errors import NothingFits
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.protocol import Limits
-from chatscene.language_models.scripted import Scripted
-from chatscene.search.describe_with_model import Sentences, Told, describe_with
+from chatscene.interpret.understand import read
+from chatscene.library.load import load_library
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.protocol import Limits
+from chatscene.models.language.scripted import Scripted
+from chatscene.sentences.describe_with_model import Sentences, Told, describe_with
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import load_library
-from chatscene.snippets.reading import read
 from chatscene.terms.scenario import BaseScenario
 
 BASE = BaseScenario.STRAIGHT_OBSTACLE

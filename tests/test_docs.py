@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.sandbox.words import world_words
-from chatscene.search.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
-from chatscene.search.baselines.learning_to_collide import LearningToCollide
-from chatscene.search.baselines.nominal import NOMINAL
-from chatscene.search.baselines.scenario_runner import AROUND, EARLIER_OR_LATER
-from chatscene.snippets.library import load_library
+from chatscene.library.load import load_library
+from chatscene.search.generators.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
+from chatscene.search.generators.baselines.learning_to_collide import LearningToCollide
+from chatscene.search.generators.baselines.nominal import NOMINAL
+from chatscene.search.generators.baselines.scenario_runner import AROUND, EARLIER_OR_LATER
+from chatscene.simulate.confined.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 from fake_run import finished
 
@@ -93,7 +93,7 @@ def test_links_between_pages_lead_somewhere(page: Path) -> None:
 def test_the_same_pythons_are_allowed_by_the_package_the_makefile_and_the_doctor() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     first, after = re.findall(r"3, (\d+)", re.sub(r"3\.(\d+)", r"3, \1", project["requires-python"]))
-    for place in ("Makefile", "src/chatscene/doctor.py"):
+    for place in ("Makefile", "src/chatscene/commands/doctor.py"):
         assert re.search(rf"\(3, {first}\) <= \S+ < \(3, {after}\)", (ROOT / place).read_text()), place
     assert (int(first), int(after)) == (11, 14)
     assert f"Python 3.{first}, 3.12 or 3.{int(after) - 1}" in (ROOT / "README.md").read_text()

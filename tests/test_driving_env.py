@@ -13,12 +13,12 @@ pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
 
 from gymnasium.utils.env_checker import check_env
 
-from chatscene.ego.driving_env import DrivingEnv, vector_env
 from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.observation import OBSERVATIONS
-from chatscene.ego.reward import REWARDS, Moment, progress, safebench
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import EgoError, SettingsError
+from chatscene.learn.env import DrivingEnv, vector_env
+from chatscene.learn.reward import REWARDS, Moment, progress, safebench
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings

@@ -16,12 +16,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import MissingExtra, SettingsError
+from chatscene.interpret.nearest import nearest
+from chatscene.library.load import Library, load_library
+from chatscene.models.encoders import embedding
+from chatscene.models.encoders.embedding import EMBEDDERS, Embedder, MiniLM, encode_cached, load_embedder, plain
+from chatscene.models.encoders.wordpiece import VOCABULARY, tokenize
 from chatscene.plugins import make
-from chatscene.snippets import embedding
-from chatscene.snippets.embedding import EMBEDDERS, Embedder, MiniLM, encode_cached, load_embedder, plain
-from chatscene.snippets.library import Library, load_library
-from chatscene.snippets.nearest import nearest
-from chatscene.snippets.wordpiece import VOCABULARY, tokenize
 from chatscene.terms.scenario import Component
 from chatscene.testing import check_encoder
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from chatscene import runs
-from chatscene.sandbox.landlock import landlock_version
+from chatscene.simulate.confined.landlock import landlock_version
 from fake_run import as_by_an_older_version
 
 ROOT = Path(__file__).parents[1]

@@ -14,17 +14,17 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from chatscene import benchmark as benchmarks
 from chatscene import pipeline, runs
-from chatscene.benchmark import Budget, benchmark
-from chatscene.driving import drive
 from chatscene.errors import EgoError, RunError, SettingsError
-from chatscene.evaluation import carry_on, evaluate, read_drives
 from chatscene.measure import ordinary
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings
+from chatscene.studies import benchmark as benchmarks
+from chatscene.studies.benchmark import Budget, benchmark
+from chatscene.studies.driving import drive
+from chatscene.studies.evaluation import carry_on, evaluate, read_drives
 from chatscene.terms.scenario import BaseScenario
 
 TEXTS = (

@@ -22,13 +22,13 @@ import torch
 from gymnasium import spaces
 
 from chatscene import pipeline
-from chatscene.cli_finetune import finetune as command
-from chatscene.ego.driving_env import DrivingEnv
+from chatscene.commands.finetune import finetune as command
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.learn import finetune as finetuning
+from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune import PRESETS, FinetuneSettings, choose, finetune
 from chatscene.learn.finetune import pupil as learning
 from chatscene.learn.finetune.buffer import SplitBuffer

@@ -10,10 +10,10 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ForeignCodeRefused
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import probe_scenes
-from chatscene.program.foreign import ADVERSARY_BEHAVIOR, foreign_program, read_foreign
-from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.search.explore import explore
+from chatscene.search.generators.foreign import ADVERSARY_BEHAVIOR, foreign_program, read_foreign
 from chatscene.settings import SearchSettings, SimulationSettings
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 from chatscene.errors import MapError
+from chatscene.library.compatibility import compatibility, ways_of
+from chatscene.library.load import load_library
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import conflicting_paths
 from chatscene.program.meaning import maneuver_of
-from chatscene.snippets.compatibility import compatibility, ways_of
-from chatscene.snippets.library import load_library
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Component, Maneuver, Place, includes
 from chatscene.terms.snippet import Snippet

@@ -16,11 +16,11 @@ import pytest
 from pydantic import BaseModel, Field
 
 from chatscene.errors import LanguageModelError, SettingsError
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.completion import Message
-from chatscene.language_models.openai_compatible import RETRIES, OpenAICompatible
-from chatscene.language_models.protocol import Budget, Limits, Prompt
-from chatscene.language_models.structured import strict_schema
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.completion import Message
+from chatscene.models.language.openai_compatible import RETRIES, OpenAICompatible
+from chatscene.models.language.protocol import Budget, Limits, Prompt
+from chatscene.models.language.structured import strict_schema
 from fault_server import (
     Answering,
     Faults,

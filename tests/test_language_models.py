@@ -17,12 +17,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
-from chatscene.caches import cache_folder
 from chatscene.errors import LanguageModelError, MissingExtra, SettingsError
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.completion import FREE, Completer, Message, Price
-from chatscene.language_models.openai_compatible import OpenAICompatible
-from chatscene.language_models.protocol import (
+from chatscene.files.caches import cache_folder
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.completion import FREE, Completer, Message, Price
+from chatscene.models.language.openai_compatible import OpenAICompatible
+from chatscene.models.language.protocol import (
     LANGUAGE_MODELS,
     Budget,
     Example,
@@ -30,9 +30,9 @@ from chatscene.language_models.protocol import (
     Prompt,
     load_language_model,
 )
-from chatscene.language_models.reply_cache import question_key, read_reply, write_reply
-from chatscene.language_models.scripted import Scripted, from_file
-from chatscene.language_models.structured import LONGEST_REPLY, Unusable, read_answer, strict_schema
+from chatscene.models.language.reply_cache import question_key, read_reply, write_reply
+from chatscene.models.language.scripted import Scripted, from_file
+from chatscene.models.language.structured import LONGEST_REPLY, Unusable, read_answer, strict_schema
 from fault_server import chat, fault_server
 from llama_server import llama_server, small_model
 
@@ -106,7 +106,7 @@ def openai_against_llama() -> Iterator[Making]:
 
 
 def gguf() -> Iterator[Making]:
-    from chatscene.language_models.local_gguf import LocalGguf
+    from chatscene.models.language.local_gguf import LocalGguf
 
     loaded = LocalGguf(str(model_file()), limits=LIMITS)  # once: it has no memory of what it was asked
     yield lambda: loaded
@@ -324,7 +324,7 @@ def test_a_local_model_stops_when_time_is_up_while_it_reads_too(words: int) -> N
 
 
 def test_a_schema_the_engine_cannot_take_is_an_error() -> None:
-    from chatscene.language_models.local_gguf import LocalGguf
+    from chatscene.models.language.local_gguf import LocalGguf
 
     model = LocalGguf(str(model_file()), limits=LIMITS)
     with pytest.raises(LanguageModelError, match=r"cannot answer: .*nonsense"):

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from chatscene.errors import DoesNotCompile, SnippetError
+from chatscene.library.load import load_library, load_snippet, names_of
+from chatscene.library.snippet_file import names_in, read_snippets
 from chatscene.maps.network import resolve_map
-from chatscene.sandbox.allow_list import check_foreign
-from chatscene.snippets.library import load_library, load_snippet, names_of
-from chatscene.snippets.snippet_file import names_in, read_snippets
+from chatscene.simulate.confined.allow_list import check_foreign
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Place

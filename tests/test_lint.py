@@ -10,15 +10,15 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.rule_based import RuleBased
+from chatscene.grow.directions import joints
+from chatscene.grow.lint import check_code, implausible, lint, trials, try_joint, try_triple, world_names
+from chatscene.library.compatibility import ARMS, compatibility
+from chatscene.library.load import Library, load_library
+from chatscene.library.plan import plan_of
+from chatscene.library.snippet_file import names_in
 from chatscene.maps.network import resolve_map
-from chatscene.program.directions import joints
-from chatscene.program.lint import check_code, implausible, lint, trials, try_joint, try_triple, world_names
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
-from chatscene.snippets.compatibility import ARMS, compatibility
-from chatscene.snippets.library import Library, load_library
-from chatscene.snippets.plan import plan_of
-from chatscene.snippets.snippet_file import names_in
 from chatscene.terms.acts import TURNS, Action
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.plan import Foreign

@@ -10,15 +10,15 @@ from pathlib import Path
 import pytest
 
 from chatscene import pipeline, runs
-from chatscene.agent.decompose import decompose
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NamesNotClosed, NothingFits, Unsatisfiable
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
+from chatscene.read.decompose import decompose
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
-from chatscene.snippets.library import load_library
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram

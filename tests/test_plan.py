@@ -18,13 +18,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
-from chatscene.cli import main
+from chatscene.commands.main import main
 from chatscene.errors import SnippetError
-from chatscene.program.twins import may_look_alike, same_plan
-from chatscene.snippets.library import load_library
-from chatscene.snippets.plan import BEHAVIOR, parse_plan, plan_of, print_plan
-from chatscene.snippets.plan_check import acts_of, check_plan, names_read
-from chatscene.snippets.plan_words import describe_plan
+from chatscene.grow.twins import may_look_alike, same_plan
+from chatscene.library.load import load_library
+from chatscene.library.plan import BEHAVIOR, parse_plan, plan_of, print_plan
+from chatscene.library.plan_check import acts_of, check_plan, names_read
+from chatscene.library.plan_words import describe_plan
 from chatscene.terms.acts import Action
 from chatscene.terms.plan import (
     FUNCTIONS,

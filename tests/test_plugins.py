@@ -12,15 +12,15 @@ import pytest
 from click.testing import CliRunner
 
 from chatscene import runs
-from chatscene.cli import main
+from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError
-from chatscene.language_models.protocol import LANGUAGE_MODELS, load_language_model
+from chatscene.models.encoders.embedding import EMBEDDERS
+from chatscene.models.language.protocol import LANGUAGE_MODELS, load_language_model
 from chatscene.plugins import Kind, make, names
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, load_sampler
 from chatscene.simulate.simulator import SIMULATORS
-from chatscene.snippets.embedding import EMBEDDERS
 
 KINDS: tuple[Kind[Any], ...] = (EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS)
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.noun)
@@ -170,7 +170,7 @@ class Model:
     def complete(self, messages, schema):
         raise NotImplementedError
 """
-    install(place, "model_of_mine", "[chatscene.language_models]\nmine = model_of_mine:Model\n", code)
+    install(place, "model_of_mine", "[chatscene.models.language]\nmine = model_of_mine:Model\n", code)
     for name in ("mine:small:7b", "model_of_mine:Model:small:7b"):
         assert load_language_model(name).name == "small:7b"
 

@@ -14,25 +14,25 @@ import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
 
-from chatscene import cli_proposal
+from chatscene.commands import proposal as cli_proposal
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import SnippetError
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.protocol import Limits
-from chatscene.language_models.scripted import Scripted
+from chatscene.grow import review
+from chatscene.grow.draft import Draft, code_faults, slug, snippet_of
+from chatscene.grow.lint import Finding
+from chatscene.grow.prompt import draft_of, shots, system, vocabulary
+from chatscene.grow.propose import Summary, propose
+from chatscene.grow.shelf import Shelf
+from chatscene.grow.trying import Judge
+from chatscene.grow.wordings import Rephrased, rephrase
+from chatscene.library.load import Library, load_library, load_snippet
+from chatscene.library.snippet_file import as_text
 from chatscene.maps.network import resolve_map
-from chatscene.program.lint import Finding
-from chatscene.proposing import review
-from chatscene.proposing.draft import Draft, code_faults, slug, snippet_of
-from chatscene.proposing.prompt import draft_of, shots, system, vocabulary
-from chatscene.proposing.propose import Summary, propose
-from chatscene.proposing.shelf import Shelf
-from chatscene.proposing.trying import Judge
-from chatscene.proposing.wordings import Rephrased, rephrase
-from chatscene.sandbox.simulator import ConfinedSimulator
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.protocol import Limits
+from chatscene.models.language.scripted import Scripted
 from chatscene.settings import SimulationSettings
-from chatscene.snippets.library import Library, load_library, load_snippet
-from chatscene.snippets.snippet_file import as_text
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 

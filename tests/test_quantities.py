@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.agent.decompose import hear, understood
 from chatscene.errors import NothingFits
-from chatscene.snippets.bind import Triple, bound, distances, out_of_reach
-from chatscene.snippets.library import load_library, names_of
+from chatscene.library.bind import Triple, bound, distances, out_of_reach
+from chatscene.library.load import load_library, names_of
+from chatscene.read.decompose import hear, understood
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
 

@@ -8,15 +8,15 @@ from typing import Any
 
 import pytest
 
-from chatscene.agent.decompose import decompose
 from chatscene.errors import ForeignCodeRefused, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import understand
-from chatscene.program.foreign import foreign_program
-from chatscene.sandbox.allow_list import check_foreign
-from chatscene.sandbox.nursery import Nursery
-from chatscene.sandbox.simulator import ConfinedSimulator
+from chatscene.read.decompose import decompose
+from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.nursery import Nursery
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.watchdog import BACKSTOP, PATIENCE
 from chatscene.terms.scene import ScenicProgram
 from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.agent.decompose import decompose
-from chatscene.agent.grammar import deed_pairs, deeds, roads, where, who
-from chatscene.agent.grammar.inflection import Form, conjugated, plural, with_article
-from chatscene.agent.grammar.quoting import predicate
-from chatscene.agent.rendering import implied, render
+from chatscene.read.decompose import decompose
+from chatscene.sentences.grammar import deed_pairs, deeds, roads, where, who
+from chatscene.sentences.grammar.inflection import Form, conjugated, plural, with_article
+from chatscene.sentences.grammar.quoting import predicate
+from chatscene.sentences.rendering import implied, render
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style

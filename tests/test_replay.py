@@ -14,12 +14,12 @@ import pytest
 from click.testing import CliRunner
 
 from chatscene import pipeline, runs
-from chatscene.cli import main
+from chatscene.commands.main import main
 from chatscene.errors import Diverged, RunError
 from chatscene.maps.network import resolve_map
-from chatscene.search import retrieved
-from chatscene.search.baselines.advsim import AdvSim
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators import retrieved
+from chatscene.search.generators.baselines.advsim import AdvSim
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Scenario
 from fake_run import as_by_an_older_version

@@ -20,7 +20,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
-from chatscene import cli, pipeline
+from chatscene import pipeline
+from chatscene.commands import main as cli
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError

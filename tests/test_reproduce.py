@@ -6,8 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from chatscene import benchmark as benchmarks
-from chatscene import reproduce as reproducing
 from chatscene.errors import SettingsError
 from chatscene.learn import finetune as finetuning
 from chatscene.learn.finetune import FinetuneSettings
@@ -16,8 +14,10 @@ from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.measure.tables import ABBREVIATIONS, BASES
 from chatscene.report.beside_paper import beside_paper
 from chatscene.report.figures import two_curves
-from chatscene.reproduce import BEFORE, BUDGETS, METHODS, TABLES, Budget, reproduce
 from chatscene.settings import SearchSettings
+from chatscene.studies import benchmark as benchmarks
+from chatscene.studies import reproduce as reproducing
+from chatscene.studies.reproduce import BEFORE, BUDGETS, METHODS, TABLES, Budget, reproduce
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import BaseScenario
 

@@ -11,19 +11,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.agent import decompose
-from chatscene.agent.clauses import cut
 from chatscene.errors import NothingFits
+from chatscene.interpret import understand as reading
+from chatscene.interpret.nearest import nearest
+from chatscene.interpret.retrieve import NO_SIDE, retrieve, settle
+from chatscene.interpret.understand import read
+from chatscene.library.compatibility import compatibility, incompatibility
+from chatscene.library.load import Library, load_library
+from chatscene.models.encoders.embedding import load_embedder
 from chatscene.pipeline import understand
+from chatscene.read import decompose
+from chatscene.read.clauses import cut
+from chatscene.read.slot_classifier import VALUES, as_value
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets import reading
-from chatscene.snippets.compatibility import compatibility, incompatibility
-from chatscene.snippets.embedding import load_embedder
-from chatscene.snippets.library import Library, load_library
-from chatscene.snippets.nearest import nearest
-from chatscene.snippets.reading import read
-from chatscene.snippets.retrieve import NO_SIDE, retrieve, settle
-from chatscene.snippets.slot_classifier import VALUES, as_value
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Clauses, Frame

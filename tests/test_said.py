@@ -11,16 +11,16 @@ import pytest
 from click.testing import CliRunner
 
 from chatscene import pipeline, runs
-from chatscene.agent.decompose import decompose
-from chatscene.agent.lexicon import is_english
-from chatscene.cli import main
+from chatscene.commands.main import main
 from chatscene.ego.policy import load_ego
 from chatscene.errors import NothingFits
+from chatscene.interpret.suggest import SERVED
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
+from chatscene.read.decompose import decompose
+from chatscene.read.lexicon import is_english
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
-from chatscene.snippets.suggesting import SERVED
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Why
 

@@ -30,17 +30,19 @@ from chatscene.errors import (
     SandboxError,
     StuckBehavior,
 )
+from chatscene.grow.lint import world_names
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check, probe_scenes
-from chatscene.program.foreign import foreign_program
-from chatscene.program.lint import world_names
-from chatscene.sandbox.allow_list import check_foreign
-from chatscene.sandbox.confinement import AUDIT, LIMITS, SECCOMP, Limits
-from chatscene.sandbox.landlock import landlock_version
-from chatscene.sandbox.nursery import Confined, Nursery
-from chatscene.sandbox.plain_text import check_text
-from chatscene.sandbox.simulator import ConfinedSession, ConfinedSimulator
-from chatscene.sandbox.wire import (
+from chatscene.search.generators.foreign import foreign_program
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.confinement import AUDIT, LIMITS, SECCOMP, Limits
+from chatscene.simulate.confined.landlock import landlock_version
+from chatscene.simulate.confined.nursery import Confined, Nursery
+from chatscene.simulate.confined.plain_text import check_text
+from chatscene.simulate.confined.simulator import ConfinedSession, ConfinedSimulator
+from chatscene.simulate.confined.wire import (
     decode,
     encode,
     episode_from_json,
@@ -49,10 +51,8 @@ from chatscene.sandbox.wire import (
     route_to_json,
     words,
 )
-from chatscene.sandbox.words import PYTHON_NAMES, SCENIC_NAMES, world_words
-from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.words import PYTHON_NAMES, SCENIC_NAMES, world_words
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
-from chatscene.snippets.library import load_library
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Slots

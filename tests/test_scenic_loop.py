@@ -8,9 +8,9 @@ from scenic.core.dynamics import GuardViolation, RejectSimulationException
 from chatscene.ego.observation import Observation
 from chatscene.ego.rule_based import RuleBased
 from chatscene.maps.network import resolve_map
-from chatscene.program.foreign import foreign_program
-from chatscene.sandbox.simulator import ConfinedSimulator
+from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.simulate.staging import Stage
 from chatscene.simulate.stock import scenic_simulator

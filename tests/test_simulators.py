@@ -10,13 +10,13 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
+from chatscene.runs.trust import Repeated
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import SIMULATORS, load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.testing.simulators import check_simulator
-from chatscene.trust import Repeated
 from scripted_simulator import make_simulator
 
 TOWN = resolve_map("town")

@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chatscene.agent.decompose import decompose
 from chatscene.errors import SnippetError
-from chatscene.snippets.composing import Labelled, compose, wordings
-from chatscene.snippets.embedding import MiniLM
-from chatscene.snippets.fitting import fit, fit_trust, heads_of
-from chatscene.snippets.library import Library, load_library
-from chatscene.snippets.reading import likeliest, read
-from chatscene.snippets.retrieve import guessed
-from chatscene.snippets.slot_classifier import (
+from chatscene.grow.compose_texts import Labelled, compose, wordings
+from chatscene.grow.fit import fit, fit_trust, heads_of
+from chatscene.interpret.retrieve import guessed
+from chatscene.interpret.understand import likeliest, read
+from chatscene.interpret.wording_index import stem
+from chatscene.library.load import Library, load_library
+from chatscene.models.encoders.embedding import MiniLM
+from chatscene.read.decompose import decompose
+from chatscene.read.slot_classifier import (
     PACKAGED,
     TRUSTED,
     VALUES,
@@ -27,7 +28,6 @@ from chatscene.snippets.slot_classifier import (
     load_classifier,
     save_classifier,
 )
-from chatscene.snippets.wording_index import stem
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Side, Slots
@@ -100,7 +100,7 @@ def test_the_runtime_reads_what_was_trained_but_for_rounding(trained: SlotClassi
 
 def test_untrained_layers_are_written_as_they_were_read() -> None:
     pytest.importorskip("torch", reason="the extra 'train' is not installed")
-    from chatscene.snippets.tuned_encoder import Tuned
+    from chatscene.grow.tuned_encoder import Tuned
 
     same = MiniLM(Tuned(frozen=3, columns=[2], dropout=0.0).changes())
     text = "a bus pulls out"
@@ -109,7 +109,7 @@ def test_untrained_layers_are_written_as_they_were_read() -> None:
 
 def test_trained_weights_are_whole_steps_from_the_old_ones_and_stay_int8() -> None:
     pytest.importorskip("torch", reason="the extra 'train' is not installed")
-    from chatscene.snippets.tuned_encoder import STEP, in_steps
+    from chatscene.grow.tuned_encoder import STEP, in_steps
 
     old = np.array([0, 0, 0, 126, -127, 127], np.int8)
     new = in_steps(old, np.array([0.9, 1.1, -2.6, 127.0, -127.0, -127.0]))

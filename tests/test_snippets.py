@@ -8,8 +8,8 @@ from itertools import product
 
 import pytest
 
-from chatscene.snippets.compatibility import incompatibility
-from chatscene.snippets.library import load_library
+from chatscene.library.compatibility import incompatibility
+from chatscene.library.load import load_library
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Control, Maneuver, Occluder, Position, Side

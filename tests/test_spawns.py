@@ -12,13 +12,13 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.policy import load_ego
+from chatscene.library.compatibility import incompatibility
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.meaning import check_meaning
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
-from chatscene.snippets.compatibility import incompatibility
-from chatscene.snippets.library import load_library
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route

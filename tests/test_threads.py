@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from chatscene.maps.network import resolve_map
-from chatscene.sandbox.nursery import Nursery
+from chatscene.runs.parallel import spread
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.nursery import Nursery
 from chatscene.terms.scene import ScenicProgram
-from chatscene.workers import spread
 
 threadpoolctl = pytest.importorskip("threadpoolctl", reason="it tells how many threads a library has")
 
@@ -76,7 +76,7 @@ def test_the_process_that_strangers_programs_are_forked_from_has_one_thread() ->
     with Nursery(resolve_map("town"), SimulationSettings()) as nursery:
         nursery.confine(program).close()
         (warm,) = (
-            pid for pid in _children() if b"chatscene.sandbox.child" in Path(f"/proc/{pid}/cmdline").read_bytes()
+            pid for pid in _children() if b"simulate.confined.child" in Path(f"/proc/{pid}/cmdline").read_bytes()
         )
         status = Path(f"/proc/{warm}/status").read_text()
     assert "Threads:\t1\n" in status

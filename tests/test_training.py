@@ -12,10 +12,10 @@ import pytest
 
 pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
 
-from chatscene.ego import driving_env
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
+from chatscene.learn import env as driving_env
 from chatscene.learn import train as training
 from chatscene.learn.train import TrainSettings, train
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult

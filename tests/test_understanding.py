@@ -9,13 +9,9 @@ from pathlib import Path
 import pytest
 
 from chatscene.errors import SettingsError
+from chatscene.library.load import load_library
 from chatscene.settings import RetrievalSettings
-from chatscene.snippets.library import load_library
-from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
-from chatscene.terms.snippet import Snippet
-from chatscene.understanding import (
+from chatscene.studies.reading import (
     Judged,
     Sentence,
     beside,
@@ -29,6 +25,10 @@ from chatscene.understanding import (
     slot_table,
     summary_table,
 )
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
+from chatscene.terms.snippet import Snippet
 
 B, G, S = Component.BEHAVIOR, Component.GEOMETRY, Component.SPAWN
 

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
-from chatscene.snippets import vector_index
-from chatscene.snippets.embedding import Vectors
-from chatscene.snippets.vector_index import VectorIndex, build, build_cached
-from chatscene.snippets.wording_index import best_of_each
+from chatscene.interpret import vector_index
+from chatscene.interpret.vector_index import VectorIndex, build, build_cached
+from chatscene.interpret.wording_index import best_of_each
+from chatscene.models.encoders.embedding import Vectors
 
 DIMENSION = 24
 

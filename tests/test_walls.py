@@ -22,37 +22,40 @@ import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from chatscene import bounded, curation, evaluation, pipeline, runs
-from chatscene.cli import main
-from chatscene.curation import lint_library
+from chatscene import pipeline, runs
+from chatscene.commands.main import main
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, ForeignCodeRefused, RunError, SandboxError, SnippetError
+from chatscene.files import bounded
+from chatscene.grow import curation
+from chatscene.grow.curation import lint_library
+from chatscene.grow.lint import Finding, Triple
+from chatscene.grow.twins import scenario_of
 from chatscene.learn.finetune import scenes
 from chatscene.learn.finetune.scenes import kept_scenes
+from chatscene.library.load import Library, library_with, load_library, load_snippet
+from chatscene.library.snippet_file import as_text
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
-from chatscene.program.lint import Finding, Triple
-from chatscene.program.twins import scenario_of
+from chatscene.read.slot_classifier import load_classifier, save_classifier
 from chatscene.report.terminal import print_understanding, visible
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
-from chatscene.sandbox import nursery as nurseries
-from chatscene.sandbox.confinement import LAYERS, Limits
-from chatscene.sandbox.nursery import Confined
-from chatscene.sandbox.simulator import ConfinedSimulator
+from chatscene.runs.parallel import spread
+from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import GENERATORS, load_generator, simulator_of
-from chatscene.search.own_program import text_of
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators.own_program import text_of
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
+from chatscene.simulate.confined import nursery as nurseries
+from chatscene.simulate.confined.confinement import LAYERS, Limits
+from chatscene.simulate.confined.nursery import Confined
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator
-from chatscene.snippets.library import Library, library_with, load_library, load_snippet
-from chatscene.snippets.slot_classifier import load_classifier, save_classifier
-from chatscene.snippets.snippet_file import as_text
+from chatscene.studies import evaluation
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import ScenicProgram
-from chatscene.trust import Repeated, follow
-from chatscene.workers import spread
 from fake_run import TEXT, as_by_an_older_version, finished, started, understanding
 
 TOWN = resolve_map("town")

@@ -6,6 +6,6 @@ if __name__ == "__main__":
     if not sys.flags.safe_path:
         del sys.path[0]  # the working folder, which ``-m`` puts first: what lies there is not to be imported
 
-    from chatscene.cli import main
+    from chatscene.commands.main import main
 
     main()

@@ -16,17 +16,17 @@ from chatscene import pipeline, runs
 from chatscene.errors import RunError, SettingsError, no_such
 from chatscene.pipeline import Progress, Replayed, Summary, Understood, silent
 from chatscene.runs.tables import EPISODES, SCENES, Table, read_table
+from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
-from chatscene.trust import Repeated, follow
 
 if TYPE_CHECKING:
-    from chatscene.ego.driving_env import DrivingEnv
-    from chatscene.evaluation import Evaluated
+    from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.studies.evaluation import Evaluated
 
 Name = str | Path
 Names = Name | Sequence[Name]
@@ -186,7 +186,7 @@ class DrivenScene:
         Args:
             ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
             pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
-            reward: One of `chatscene.ego.reward.REWARDS`.
+            reward: One of `chatscene.learn.reward.REWARDS`.
             render_mode: ``rgb_array`` or None.
 
         Raises:
@@ -194,7 +194,7 @@ class DrivenScene:
             RunError: The run names what must be repeated.
             Diverged: This version makes another program than the one that was kept.
         """
-        from chatscene.ego.driving_env import DrivingEnv
+        from chatscene.learn.env import DrivingEnv
         from chatscene.program.ordinary import Course
         from chatscene.search.generator import load_generator, simulator_of
 
@@ -345,7 +345,7 @@ def describe(
     Raises:
         NothingFits: The library has no such scenario, or nothing in the instruction was understood.
     """
-    from chatscene.search.describe_with_model import describe_for
+    from chatscene.sentences.describe_with_model import describe_for
 
     settings = _reading(RetrievalSettings(), library, embedder, language_model)
     wanted = BaseScenario(base) if base else None
@@ -394,7 +394,7 @@ def resume(
         language_model=_names(language_model),
     )
     if runs.read_record(runs.Workspace(where)).command == "evaluate":
-        from chatscene.evaluation import carry_on
+        from chatscene.studies.evaluation import carry_on
 
         return carry_on(runs.Workspace(where), jobs=jobs, progress=progress, repeated=repeated)
     pipeline.resume(where, jobs=jobs, progress=progress, repeated=repeated)
@@ -458,7 +458,7 @@ def evaluate(
         RunError: A run is not finished, they lie on different maps, or one names what must be repeated.
         EgoError: An ego cannot be loaded.
     """
-    from chatscene import evaluation
+    from chatscene.studies import evaluation
 
     return evaluation.evaluate(
         _sources(scenes),
@@ -613,8 +613,8 @@ def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
 
 def _text_of(program: Path) -> str:
     """The text of a run of a program of one's own."""
-    from chatscene.program.foreign import read_foreign
-    from chatscene.search.own_program import text_of
+    from chatscene.search.generators.foreign import read_foreign
+    from chatscene.search.generators.own_program import text_of
 
     own, *others = read_foreign(program)
     if others:

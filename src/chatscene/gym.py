@@ -18,8 +18,8 @@ from pathlib import Path
 
 from gymnasium.envs.registration import register
 
-from chatscene.ego.driving_env import DrivingEnv, end_drive
 from chatscene.ego.policy import load_ego
+from chatscene.learn.env import DrivingEnv, end_drive
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import routes_of
 from chatscene.program.ordinary import Course
@@ -49,7 +49,7 @@ def make_scene(
         library: Folder of one's own snippets, beside the packaged ones.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
-        reward: One of `chatscene.ego.reward.REWARDS`.
+        reward: One of `chatscene.learn.reward.REWARDS`.
         render_mode: ``rgb_array`` or None.
 
     Raises:
@@ -88,7 +88,7 @@ def make_drive(
         map: Packaged ``town``, or an ``.xodr`` file.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
-        reward: One of `chatscene.ego.reward.REWARDS`.
+        reward: One of `chatscene.learn.reward.REWARDS`.
         render_mode: ``rgb_array`` or None.
     """
     return DrivingEnv(

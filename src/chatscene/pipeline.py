@@ -33,8 +33,10 @@ from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
 from chatscene.report.viewer import write_report
 from chatscene.runs.digests import digest_of
+from chatscene.runs.parallel import Work, run_blocks
+from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import climb, load_generator, simulator_of
-from chatscene.search.retrieved import Retrieved
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.search.sampler import load_sampler
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
@@ -44,8 +46,6 @@ from chatscene.terms.route import Route
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import Rejected, ScenicProgram
 from chatscene.terms.snippet import Retrieval
-from chatscene.trust import Repeated, follow
-from chatscene.workers import Work, run_blocks
 
 Progress = Callable[[str, int, int], None]
 MARGIN = 60.0  # [m] of map drawn around the routes
@@ -207,7 +207,7 @@ def resume(
 
     Raises:
         RunError: There is no run in the folder, it is damaged, another process is at work on it, or it names what must
-            be repeated (`chatscene.trust.follow`).
+            be repeated (`chatscene.runs.trust.follow`).
     """
     run = runs.open_run(folder, holds="run")
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], reading_of=[run])
@@ -340,7 +340,7 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
 
     Raises:
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
-            (`chatscene.trust.follow`).
+            (`chatscene.runs.trust.follow`).
     """
     run = runs.open_run(folder, holds="run")
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])

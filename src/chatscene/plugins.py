@@ -6,7 +6,7 @@ A name stands, in this order, for
 2. an entry point that an installed package brings under the group of its kind, such as ``chatscene.samplers``;
 3. ``package.module:factory``, the user's own, which is also looked for in the working folder.
 
-Whatever is named is imported and run, so a name must come from the user: `chatscene.trust` holds back those that
+Whatever is named is imported and run, so a name must come from the user: `chatscene.runs.trust` holds back those that
 stand in a record only.
 """
 

@@ -13,9 +13,9 @@ import pytest
 
 from chatscene.ego.policy import EGOS
 from chatscene.errors import MissingExtra
-from chatscene.language_models.checked import CheckedModel
-from chatscene.language_models.protocol import Limits
-from chatscene.language_models.scripted import Scripted
+from chatscene.models.language.checked import CheckedModel
+from chatscene.models.language.protocol import Limits
+from chatscene.models.language.scripted import Scripted
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, Proposal
 from chatscene.terms.snippet import ParameterRange

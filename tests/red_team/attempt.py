@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from chatscene.errors import ChatSceneError, SandboxError, StuckBehavior
-from chatscene.sandbox.confinement import Limits
-from chatscene.sandbox.nursery import Confined, Nursery
-from chatscene.sandbox.wire import scene_to_json
+from chatscene.simulate.confined.confinement import Limits
+from chatscene.simulate.confined.nursery import Confined, Nursery
+from chatscene.simulate.confined.wire import scene_to_json
 from chatscene.terms.scene import Scene, ScenicProgram
 
 LIMITS = Limits(answer=1.0, wall=10.0, processor=3, memory=256, message=200_000)

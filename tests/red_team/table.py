@@ -11,9 +11,9 @@ import tempfile
 from pathlib import Path
 
 from chatscene.maps.network import resolve_map
-from chatscene.sandbox.allow_list import check_foreign
-from chatscene.sandbox.nursery import Nursery
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.nursery import Nursery
 from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt
 from red_team.corpus import ATTACKS, Attack
 

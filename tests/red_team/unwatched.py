@@ -11,8 +11,8 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from chatscene.sandbox import confinement
-from chatscene.sandbox.confinement import Limits, confine
+from chatscene.simulate.confined import confinement
+from chatscene.simulate.confined.confinement import Limits, confine
 
 folder = Path(sys.argv[1])
 PARENT = os.getppid()

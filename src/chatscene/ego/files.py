@@ -17,11 +17,11 @@ from typing import IO, Any
 
 import numpy as np
 
-from chatscene.bounded import check_archive, check_file, parse_json
 from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
 from chatscene.ego.observation import OBSERVATIONS, Observation
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import EgoError, MissingExtra
+from chatscene.files.bounded import check_archive, check_file, parse_json
 
 State = Mapping[str, Any]
 _NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")  # as numpy prints it

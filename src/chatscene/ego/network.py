@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.bounded import MOST_BYTES, check_archive, parse_json
 from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
+from chatscene.files.bounded import MOST_BYTES, check_archive, parse_json
 
 Weights = NDArray[np.float32]
 DECIMALS = 6  # of an action: hides most, not all, of what another BLAS changes by adding in another order

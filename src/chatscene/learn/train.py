@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from chatscene.ego.network import Network, NetworkEgo, layers_of
-from chatscene.ego.reward import DESIRED_SPEED
 from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
+from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
 from chatscene.runs import alone
@@ -78,7 +78,7 @@ class TrainSettings:
     Attributes:
         algorithm: One of `ALGORITHMS`.
         observation: A preset of `chatscene.ego.observation`.
-        reward: One of `chatscene.ego.reward.REWARDS`.
+        reward: One of `chatscene.learn.reward.REWARDS`.
         pedals: One of `chatscene.ego.policy.PEDALS`.
         steps: Environment steps of 0.1 s.
         round: Steps between two evaluations.
@@ -216,7 +216,7 @@ class _Learner:
             from stable_baselines3.common.noise import NormalActionNoise
         except ImportError as error:
             raise MissingExtra("training needs Stable-Baselines3", extra="train") from error
-        from chatscene.ego.driving_env import DrivingEnv
+        from chatscene.learn.env import DrivingEnv
 
         self._folder = folder
         self._settings = settings

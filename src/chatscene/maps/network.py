@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
-from chatscene.atomic import write_whole
-from chatscene.caches import cache_folder
 from chatscene.errors import MapError
+from chatscene.files.atomic import write_whole
+from chatscene.files.caches import cache_folder
 
 LONGEST = 1e5  # [m] of a road
 FARTHEST = 1e8  # [m] from the origin; projected coordinates have it far away

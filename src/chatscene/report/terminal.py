@@ -108,8 +108,8 @@ def print_snippet(console: Console, snippet: Snippet) -> None:
 
 
 def _plan_in_words(snippet: Snippet) -> tuple[str, ...]:
-    from chatscene.snippets.plan import plan_of
-    from chatscene.snippets.plan_words import describe_plan
+    from chatscene.library.plan import plan_of
+    from chatscene.library.plan_words import describe_plan
 
     if snippet.component is not Component.BEHAVIOR:
         return ()

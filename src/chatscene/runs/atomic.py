@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
-from chatscene.atomic import write_whole
-from chatscene.bounded import check_file, parse_json
 from chatscene.errors import RunError
+from chatscene.files.atomic import write_whole
+from chatscene.files.bounded import check_file, parse_json
 
 _LEFTOVER = re.compile(r"\..+\.\d+\.tmp")  # how `write_whole` calls its temporary files
 

@@ -16,9 +16,9 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.plugins import Kind, make
 from chatscene.program.check import Checked, check
-from chatscene.sandbox.simulator import ConfinedSimulator
 from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
@@ -150,12 +150,12 @@ GENERATORS: Kind[Generator] = Kind(
     group="chatscene.generators",
     method="explore",
     built_in={
-        "chatscene": "chatscene.search.retrieved:Retrieved",
-        "learning-to-collide": "chatscene.search.baselines.learning_to_collide:LearningToCollide",
-        "advsim": "chatscene.search.baselines.advsim:AdvSim",
-        "adversarial-trajectory": "chatscene.search.baselines.adversarial_trajectory:AdversarialTrajectory",
-        "carla-scenario-generator": "chatscene.search.baselines.scenario_runner:ScenarioRunner",
-        "program": "chatscene.search.own_program:OwnProgram",
+        "chatscene": "chatscene.search.generators.retrieved:Retrieved",
+        "learning-to-collide": "chatscene.search.generators.baselines.learning_to_collide:LearningToCollide",
+        "advsim": "chatscene.search.generators.baselines.advsim:AdvSim",
+        "adversarial-trajectory": "chatscene.search.generators.baselines.adversarial_trajectory:AdversarialTrajectory",
+        "carla-scenario-generator": "chatscene.search.generators.baselines.scenario_runner:ScenarioRunner",
+        "program": "chatscene.search.generators.own_program:OwnProgram",
     },
 )
 

@@ -167,7 +167,7 @@ SIMULATORS: Kind[Simulator] = Kind(
     method="open",
     built_in={
         "embedded": "chatscene.simulate.embedded.physics:make_simulator",
-        "confined": "chatscene.sandbox.simulator:ConfinedSimulator",
+        "confined": "chatscene.simulate.confined.simulator:ConfinedSimulator",
     },
 )
 

@@ -1,10 +1,10 @@
-"""What every encoder of texts owes; see `chatscene.snippets.embedding.Embedder`."""
+"""What every encoder of texts owes; see `chatscene.models.encoders.embedding.Embedder`."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from chatscene.snippets.embedding import Embedder, load_embedder
+from chatscene.models.encoders.embedding import Embedder, load_embedder
 from chatscene.testing.contract import require
 
 _TEXTS = ("A pedestrian crosses.", "The oncoming car brakes hard.", "straße, naïve café — 信号 100km/h!")

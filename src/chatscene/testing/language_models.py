@@ -1,4 +1,4 @@
-"""What every language model owes; see `chatscene.language_models.protocol.LanguageModel`."""
+"""What every language model owes; see `chatscene.models.language.protocol.LanguageModel`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict, field_validator
 
 from chatscene.errors import LanguageModelError
-from chatscene.language_models.protocol import Example, LanguageModel, Prompt, load_language_model
+from chatscene.models.language.protocol import Example, LanguageModel, Prompt, load_language_model
 from chatscene.testing.contract import ContractBroken, require
 
 

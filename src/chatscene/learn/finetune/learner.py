@@ -18,8 +18,8 @@ from stable_baselines3 import SAC
 from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.utils import set_random_seed
 
-from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import Network, NetworkEgo, layers_of
+from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.buffer import SplitBuffer
 from chatscene.learn.finetune.scenes import KeptScene
 from chatscene.learn.finetune.settings import FinetuneSettings

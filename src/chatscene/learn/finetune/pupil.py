@@ -15,10 +15,10 @@ import torch
 from numpy.typing import NDArray
 from torch import nn
 
-from chatscene.ego.driving_env import DrivingEnv
 from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
 from chatscene.ego.policy import EgoPolicy, observation_of, pedals_of
+from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.learner import Schedule
 from chatscene.learn.finetune.settings import FinetuneSettings
 from chatscene.learn.finetune.state import keep, kept

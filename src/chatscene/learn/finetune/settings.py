@@ -28,7 +28,7 @@ class FinetuneSettings:
             driven before, to compare.
         teacher: An ego that says at each step what it would do, by its name or file: a new policy then learns that,
             from nothing, and no reward; empty for none.
-        reward: One of `chatscene.ego.reward.REWARDS`.
+        reward: One of `chatscene.learn.reward.REWARDS`.
         choice: Who chooses the checkpoint: ``paper``, the test scenes; ``held-out``, the last of the training routes.
         episodes: Scenes driven (paper: 500).
         ordinary_share: Share of the episodes that are ordinary drives (paper: none).

@@ -1,1 +1,0 @@
-"""Steps 1 and 2 of 9: words."""

@@ -1,0 +1,113 @@
+"""Is this installation sound? Each part is tried for real, and what was found is said."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+import sys
+import tempfile
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from chatscene.errors import ChatSceneError, SandboxError
+from chatscene.settings import SearchSettings, Settings
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """One thing that was tried.
+
+    Attributes:
+        what: Its name.
+        ok: Whether it works.
+        found: What was found, or what is wrong and what to do.
+    """
+
+    what: str
+    ok: bool
+    found: str
+
+
+def examine() -> tuple[Check, ...]:
+    """Try every part, from Python's version to one simulated scene."""
+    return tuple(
+        _try(what, part)
+        for what, part in (
+            ("python", _python),
+            ("packages", _packages),
+            ("map", _map),
+            ("snippet library", _library),
+            ("sentence encoder", _encoder),
+            ("one scene, end to end", _scene),
+            ("walls around strangers' code", _walls),
+        )
+    )
+
+
+def _try(what: str, part: Callable[[], str]) -> Check:
+    try:
+        return Check(what=what, ok=True, found=part())
+    except (ChatSceneError, ImportError, OSError) as error:
+        return Check(what=what, ok=False, found=f"{type(error).__name__}: {error}")
+
+
+def _python() -> str:
+    if not (3, 11) <= sys.version_info[:2] < (3, 14):
+        raise ChatSceneError(f"Python {platform.python_version()} is not supported; use 3.11, 3.12 or 3.13")
+    return f"{platform.python_version()} on {platform.system()} {platform.machine()}"
+
+
+def _packages() -> str:
+    names = ("chatscene", "scenic", "numpy", "pyarrow", "onnxruntime", "faiss-cpu")
+    return ", ".join(f"{name} {importlib.metadata.version(name)}" for name in names)
+
+
+def _map() -> str:
+    from chatscene.maps.network import load_network, resolve_map
+
+    network = load_network(resolve_map("town"))
+    return f"town: {len(network.roads)} roads, {len(network.intersections)} junctions"
+
+
+def _library() -> str:
+    from chatscene.library.load import load_library
+
+    return f"{len(load_library())} snippets"
+
+
+def _encoder() -> str:
+    from chatscene.models.encoders.embedding import load_embedder
+
+    embedder = load_embedder()
+    rows, columns = embedder.encode(["the car ahead brakes"]).shape
+    return f"{embedder.name}: {rows} text, {columns} numbers"
+
+
+def _walls() -> str:
+    from chatscene.maps.network import resolve_map
+    from chatscene.settings import SimulationSettings
+    from chatscene.simulate.confined.confinement import LAYERS
+    from chatscene.simulate.confined.nursery import Nursery
+
+    with warnings.catch_warnings(), Nursery(resolve_map("town"), SimulationSettings()) as nursery:
+        warnings.simplefilter("ignore", RuntimeWarning)  # what is missing is said below
+        try:
+            there = nursery.layers()
+        except SandboxError as error:  # all else works without
+            return f"strangers' programs are not run here: {error}"
+    missing = [layer for layer in LAYERS if layer not in there]
+    return f"allow-list, {', '.join(there)}; missing: {', '.join(missing) or 'none'}"
+
+
+def _scene() -> str:
+    from chatscene import pipeline
+
+    with tempfile.TemporaryDirectory() as folder:
+        report = pipeline.run(
+            "A pedestrian suddenly crosses the road from the right.",
+            Path(folder) / "run",
+            settings=Settings(search=SearchSettings(scenes=1, keep=1)),
+        )
+    return report.in_words()

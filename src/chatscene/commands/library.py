@@ -1,0 +1,221 @@
+"""The command line, continued: the snippets that programs are joined from."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+
+import click
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
+
+
+class Reading(TypedDict):
+    """The options that say how sentences are read; the names are those of `chatscene.settings.RetrievalSettings`."""
+
+    library: str
+    embedder: str
+    language_model: str
+
+
+def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
+    """Options that say how sentences are read."""
+    own = click.option(
+        "--library", default="", metavar="DIR", help="Folder of your own snippets, beside the packaged ones."
+    )
+    embedder = click.option("--embedder", default="minilm", show_default=True, help="Measures wording.")
+    model = click.option(
+        "--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."
+    )
+    return own(embedder(model(command)))
+
+
+# What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).
+_AGAIN = "again, if the run names one: that its files say so is not enough."
+LIBRARY_AGAIN = click.option("--library", multiple=True, metavar="DIR", help=f"The folder of snippets {_AGAIN}")
+GENERATOR_AGAIN = click.option("--generator", multiple=True, help=f"The generator {_AGAIN}")
+SAMPLER_AGAIN = click.option("--sampler", multiple=True, help=f"The sampler {_AGAIN}")
+SIMULATOR_AGAIN = click.option("--simulator", multiple=True, help=f"The simulator {_AGAIN}")
+EMBEDDER_AGAIN = click.option("--embedder", multiple=True, help=f"The embedder {_AGAIN}")
+MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The language model {_AGAIN}")
+EGO_AGAIN = click.option(
+    "--ego", multiple=True, help="The ego again, if the run names one that may run code of its own; repeat for several."
+)
+OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
+
+
+def progress() -> Callable[[str, int, int], None]:
+    """A progress line with an estimate of the time left; silent where nobody watches."""
+    from chatscene.report.terminal import progress_line
+
+    return progress_line(sys.stderr)
+
+
+def console() -> Console:
+    """Where tables are printed."""
+    from rich.console import Console
+
+    return Console(highlight=False, emoji=False)
+
+
+def say(text: str, *, err: bool = False) -> None:
+    """Print a line; what could steer the terminal is shown as its code."""
+    from chatscene.report.terminal import visible
+
+    click.echo(visible(text), err=err)
+
+
+@click.group()
+def library() -> None:
+    """The snippets that programs are joined from."""
+
+
+@library.command("list")
+@click.option("--component", type=COMPONENT, default=None)
+@OWN
+@JSON
+def list_snippets(component: str | None, own: str, as_json: bool) -> None:
+    """List the snippets, a line each, and how many there are.
+
+    \b
+    chatscene library list --component spawn
+    """
+    from chatscene.library.load import library_with
+
+    snippets = [s for s in library_with(own) if component in (None, s.component.value)]
+    if as_json:
+        say(json.dumps([{"id": s.id, "description": s.description} for s in snippets], indent=1))
+        return
+    for snippet in snippets:
+        say(f"{snippet.id:<48} {snippet.description}")
+
+
+@library.command()
+@click.argument("snippet_id", metavar="ID")
+@OWN
+def show(snippet_id: str, own: str) -> None:
+    """Print one snippet: what it says, what it needs and gives, its code.
+
+    \b
+    chatscene library show behavior/cross-and-stop
+    """
+    from chatscene.library.load import library_with
+    from chatscene.report.terminal import print_snippet
+
+    print_snippet(console(), library_with(own).get(snippet_id))
+
+
+@library.command()
+@click.argument("text")
+@click.option("--component", type=COMPONENT, default="behavior", show_default=True)
+@click.option("--top", default=5, show_default=True)
+@OWN
+@JSON
+def search(text: str, component: str, top: int, own: str, as_json: bool) -> None:
+    """Find the snippets of one component nearest to TEXT.
+
+    \b
+    chatscene library search "slams on the brakes"
+    """
+    from chatscene.interpret.nearest import nearest
+    from chatscene.library.load import library_with
+    from chatscene.models.encoders.embedding import load_embedder
+    from chatscene.terms.scenario import Component
+
+    found = nearest(text, Component(component), library_with(own), load_embedder(), count=top)
+    if as_json:
+        say(json.dumps([{"id": s.id, "similarity": similarity} for s, similarity in found]))
+        return
+    for snippet, similarity in found:
+        say(f"{similarity:5.2f}  {snippet.id:<44} {snippet.description}")
+
+
+@library.command()
+@OWN
+@click.option("--scenes", default=10, show_default=True, help="Of each program.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@JSON
+def lint(own: str, scenes: int, jobs: int, as_json: bool) -> None:
+    """Check every snippet: header against code, compiles, samples, runs, does what it says, differs from the others.
+
+    With --library, your own snippets are checked, with partners from both libraries.
+
+    \b
+    chatscene library lint --jobs 2
+    chatscene library lint --library my-snippets
+    """
+    from chatscene.grow.curation import lint_library
+
+    checked, findings = lint_library(own, scenes=scenes, jobs=jobs, progress=progress())
+    if as_json:
+        say(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
+    else:
+        for finding in findings:
+            say(str(finding))
+        counts = ", ".join(f"{count} {component}" for component, count in checked.items())
+        say(f"{sum(checked.values())} snippets ({counts}), {len(findings)} findings")
+    if findings:
+        sys.exit(1)
+
+
+@library.command()
+@click.option("--sentences", default="held-out", show_default=True, help="A packaged set, or a file of JSON lines.")
+@click.option("--ablation", is_flag=True, help="Also what each part of the retrieval brings.")
+@click.option("--no-drive", is_flag=True, help="Do not run the programs.")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@READING
+def evaluate(
+    sentences: str, ablation: bool, no_drive: bool, out: Path | None, jobs: int, **reading: Unpack[Reading]
+) -> None:
+    """Measure how well sentences are understood, against facts that people wrote down for them.
+
+    \b
+    chatscene library evaluate --jobs 2
+    chatscene library evaluate --sentences mine.jsonl --library my-snippets --out runs/reading
+    """
+    from chatscene.report.tables import as_text, write_tables
+    from chatscene.settings import RetrievalSettings
+    from chatscene.studies import reading as understanding
+
+    settings = RetrievalSettings(**reading)
+    found = understanding.load_sentences(sentences)
+    judged = understanding.measure(found, settings=settings, drive=not no_drive, jobs=jobs, progress=progress())
+    tables = {"understanding": understanding.summary_table(judged), "facts": understanding.slot_table(judged)}
+    if ablation:
+        tables["ablation"] = understanding.ablation_table(found, settings)
+    for table in tables.values():
+        say(as_text(table))
+    for confusion, times in understanding.confusions(judged):
+        say(f"{times:4d}  {confusion}")
+    if out is not None:
+        write_tables(out, tables)
+        lines = (json.dumps(row, ensure_ascii=False) for row in understanding.as_rows(judged))
+        (out / "sentences.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
+        say(f"tables and every sentence: {out}")
+
+
+@library.command()
+@OWN
+@click.option("--count", default=4000, show_default=True, help="Sentences to compose.")
+@click.option("--epochs", default=4, show_default=True, help="How often each sentence is seen.")
+@click.option("--seed", default=0, show_default=True)
+def fit(own: str, count: int, epochs: int, seed: int) -> None:
+    """Train the classifier that reads sentences on the library as it is now.
+
+    Takes some two hours of one core, and the extra train.
+
+    \b
+    chatscene library fit
+    """
+    from chatscene.grow.curation import fit_classifier
+
+    path = fit_classifier(own, count=count, epochs=epochs, seed=seed, progress=progress())
+    say(f"trained: {path}")

@@ -1,0 +1,647 @@
+"""The command line: one verb per command, the same words as the Python functions.
+
+Exit status: 0 done, 1 error, 2 usage, 3 refused because nothing in the library fits.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import sys
+from collections.abc import Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Unpack
+
+import click
+
+from chatscene.commands.finetune import finetune
+from chatscene.commands.library import (
+    EGO_AGAIN,
+    EMBEDDER_AGAIN,
+    GENERATOR_AGAIN,
+    JSON,
+    LIBRARY_AGAIN,
+    MODEL_AGAIN,
+    READING,
+    SAMPLER_AGAIN,
+    SIMULATOR_AGAIN,
+    Reading,
+    console,
+    library,
+    progress,
+    say,
+)
+from chatscene.commands.proposal import COMMANDS, describe
+from chatscene.commands.reproduce import reproduce
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.settings import SimulationSettings
+
+if TYPE_CHECKING:
+    from chatscene.api import Run
+    from chatscene.studies.evaluation import Evaluated
+
+MAP = click.option(
+    "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
+)
+
+SAMPLER = click.option(
+    "--sampler",
+    default="paper",
+    show_default=True,
+    help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, quality-diversity, "
+    "or package.module:factory.",
+)
+
+SIMULATOR = click.option(
+    "--simulator",
+    default=SimulationSettings().simulator,
+    show_default=True,
+    help="What scenes run in: this, confined (behind the sandbox's walls), or package.module:factory.",
+)
+
+
+class _Errors(click.Group):
+    """Shows our own errors as one message and turns them into the exit status."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except (NothingFits, MeansSomethingElse) as error:
+            _complain(error)
+            ctx.exit(3)
+        except ChatSceneError as error:
+            _complain(error)
+            ctx.exit(1)
+        except KeyboardInterrupt:
+            say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
+            ctx.exit(130)
+
+
+def _complain(error: ChatSceneError) -> None:
+    say(f"{type(error).__name__}: {error}", err=True)
+
+
+@click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(package_name="chatscene")
+def main() -> None:
+    """Turn a sentence about a dangerous traffic situation into scenes worth testing on.
+
+    \b
+    chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
+    chatscene explain "the car ahead brakes hard"
+    chatscene replay runs/cyclist SCENE_ID
+    """
+
+
+@main.command()
+@click.argument("text", required=False)
+@click.option(
+    "--program",
+    type=click.Path(path_type=Path, exists=True),
+    default=None,
+    help="Your own .scenic program, or a folder of them, in place of TEXT.",
+)
+@MAP
+@click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
+@click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
+@click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
+@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@SAMPLER
+@SIMULATOR
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=None,
+    help="Run folder; default: a new one under runs/.",
+)
+@click.option(
+    "--jobs",
+    default=None,
+    type=click.IntRange(min=1),
+    help="Processes; default: as many as pay.",
+)
+@READING
+@JSON
+def run(
+    text: str | None,
+    program: Path | None,
+    map_name: str,
+    ego: str,
+    scenes: int,
+    routes: int,
+    seed: int,
+    avoidable: bool,
+    sampler: str,
+    simulator: str,
+    out: Path | None,
+    jobs: int | None,
+    as_json: bool,
+    **reading: Unpack[Reading],
+) -> None:
+    """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
+
+    \b
+    chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
+    chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
+    chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
+    chatscene run --program mine.scenic --routes 4
+    """
+    from chatscene import api, pipeline
+
+    if (text is None) == (program is None):
+        raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    for name, one in _programs(program).items() if program else [(text or "", None)]:
+        folder = (out / name if program and program.is_dir() else out) if out else None
+        with _refusing(text or "", reading["embedder"], as_json):
+            done = api.run(
+                text or "",
+                folder or pipeline.free_folder(Path("runs"), name),
+                program=one,
+                map=map_name,
+                ego=ego,
+                scenes=scenes,
+                routes=routes,
+                seed=seed,
+                avoidable=avoidable,
+                sampler=sampler,
+                simulator=simulator,
+                jobs=jobs or _jobs(scenes, routes),
+                progress=progress(),
+                **reading,
+            )
+        _say_done(done, as_json)
+
+
+@main.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
+@EGO_AGAIN
+@GENERATOR_AGAIN
+@SAMPLER_AGAIN
+@SIMULATOR_AGAIN
+@LIBRARY_AGAIN
+@EMBEDDER_AGAIN
+@MODEL_AGAIN
+@JSON
+def resume(
+    folder: Path,
+    jobs: int | None,
+    ego: tuple[str, ...],
+    generator: tuple[str, ...],
+    sampler: tuple[str, ...],
+    simulator: tuple[str, ...],
+    library: tuple[str, ...],
+    embedder: tuple[str, ...],
+    language_model: tuple[str, ...],
+    as_json: bool,
+) -> None:
+    """Continue the run or evaluation in DIR after it was killed or failed; the result is that of an uninterrupted one.
+
+    Trainings and benchmarks are continued by giving their own command again.
+
+    \b
+    chatscene resume runs/cyclist
+    chatscene resume runs/my-stack --ego mypackage.stack:make_ego
+    """
+    from chatscene import api, runs
+
+    record = runs.read_record(runs.Workspace(folder))
+    text = "" if record.generator == "program" else record.text
+    with _refusing(text, record.settings["retrieval"]["embedder"], as_json):
+        done = api.resume(
+            folder,
+            jobs=jobs or 1,
+            ego=ego,
+            generator=generator,
+            sampler=sampler,
+            simulator=simulator,
+            library=library,
+            embedder=embedder,
+            language_model=language_model,
+            progress=progress(),
+        )
+    if isinstance(done, api.Run):
+        _say_done(done, as_json)
+    else:
+        _say_evaluated(done, as_json)
+
+
+@main.command()
+@click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "--ego", "egos", multiple=True, help="By name, file or package.module:factory; repeat.  [default: sac, ppo, td3]"
+)
+@click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
+@click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@GENERATOR_AGAIN
+@LIBRARY_AGAIN
+@JSON
+def evaluate(
+    scenes: tuple[Path, ...],
+    egos: tuple[str, ...],
+    every_scene: bool,
+    simulator: str,
+    out: Path | None,
+    jobs: int,
+    generator: tuple[str, ...],
+    library: tuple[str, ...],
+    as_json: bool,
+) -> None:
+    """Measure egos on the kept scenes of the runs in DIR..., and print the paper's tables with intervals.
+
+    \b
+    chatscene evaluate runs/cyclist --ego sac --ego idm
+    chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
+    """
+    from chatscene import api, pipeline
+
+    evaluated = api.evaluate(
+        scenes,
+        out or pipeline.free_folder(Path("runs"), "evaluation"),
+        ego=egos,
+        all=every_scene,
+        simulator=simulator or None,
+        jobs=jobs,
+        generator=generator,
+        library=library,
+        progress=progress(),
+    )
+    _say_evaluated(evaluated, as_json)
+
+
+@main.command()
+@click.option("--generator", default="chatscene", show_default=True, help="Who makes the scenes.")
+@click.option(
+    "--budget",
+    default="small",
+    show_default=True,
+    help="'paper': 20,000 simulations; 'small': minutes; 'reference': as the reference lets each generator try.",
+)
+@click.option("--ego", "egos", multiple=True, help="Who is measured; repeat.  [default: sac, ppo, td3]")
+@click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
+@MAP
+@click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@SAMPLER
+@SIMULATOR
+@click.option("--seed", default=0, show_default=True)
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@JSON
+def benchmark(
+    generator: str,
+    budget: str,
+    egos: tuple[str, ...],
+    surrogate: str,
+    map_name: str,
+    avoidable: bool,
+    sampler: str,
+    simulator: str,
+    seed: int,
+    out: Path,
+    jobs: int,
+    as_json: bool,
+) -> None:
+    """Search all eight base scenarios and measure egos on the scenes that are kept; the paper's main experiment.
+
+    \b
+    chatscene benchmark --budget small --out runs/benchmark
+    chatscene benchmark --budget paper --jobs 2 --out runs/paper
+    chatscene benchmark --generator advsim --budget paper --jobs 2 --out runs/advsim
+    """
+    from chatscene.studies import benchmark as benchmarks
+    from chatscene.studies import evaluation
+
+    outcome = benchmarks.benchmark(
+        out,
+        generator=generator,
+        budget=budget,
+        egos=egos or evaluation.EGOS,
+        surrogate=surrogate,
+        map_name=map_name,
+        avoidable_only=avoidable,
+        sampler=sampler,
+        simulator=simulator,
+        seed=seed,
+        jobs=jobs,
+        progress=progress(),
+    )
+    for text, reason in outcome.refused.items():
+        say(f"refused: {text!r}: {reason}", err=True)
+    _say_evaluated(outcome.evaluated, as_json)
+
+
+@main.command()
+@click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
+@MAP
+@SIMULATOR
+@click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
+@click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+def drive(
+    egos: tuple[str, ...], map_name: str, simulator: str, scenes: int, seed: int, out: Path | None, jobs: int
+) -> None:
+    """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
+
+    \b
+    chatscene drive --ego sac --ego idm
+    chatscene drive --ego my-policy.zip --out runs/my-policy
+    """
+    from chatscene.report.tables import as_text
+    from chatscene.studies import driving
+
+    table = driving.drive(
+        egos,
+        folder=out,
+        map_name=map_name,
+        simulation=SimulationSettings(simulator=simulator),
+        scenes=scenes,
+        seed=seed,
+        jobs=jobs,
+        progress=progress(),
+    )
+    say(as_text(table))
+
+
+@main.command()
+@click.option("--algorithm", default="sac", show_default=True, help="sac, ppo or td3.")
+@click.option("--observation", default="safebench", show_default=True, help="What the ego sees: safebench or actors.")
+@click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
+@click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")
+@click.option("--steps", default=60_000, show_default=True, help="Environment steps of 0.1 s.")
+@click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
+@click.option("--seed", default=0, show_default=True)
+@MAP
+@SIMULATOR
+@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
+def train(
+    algorithm: str,
+    observation: str,
+    reward: str,
+    pedals: str,
+    steps: int,
+    round_: int,
+    seed: int,
+    map_name: str,
+    simulator: str,
+    out: Path,
+) -> None:
+    """Train an ego on the ordinary drives of a map. Needs the extra 'train'.
+
+    \b
+    chatscene train --algorithm sac --out egos/sac
+    chatscene evaluate runs/cyclist --ego egos/sac/policy.npz
+    """
+    from chatscene import api
+
+    trained = api.train(
+        out,
+        algorithm=algorithm,
+        observation=observation,
+        reward=reward,
+        pedals=pedals,
+        steps=steps,
+        round=round_,
+        seed=seed,
+        map=map_name,
+        simulator=simulator,
+        progress=progress(),
+    )
+    say(" steps  completion  collisions  mean speed")
+    for row in trained.curve:
+        say(
+            f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
+            + ("  kept" if row == trained.best else "")
+        )
+    say(f"the best is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
+
+
+@main.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.argument("scene_id")
+@EGO_AGAIN
+@GENERATOR_AGAIN
+@SIMULATOR_AGAIN
+@LIBRARY_AGAIN
+@JSON
+def replay(
+    folder: Path,
+    scene_id: str,
+    ego: tuple[str, ...],
+    generator: tuple[str, ...],
+    simulator: tuple[str, ...],
+    library: tuple[str, ...],
+    as_json: bool,
+) -> None:
+    """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+
+    \b
+    chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
+    """
+    from chatscene import api
+
+    outcome = api.replay(folder, scene_id, ego=ego, generator=generator, simulator=simulator, library=library)
+    if as_json:
+        say(json.dumps(outcome.as_dict()))
+    else:
+        say(outcome.in_words())
+    if not outcome.identical:
+        sys.exit(1)
+
+
+@main.command()
+@click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@JSON
+def check(folders: tuple[Path, ...], as_json: bool) -> None:
+    """Say which files of the runs or evaluations in DIR... are damaged or missing, and which were added since.
+
+    Every file of a finished folder is compared with the digest that run.json keeps of it, and run.json with its own.
+    Exit status 0: all that was written is there and unchanged; 1: it is not, or nobody can tell.
+
+    \b
+    chatscene check runs/cyclist
+    chatscene check runs/* --json
+    """
+    from chatscene import runs
+
+    found = [runs.check(folder) for folder in folders]
+    if as_json:
+        say(json.dumps([condition.as_dict() for condition in found], indent=1))
+    else:
+        for condition in found:
+            say(condition.in_words())
+    if not all(condition.whole for condition in found):
+        sys.exit(1)
+
+
+@main.command()
+@click.argument("text")
+@click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
+@READING
+@JSON
+def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Reading]) -> None:
+    """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
+
+    \b
+    chatscene explain "a motorbike cuts us off from the right"
+    chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
+    """
+    from chatscene import api
+
+    with _refusing(text, reading["embedder"], as_json):
+        understood = api.explain(text, **reading)
+    if as_json:
+        say(json.dumps(understood.as_dict(), indent=1))
+        return
+    from chatscene.report.terminal import print_understanding
+
+    print_understanding(console(), understood, show_program=show_program)
+
+
+for command in COMMANDS:
+    library.add_command(command)
+main.add_command(library)
+main.add_command(describe)
+main.add_command(finetune)
+main.add_command(reproduce)
+
+
+@main.group("map")
+def map_group() -> None:
+    """The maps that scenes run on."""
+
+
+@map_group.command("info")
+@click.argument("map_name", metavar="MAP", default="town")
+@JSON
+def show_map(map_name: str, as_json: bool) -> None:
+    """Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
+
+    \b
+    chatscene map info
+    chatscene map info Town04.xodr
+    """
+    from dataclasses import asdict
+
+    from chatscene.maps.network import resolve_map
+    from chatscene.maps.survey import describe_map
+    from chatscene.report.terminal import print_map
+
+    description = describe_map(resolve_map(map_name))
+    if as_json:
+        say(json.dumps(asdict(description), indent=1))
+    else:
+        print_map(console(), description)
+
+
+@map_group.command("check")
+@click.argument("map_name", metavar="MAP")
+def check_map_file(map_name: str) -> None:
+    """Check that a map can be used, and name what is wrong with it.
+
+    \b
+    chatscene map check my-town.xodr
+    """
+    from chatscene.maps.network import resolve_map
+    from chatscene.maps.survey import check_map
+
+    problems = check_map(resolve_map(map_name))
+    for problem in problems:
+        say(problem)
+    if problems:
+        sys.exit(1)
+    say("no problems found")
+
+
+@main.command()
+@JSON
+def doctor(as_json: bool) -> None:
+    """Check this installation: versions, encoder, library, map, one simulated scene.
+
+    \b
+    chatscene doctor
+    """
+    from chatscene.commands.doctor import examine
+
+    checks = examine()
+    if as_json:
+        say(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
+    else:
+        for check in checks:
+            say(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
+    if not all(check.ok for check in checks):
+        sys.exit(1)
+
+
+def _programs(program: Path) -> dict[str, Path]:
+    """The files of a program or of a folder of them, by a name for the run's folder; all are read before any is run."""
+    from chatscene.search.generators.foreign import read_foreign
+
+    return {own.path.stem: own.path for own in read_foreign(program)}
+
+
+@contextmanager
+def _refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
+    """Says why a sentence was refused and which one works, and ends with status 3; `text` is empty for a program."""
+    try:
+        yield
+    except (NothingFits, MeansSomethingElse) as error:
+        from chatscene.interpret.suggest import suggestion
+        from chatscene.models.encoders.embedding import load_embedder
+
+        try_this = suggestion(text, load_embedder(embedder)) if text else None
+        if as_json:
+            say(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
+        else:
+            _complain(error)
+            for name, does in error.nearest.items() if isinstance(error, NothingFits) else ():
+                say(f"  nearest: {name}: {does}", err=True)
+            if try_this:
+                say(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
+        sys.exit(3)
+
+
+def _refusal(error: NothingFits | MeansSomethingElse) -> dict[str, Any]:
+    """A refusal for a script."""
+    fits = isinstance(error, NothingFits)
+    return {
+        "refused": type(error).__name__,
+        "message": str(error),
+        "reasons": list(error.reasons) if fits else [str(error)],
+        "confidence": error.confidence if fits else None,
+        "candidates": error.nearest if fits else {},
+    }
+
+
+def _jobs(scenes: int, routes: int) -> int:
+    """As many processes as pay: starting one costs about as much as 250 scenes."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(cores, routes, scenes * routes // 250))
+
+
+def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
+    from chatscene.report.tables import as_text
+
+    if as_json:
+        say(json.dumps({"folder": str(evaluated.folder), "seconds": evaluated.seconds, "failures": evaluated.failures}))
+    else:
+        for name in ("generation", "collision-rate-by-ego", "avoidability", "fault"):
+            say(as_text(evaluated.tables[name]))
+            say("")
+        say(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+    for reason in evaluated.failures.values():
+        say(f"EgoError: {reason}; the other egos' results stand", err=True)
+    if evaluated.failures:
+        sys.exit(1)
+
+
+def _say_done(run: Run, as_json: bool) -> None:
+    if as_json:
+        say(json.dumps({"folder": str(run.folder), "seconds": run.summary.seconds, **run.summary.counts}))
+    else:
+        say(str(run))

@@ -1,0 +1,138 @@
+"""The library as something that grows: checked as a whole, and the reader trained on it again."""
+
+from __future__ import annotations
+
+import hashlib
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+from chatscene.ego.policy import load_ego
+from chatscene.grow.compose_texts import Labelled, compose, wordings
+from chatscene.grow.directions import Joint, joints
+from chatscene.grow.fit import fit, heads_of, joined
+from chatscene.grow.lint import Finding, alike, sifted, sound_part, trials, try_joint, try_triple, unpartnered
+from chatscene.library.load import library_with, load_library
+from chatscene.maps.network import resolve_map
+from chatscene.pipeline import Progress
+from chatscene.read.slot_classifier import NAME, PACKAGED, TRUSTED, save_classifier
+from chatscene.runs.parallel import spread
+from chatscene.search.generator import simulator_of
+from chatscene.search.generators.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings, Settings
+from chatscene.studies.reading import Sentence, load_sentences
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.scenario import Component
+
+FITTING = "fitting"  # the packaged sentences that the reader may learn from
+KEPT_BACK = 8  # … but for those of one behavior in so many, on which the patterns are weighed against it
+MEMBERS = 2  # of the classifier
+OFTENER = 2  # times a sentence written by hand is seen for one composed
+_Trial = tuple[tuple[str, str, str], AdversaryKind] | Joint | None  # None: who is alike
+
+
+@dataclass(frozen=True, slots=True)
+class _Setup:
+    own: str
+    scenes: int
+    only: frozenset[str] | None
+
+
+class _Checker:
+    """Tries one program after another."""
+
+    def __init__(self, setup: _Setup) -> None:
+        self._setup = setup
+        self._library, _ = sound_part(library_with(setup.own), setup.only)
+        settings = Settings(retrieval=RetrievalSettings(library=setup.own))
+        self._simulator = simulator_of(Retrieved(), resolve_map("town"), settings)
+        self._ego = load_ego("rule-based")
+
+    def __call__(self, trial: _Trial) -> set[Finding]:
+        if trial is None:
+            return alike(self._library, self._simulator, self._ego, self._setup.only)
+        if isinstance(trial, Joint):
+            return set(try_joint(trial, self._library, self._simulator, self._ego))
+        (b, g, s), kind = trial
+        triple = (self._library.get(b), self._library.get(g), self._library.get(s))
+        return set(try_triple(triple, kind, self._simulator, self._ego, self._setup.scenes))
+
+
+def lint_library(
+    own: str = "", *, scenes: int, jobs: int = 1, progress: Progress
+) -> tuple[Counter[Component], tuple[Finding, ...]]:
+    """Check the packaged library, or somebody's own beside it.
+
+    Args:
+        own: Folder of one's own snippets; only these are checked then, as a stranger's: they are held against the
+            allow-list and run behind the walls. Empty: the packaged ones are checked.
+        scenes: Of each program.
+        jobs: Processes; any number gives the same findings.
+        progress: Told what is done.
+
+    Returns:
+        How many snippets of each component were checked, and the findings, sorted.
+    """
+    library = library_with(own)
+    only = frozenset(s.id for s in load_library(Path(own))) if own else None
+    sound, found = sound_part(library, only)
+    tasks: list[_Trial] = [None]
+    tried: set[str] = set()
+    for triple, kind in trials(sound, only):
+        ids = (triple[0].id, triple[1].id, triple[2].id)
+        tried |= set(ids)
+        tasks.append((ids, kind))
+    tasks += joints(sound, only)
+    for done, findings in enumerate(spread(_Checker, _Setup(own, scenes, only), tasks, jobs=jobs), 1):
+        found |= findings
+        progress("programs", done, len(tasks))
+    if only is not None:
+        tried |= {snippet.id for snippet in sound if snippet.id not in only}
+    checked = Counter(s.component for s in library if only is None or s.id in only)
+    return checked, sifted(found | unpartnered(sound, tried), only)
+
+
+def fit_classifier(own: str, *, count: int, epochs: int, seed: int, progress: Progress) -> Path:
+    """Train the classifier on a library as it is now.
+
+    Args:
+        own: Folder of one's own snippets beside the packaged ones, into which it goes; empty for none.
+        count: How many sentences to compose.
+        epochs: How often each sentence is seen.
+        seed: Of their composition and of the training.
+        progress: Told what is done.
+
+    Raises:
+        MissingExtra: torch or onnx is missing.
+    """
+    library = library_with(own)
+    by_hand = load_sentences(FITTING)
+    learned = [_labelled(s) for s in by_hand if not kept_back(s)]
+    classes = heads_of(library)
+    members = [
+        fit(
+            [*wordings(library), *compose(library, count, seed + i), *learned * OFTENER],
+            classes,
+            epochs=epochs,
+            seed=seed + i,
+            told=progress,
+        )
+        for i in range(MEMBERS)
+    ]
+    classifier = joined(members, classes, [_labelled(s) for s in by_hand if kept_back(s)])
+    path = Path(own) / NAME if own else PACKAGED
+    save_classifier(classifier, path)
+    return path
+
+
+def kept_back(sentence: Sentence) -> bool:
+    """Whether the classifier does not learn from a sentence: one behavior in `KEPT_BACK` is new to it."""
+    name = sentence.behavior
+    return name is not None and hashlib.blake2b(name.encode()).digest()[0] % KEPT_BACK == 0
+
+
+def _labelled(sentence: Sentence) -> Labelled:
+    if not sentence.in_scope:
+        return Labelled(sentence.text, sentence.slots, open=frozenset(TRUSTED), in_scope=False)
+    # Its behavior is left open: there are such sentences for two behaviors in three, and the others would lose.
+    return Labelled(sentence.text, sentence.slots)

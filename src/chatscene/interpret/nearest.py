@@ -1,0 +1,68 @@
+"""Snippets by the nearness of their wordings to a text, as vectors and as words: what the paper retrieves with.
+
+Paper: section 3.3, step iii. `chatscene library search` shows it; retrieval goes by it only for behaviors that the
+classifier was not trained on, such as a user's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from chatscene.interpret.vector_index import VectorIndex, build_cached
+from chatscene.interpret.wording_index import WordingIndex, best_of_each
+from chatscene.library.load import Library
+from chatscene.models.encoders.embedding import Embedder, encode_cached
+from chatscene.terms.scenario import Component
+from chatscene.terms.snippet import Snippet
+
+WORDS = 0.5  # share of shared words beside the cosine
+UNLIKE = 0.4  # cosine of a wording that has nothing to do with a text
+
+
+def nearest(
+    text: str, component: Component, library: Library, embedder: Embedder, *, count: int, lexical_weight: float = WORDS
+) -> list[tuple[Snippet, float]]:
+    """The snippets of one component most similar to a text, best first, with their similarities.
+
+    Args:
+        text: Compared as a vector with the description of a snippet, as words with its nearest wording.
+        component: Which snippets.
+        library: From which library.
+        embedder: Of the cosines.
+        count: How many.
+        lexical_weight: Share of shared words in the similarity, in [0, 1].
+    """
+    snippets = library.of(component)
+    (query,) = embedder.encode([text])
+    similarity = _descriptions(snippets, embedder).cosines(query[None]).astype(float)
+    if lexical_weight:
+        similarity = (1 - lexical_weight) * similarity + lexical_weight * _words(snippets).search(text)[0]
+    best = np.argsort(-similarity, kind="stable")[:count]
+    return [(snippets[i], float(similarity[i])) for i in best]
+
+
+def likely_by_wording(text: str, snippets: Sequence[Snippet], embedder: Embedder) -> dict[str, float]:
+    """How likely snippets are to be meant, each by the cosine of its nearest wording, in [0, 1]."""
+    if not snippets:
+        return {}
+    owners = np.array([i for i, s in enumerate(snippets) for _ in (s.description, *s.rephrasings)])
+    rows = encode_cached(embedder, [wording for s in snippets for wording in (s.description, *s.rephrasings)])
+    cosines, _ = best_of_each(rows @ embedder.encode([text])[0], owners)
+    likely = np.clip((cosines.astype(float) - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
+    return {s.id: p for s, p in zip(snippets, likely.tolist(), strict=True)}
+
+
+@lru_cache(maxsize=16)
+def _descriptions(snippets: tuple[Snippet, ...], embedder: Embedder) -> VectorIndex:
+    return build_cached(encode_cached(embedder, [s.description for s in snippets]))
+
+
+@lru_cache(maxsize=16)
+def _words(snippets: tuple[Snippet, ...]) -> WordingIndex:
+    texts = [(s.description, *s.rephrasings) for s in snippets]
+    return WordingIndex(
+        tuple(text for each in texts for text in each), tuple(i for i, each in enumerate(texts) for _ in each)
+    )

@@ -1,0 +1,586 @@
+"""Step 3 of 9: sub-descriptions and slots to the best compatible triple of snippets, with the reasons.
+
+Paper: section 3.3, step iii. The reference takes the nearest snippet per component, each on its own; here the three
+are chosen together, so that what cannot be joined cannot be chosen, and typed facts weigh beside wording, because
+an embedding hardly tells left from right (decisions 0006 and 0017).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.errors import NothingFits
+from chatscene.interpret.wording_index import WordingIndex
+from chatscene.library.bind import distances, out_of_reach, settable
+from chatscene.library.compatibility import compatibility, incompatibility
+from chatscene.library.load import Library
+from chatscene.models.encoders.embedding import Embedder
+from chatscene.read.base import concluded
+from chatscene.read.wording import parts_of
+from chatscene.settings import RetrievalSettings
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import BRINGS, Action, reordered
+from chatscene.terms.frame import About, Beliefs, Frame, Note
+from chatscene.terms.scenario import (
+    REFUSED,
+    Component,
+    Distance,
+    Place,
+    Position,
+    Scenario,
+    Side,
+    Slots,
+    SubDescriptions,
+    Why,
+    grouped,
+    includes,
+)
+from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
+
+OF_COMPONENT: dict[Component, tuple[str, ...]] = {
+    Component.BEHAVIOR: ("actions", "position", "control"),
+    Component.GEOMETRY: ("maneuver", "place", "control", "lanes", "two_way"),
+    Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker", "distance", "group"),
+}
+PLACED = {name for component in (Component.GEOMETRY, Component.SPAWN) for name in OF_COMPONENT[component]}
+CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
+UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
+UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
+UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
+ADDED = ("occluder", "leader", "blocker", "control", "group", "distance", "lanes")
+CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
+# Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
+# classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
+CONFIDENCE = {
+    "base": -5.18, "scope": 0.52, "beyond": -1.38, "outright": 0.71, "wording": 2.90, "meant": 0.57,
+}  # fmt: skip
+ENOUGH = 4  # facts that words say outright; more make nothing surer
+FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
+UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
+OPEN = 0.02  # … and of a side or a distance: who leaves that open starts anywhere
+NARROWER = 0.85  # agreement of a place that is one kind of what was said, of a distance that can be told
+CROSSROADS = 0.97  # … and of a crossroads, which is what a junction mostly is
+AGREEMENT = 0.5  # weight of the actions that a behavior shares with what was read
+PARAMETER = 0.01  # what a parameter costs: of equals, the simpler one
+PLACE_WORDING = 0.1  # weight of wording for geometry and spawn: it decides among equals
+MEANT = 1.4  # weight of a behavior's log-likelihood beside the words that it shares, fitted by likelihood on sentences
+# of behaviors of which the classifier had seen none (decision 0017)
+FAINTEST = 1e-4  # least likelihood of a behavior
+
+SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
+HEARD = 0.25  # an action less likely than this was not heard
+
+IN_LANE = (Position.AHEAD, Position.BEHIND)
+NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
+
+Scores = NDArray[np.float64]
+
+
+def retrieve(
+    scenario: Scenario,
+    library: Library,
+    embedder: Embedder,
+    settings: RetrievalSettings | None = None,
+    tried: Sequence[Tried] = (),
+) -> Retrieval:
+    """Choose the compatible triple that serves a scenario best.
+
+    Args:
+        scenario: What was understood.
+        library: What can be chosen.
+        embedder: Who says how near the behavior's description is, which the confidence asks for.
+        settings: How many candidates are named, and the confidence below which nothing is chosen.
+        tried: Choices that did not show what was said; they are not made again.
+
+    Raises:
+        NothingFits: No triple serves it well enough; the message names the nearest.
+    """
+    settings = settings or RetrievalSettings()
+    frame = scenario.frame or Frame(outright=scenario.slots)
+    asked = _Asked(frame, scenario.slots, scenario.parts)
+    ranked = _ranked(asked, library)
+    triple = _best(ranked, library, scenario.slots.adversary, tried)
+    confidence = _confidence(scenario, frame, triple, library, embedder)
+    if confidence < settings.refuse_below:
+        reasons = _reasons(scenario, frame, triple)
+        raise NothingFits(
+            f"nothing in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
+            reasons=reasons,
+            confidence=confidence,
+            nearest={match.snippet.id: match.snippet.description for match in triple},
+        )
+    return Retrieval(
+        behavior=triple[0],
+        geometry=triple[1],
+        spawn=triple[2],
+        adversary=_adversary(scenario, triple),
+        confidence=confidence,
+        candidates={component: ranking.best(settings.candidates) for component, ranking in ranked.items()},
+        ruled_out=_ruled_out(ranked, triple, scenario.slots.adversary, tried),
+        tried=tuple(tried),
+    )
+
+
+def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
+    """What was read, made whole with the library in mind: facts that only together are likely are read together.
+
+    A fact that the best triple contradicts is taken to be what the triple does, if words say that outright or if it may
+    as well be. What follows from the facts is added before and after.
+
+    Args:
+        frame: What the text says.
+        slots: What was read, fact by fact.
+        library: What can be chosen.
+    """
+    slots = concluded(slots)
+    found = _likeliest(frame, slots, library)
+    if found is None:
+        return concluded(slots)
+    kind, triple = found
+    slots, beliefs, outright = replace(slots, adversary=kind), frame.beliefs, frame.outright
+    for component, snippet in zip(Component, triple, strict=True):
+        for name in OF_COMPONENT[component]:
+            said, value = getattr(slots, name), getattr(snippet.slots, name)
+            if name == "actions" and frame.plain:
+                continue
+            if name == "actions":
+                known = beliefs.behaviors.get(snippet.id, 1.0)  # the classifier has not heard of a user's own
+                heard = bool(outright.actions) and set(outright.actions) <= set(value)
+                sure = tuple(a for a in said if a in outright.actions or beliefs.heard(a) >= HEARD)
+                slots = replace(slots, actions=value if known >= POSSIBLE or heard else sure)
+            elif name == "side" and value is None and outright.side is None:
+                slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
+            elif said is not None and _agreement(said, _does(snippet, name)) == 0.0:
+                unsure = beliefs.of(name, said) < SURE
+                read = getattr(outright, name) == value  # then words and library are two against one
+                if read or (unsure and beliefs.of(name, value) >= POSSIBLE):
+                    slots = replace(slots, **{name: value})
+    return concluded(slots)
+
+
+def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryKind | None, tuple[Snippet, ...]] | None:
+    """The likeliest triple, for every kind of adversary that it may be, with that kind; None if nobody can act any."""
+    joint = compatibility(library)
+    # What is done is part of the doubt, unless words say it.
+    heard = slots if frame.plain else replace(slots, actions=())
+    ranked = _ranked(_Asked(frame, heard, parts_of(frame, frame.outright)), library)
+    scores = [ranked[component].score for component in Component]
+    who = slots.adversary
+    kinds = [kind for kind in AdversaryKind if kind is who or frame.beliefs.of("adversary", kind) >= POSSIBLE]
+    best, found = -math.inf, None
+    for kind in kinds if who else [None]:
+        at = _highest(joint.mask, scores, joint.able(kind))
+        if at is not None:
+            chosen = [(ranked[component], i) for component, i in zip(Component, at, strict=True)]
+            doubt = math.log(frame.beliefs.of("adversary", kind) + UNLIKELY)
+            score = doubt + sum(float(ranking.score[i]) for ranking, i in chosen)
+            if score > best:
+                best, found = score, (kind, tuple(ranking.snippets[i] for ranking, i in chosen))
+    return found
+
+
+def _best(
+    ranked: dict[Component, _Ranking], library: Library, kind: AdversaryKind | None, tried: Sequence[Tried]
+) -> tuple[Match, ...]:
+    """The compatible triple that scores highest of those that were not tried.
+
+    It contradicts nothing that was read, if there is such a one: any other would be refused.
+
+    Raises:
+        NothingFits: There is none at all.
+    """
+    joint = compatibility(library)
+    allowed = joint.able(kind)
+    mask = joint.mask
+    for one in tried:
+        mask = mask & ~joint.with_all(one.snippet_ids)
+    scores = [ranked[component].score for component in Component]
+    free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
+    found = _highest(mask, scores, free) or _highest(mask, scores, allowed)
+    if found is None:
+        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
+    return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
+
+
+def _highest(
+    mask: NDArray[np.bool_], scores: Sequence[Scores], allowed: Sequence[NDArray[np.bool_]]
+) -> tuple[int, int, int] | None:
+    """The triple of a (B, G, S) mask, of allowed parts only, with the highest sum of scores; None if there is none.
+
+    Behaviors are looked at from the best down, until the best partners of all could not lift the next one any more.
+    """
+    places = np.where(allowed[1][:, None] & allowed[2], scores[1][:, None] + scores[2], -np.inf)
+    ceiling = float(places.max(initial=-np.inf))
+    best, found = -np.inf, None
+    for b in np.argsort(-scores[0], kind="stable").tolist():
+        if scores[0][b] + ceiling <= best:
+            break
+        if allowed[0][b]:
+            joined = np.where(mask[b], places, -np.inf)
+            at = int(np.argmax(joined))
+            if scores[0][b] + joined.flat[at] > best:
+                best = float(scores[0][b] + joined.flat[at])
+                found = b, *divmod(at, joined.shape[1])
+    return found
+
+
+# One component
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """What snippets are ranked by: what a text says, the facts as far as they are decided, a text per component."""
+
+    frame: Frame
+    slots: Slots
+    parts: SubDescriptions
+
+
+@dataclass(frozen=True, slots=True)
+class _Ranking:
+    """Every snippet of a component against what is asked for; a row each."""
+
+    asked: _Asked
+    component: Component
+    snippets: tuple[Snippet, ...]
+    similarity: Scores
+    texts: list[str]
+    agreement: Scores
+    conflicts: Scores
+    score: Scores
+
+    def match(self, i: int) -> Match:
+        snippet = self.snippets[i]
+        return Match(
+            snippet=snippet,
+            similarity=float(self.similarity[i]),
+            agreement=float(self.agreement[i]),
+            score=float(self.score[i]),
+            nearest=self.texts[i],
+            conflicts=tuple(_conflicts(self.asked, snippet, self.component)),
+        )
+
+    def best(self, count: int) -> tuple[Match, ...]:
+        return tuple(self.match(int(i)) for i in np.argsort(-self.score, kind="stable")[:count])
+
+
+def _ranked(asked: _Asked, library: Library) -> dict[Component, _Ranking]:
+    return {component: _rank(asked, shelf) for component, shelf in _shelves(library).items()}
+
+
+def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
+    frame, slots = asked.frame, asked.slots
+    similarity, texts = shelf.words.search(asked.parts[shelf.component])
+    agreement, conflicts = shelf.facts(slots, frame.beliefs)
+    if shelf.component is Component.BEHAVIOR:
+        p = shelf.said(frame.beliefs, slots.actions) if frame.plain else shelf.meant(frame.beliefs)
+        if frame.plain:
+            conflicts = conflicts + [reordered(s.slots.actions, slots.actions) for s in shelf.snippets]
+        score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
+    else:
+        score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
+        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs))
+    if frame.quantities:
+        score = score - CONFLICT * np.array([out_of_reach(s, frame.quantities) for s in shelf.snippets])
+    return _Ranking(asked, shelf.component, shelf.snippets, similarity, texts, agreement, conflicts, score)
+
+
+class _Shelf:
+    """The snippets of one component, ready to be searched: words, and facts as codes."""
+
+    def __init__(self, component: Component, snippets: tuple[Snippet, ...]) -> None:
+        self.component = component
+        self.snippets = snippets
+        # Geometry and spawn are facts put into the fixed words of descriptions.
+        said = [s.rephrasings if component is Component.BEHAVIOR else () for s in snippets]
+        texts = [(s.description, *more) for s, more in zip(snippets, said, strict=True)]
+        self.words = WordingIndex(
+            tuple(text for each in texts for text in each), tuple(i for i, each in enumerate(texts) for _ in each)
+        )
+        self.parameters = np.array([len(snippet.parameters) for snippet in snippets], float)
+        self.actions = np.array([[action in s.slots.actions for action in Action] for s in snippets], float)
+        does = [frozenset(s.slots.actions) for s in snippets]
+        hasty = {action for action in Action if action.row.hasty}
+        # (N, N) whether the second does what the first does, and that in haste.
+        self.hastier = np.array([[bool(b > a) and b - a <= hasty for b in does] for a in does], bool)
+        names = {slot for slots in OF_COMPONENT.values() for slot in slots} - {"actions"}
+        self.values: dict[str, list[Any]] = {}
+        self.codes: dict[str, NDArray[np.intp]] = {}
+        for name in sorted(names):
+            values = list(dict.fromkeys(_does(s, name) for s in snippets))
+            self.values[name] = values
+            self.codes[name] = np.array([values.index(_does(s, name)) for s in snippets])
+
+    def meant(self, beliefs: Beliefs) -> Scores:
+        """(N,) how likely each behavior is to be meant.
+
+        Where the likeliest does the same in haste, and no haste was heard, its likelihood is the calmer's too: who
+        "steps out and freezes" is not said to sprint.
+        """
+        p = self._told(beliefs)
+        heard = self.actions @ np.array([beliefs.heard(action) >= HEARD for action in Action])
+        best = int(np.argmax(p))
+        return p + p[best] * (self.hastier[:, best] & (heard == heard[best]))
+
+    def said(self, beliefs: Beliefs, actions: tuple[Action, ...]) -> Scores:
+        """(N,) how likely each behavior is to be meant where words say all that is done.
+
+        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for.
+        """
+        more = [_more(s, actions) for s in self.snippets]
+        p = self._told(beliefs)
+        lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
+        return np.array(
+            [
+                one if extra is None else one * UNASKED ** len(extra) if extra else one + lent
+                for one, extra in zip(p.tolist(), more, strict=True)
+            ]
+        )
+
+    def _told(self, beliefs: Beliefs) -> Scores:
+        return np.array([beliefs.meant(s.id) for s in self.snippets])
+
+    def likelihood(self, maybe: Alternatives) -> Scores:
+        """(N,) log-likelihood that the facts of each snippet are what was said."""
+        total = np.zeros(len(self.snippets))
+        for name in OF_COMPONENT[self.component]:
+            table = [
+                sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value))
+                    for wanted, p in maybe[name])
+                for value in self.values[name]
+            ]  # fmt: skip
+            total += np.log(np.array(table) + UNLIKELY)[self.codes[name]]
+        return total
+
+    def facts(self, said: Slots, beliefs: Beliefs) -> tuple[Scores, Scores]:
+        """(N,) mean agreement with what was said, and facts contradicted by what was said or heard."""
+        parts: list[Scores] = []
+        conflicts = np.zeros(len(self.snippets))
+        for name in OF_COMPONENT[self.component]:
+            if name == "actions":
+                against = self._opposes(said.actions, beliefs)
+                if said.actions:
+                    share = self._acted(said.actions)
+                    parts.append(share)
+                    against |= (share == 0.0) & self.actions.any(axis=1)
+                conflicts += against
+                continue
+            wanted, codes = getattr(said, name), self.codes[name]
+            if wanted is None:
+                continue
+            table = np.array([_agreement(wanted, value) for value in self.values[name]])
+            conflicts += (table == 0.0)[codes]
+            if self.component is not Component.BEHAVIOR:
+                parts.append(table[codes])
+        agreement = np.mean(parts, axis=0) if parts else np.ones(len(self.snippets))
+        return agreement, conflicts
+
+    def _opposes(self, said: tuple[Action, ...], beliefs: Beliefs) -> NDArray[np.bool_]:
+        """(N,) whether a behavior does an action that was not said, and whose opposite was.
+
+        Where nothing is settled yet, what the classifier hears was said, and the likeliest behavior is heard as a
+        whole: who "brakes, then moves off" need not name the throttle.
+        """
+        heard = said or tuple(action for action in Action if beliefs.heard(action) >= HEARD)
+        unheard = [action not in heard and action.opposite in heard for action in Action]
+        against = self.actions @ np.array(unheard, float) > 0
+        if not said:
+            against[np.argmax([beliefs.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
+        return against
+
+    def _acted(self, said: tuple[Action, ...]) -> Scores:
+        wanted = np.array([action in said for action in Action], float)
+        both = self.actions @ wanted
+        either = self.actions.sum(axis=1) + wanted.sum() - both
+        return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
+
+
+def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
+    """What a behavior does beyond what was said and what that brings along; None if it does not do that, in order."""
+    does = set(behavior.slots.actions)
+    if reordered(behavior.slots.actions, said):
+        return None
+    if not set(said) <= does.union(*(BRINGS[action] for action in does)):
+        return None
+    return frozenset(does.difference(said, *(BRINGS[action] for action in said)))
+
+
+Alternatives = dict[str, list[tuple[Any, float]]]  # of each slot, values with how likely each is; None: not said
+
+
+def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
+    """What may have been said: as was believed, but for facts that were decided otherwise, which are sure."""
+    found: Alternatives = {}
+    for name in PLACED:
+        classes, decided = beliefs.slots.get(name, {}), getattr(slots, name)
+        likeliest = max(classes, key=lambda value: classes[value], default=decided)
+        found[name] = list(classes.items()) if classes and decided == likeliest else [(decided, 1.0)]
+    return found
+
+
+def _free(name: str, value: object) -> float:
+    """How likely a snippet's fact is where nothing was said of it."""
+    if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
+        return 1.0
+    return UNASKED if name in ADDED else UNASKED_VALUE
+
+
+def _does(snippet: Snippet, name: str) -> Any:
+    """What a snippet does of a slot; where it leaves a distance open, those that it can be told."""
+    value = getattr(snippet.slots, name)
+    if name == "side" and value is None and snippet.slots.position in IN_LANE:
+        return NO_SIDE
+    return distances(snippet) if name == "distance" and value is None else value
+
+
+def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[str]:
+    """The facts that a snippet contradicts, in words."""
+    found: list[str] = []
+    said = asked.slots
+    for slot in OF_COMPONENT[component]:
+        wanted, does = getattr(said, slot), _does(snippet, slot)
+        if slot == "actions":
+            against = bool(wanted) and bool(does) and not set(wanted) & set(does)
+            against |= any(action not in wanted and action.opposite in wanted for action in does)
+            against |= asked.frame.plain and reordered(does, wanted)
+        else:
+            against = wanted is not None and _agreement(wanted, does) == 0.0
+        if against:
+            found.append(f"{slot}: said {_words(wanted)}, does {_words(does)}")
+    if said.adversary is not None and snippet.adversaries and said.adversary not in snippet.adversaries:
+        found.append(f"adversary: said {said.adversary}, does {_words(snippet.adversaries)}")
+    return found
+
+
+def _agreement(said: object, does: object) -> float:
+    """How well a snippet does one fact, in [0, 1]."""
+    if does is None:
+        return 0.0 if said is True else OPEN if isinstance(said, (Side, Distance)) else UNSAID
+    if isinstance(does, frozenset):
+        return NARROWER if said in does else OPEN
+    if said == does:
+        return 1.0
+    if isinstance(said, Place) and isinstance(does, Place):
+        if includes(said, does):
+            return CROSSROADS if does is Place.FOUR_WAY else NARROWER
+        return UNSAID if includes(does, said) else 0.0
+    return 0.0
+
+
+def _words(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+
+
+@lru_cache(maxsize=4)
+def _shelves(library: Library) -> dict[Component, _Shelf]:
+    return {component: _Shelf(component, library.of(component)) for component in Component}
+
+
+# The triple
+
+
+def _adversary(scenario: Scenario, triple: tuple[Match, ...]) -> AdversaryKind:
+    """The kind that was said, or the first that behavior and spawn have in common."""
+    if scenario.slots.adversary is not None:
+        return scenario.slots.adversary
+    behavior, _, spawn = (match.snippet for match in triple)
+    return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
+
+
+def doubts(
+    scenario: Scenario, frame: Frame, behavior: Snippet, library: Library, embedder: Embedder
+) -> dict[str, float]:
+    """What speaks for and against a sentence being served, by the names in `CONFIDENCE`.
+
+    Args:
+        scenario: What was understood.
+        frame: What the sentence says.
+        behavior: What was chosen for it.
+        library: Whose other behaviors it may have meant, as far as its adversary can do them.
+        embedder: Who says how near the behavior's description is.
+    """
+    kind, beliefs = scenario.slots.adversary, frame.beliefs
+    able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
+    meant = beliefs.meant(behavior.id)
+    if frame.plain and _more(behavior, scenario.slots.actions) == frozenset():
+        meant += sum(beliefs.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
+    meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0
+    text, description = embedder.encode([scenario.parts.behavior, behavior.description])
+    return {
+        "base": 1.0,
+        "scope": math.log((beliefs.in_scope + FAINTEST) / (1.0 - beliefs.in_scope + FAINTEST)),
+        "beyond": float(any(note.about is About.FOREIGN for note in scenario.notes)),
+        "outright": float(min(len(scenario.slots.said()) - len(guessed(scenario.slots, frame)), ENOUGH)),
+        "wording": min(max(float(text @ description), FAR_WORDING), NEAR_WORDING),
+        "meant": math.log(meant + UNLIKELY),
+    }
+
+
+def guessed(slots: Slots, frame: Frame) -> list[str]:
+    """The slots that no word says outright; the whole of the text made them likely."""
+    return [name for name, value in slots.said().items() if value and not getattr(frame.outright, name)]
+
+
+def _confidence(
+    scenario: Scenario, frame: Frame, triple: tuple[Match, ...], library: Library, embedder: Embedder
+) -> float:
+    """The probability that the library can serve a sentence, less for every fact that the triple contradicts.
+
+    Nothing is left of it by another language, by weather and by light.
+    """
+    if any(one.why in REFUSED for one in scenario.unused):
+        return 0.0
+    against = doubts(scenario, frame, triple[0].snippet, library, embedder)
+    odds = sum(CONFIDENCE[name] * value for name, value in against.items())
+    return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
+
+
+def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
+    """Why a sentence is refused, in a user's words, what decides alone first."""
+    told = grouped(scenario.unused)
+    if Why.LANGUAGE in told:
+        return (told[Why.LANGUAGE],)  # all else follows from it
+    unheard = guessed(scenario.slots, frame)
+    notes = [note for note in scenario.notes if note.about is About.FOREIGN]
+    notes += [
+        Note(about=about) for slot, about in (("adversary", About.WHO), ("actions", About.WHAT)) if slot in unheard
+    ]
+    notes += [note for note in scenario.notes if note.about in (About.WHO, About.STRANGER, About.WHAT)]
+    said = [told[why] for why in REFUSED if why in told]
+    said += map(str, notes)
+    said += [conflict for match in triple for conflict in match.conflicts]
+    snippets = [match.snippet for match in triple]
+    unmet = [quantity.said for quantity in frame.quantities if not settable(quantity, snippets)]
+    said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
+    said += [reason for why, reason in told.items() if why not in REFUSED]
+    return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
+
+
+def _ruled_out(
+    ranked: dict[Component, _Ranking],
+    triple: tuple[Match, ...],
+    kind: AdversaryKind | None,
+    tried: Sequence[Tried],
+) -> tuple[RuledOut, ...]:
+    """For each component, the best-scoring snippets that beat the chosen one but fit no chosen partner; none tried."""
+    chosen = {match.snippet.component: match.snippet for match in triple}
+    out: list[RuledOut] = []
+    for component, match in zip(Component, triple, strict=True):
+        gone = {name for one in tried for name in one.snippet_ids}
+        better = [m for m in ranked[component].best(2) if m.score > match.score and m.snippet.id not in gone]
+        for candidate in better:
+            swapped = {**chosen, component: candidate.snippet}
+            reason = incompatibility(*(swapped[c] for c in Component))
+            if reason is None and kind is not None and candidate.snippet.adversaries:
+                reason = None if kind in candidate.snippet.adversaries else f"it has no {kind}"
+            against = f"it contradicts what was read: {'; '.join(candidate.conflicts)}" if candidate.conflicts else None
+            why = reason or against or "its partners score lower in sum"
+            out.append(RuledOut(snippet_id=candidate.snippet.id, reason=why))
+    return tuple(out)

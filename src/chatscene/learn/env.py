@@ -1,0 +1,244 @@
+"""A Gymnasium environment over routes and scenes: what an ego learns to drive in.
+
+One drive at a time per process (Scenic's rule): a second environment in the same process takes the drive away from
+the first. `vector_env` gives each environment a process of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.observation import OBSERVATIONS, check_preset
+from chatscene.ego.policy import PEDALS, controls
+from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
+from chatscene.learn.reward import REWARDS, Moment
+from chatscene.maps.drawing import map_drawing
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.picture import NEAR, Camera, draw_frame, draw_ground
+from chatscene.program.ordinary import Course, ordinary_courses
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import Session, Simulator, load_simulator
+from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene
+
+try:
+    import gymnasium
+    from gymnasium import spaces
+except ImportError as error:
+    raise MissingExtra("the driving environment needs gymnasium", extra="gym") from error
+
+Array = NDArray[np.float32]
+BOUND = 2000.0  # [m], [m/s]: farther or faster than anything gets within a drive
+TRIES = 100  # draws of a scene that cannot be placed before a course is given up
+_open: list[DrivingEnv] = []  # the environment whose drive is in progress in this process
+
+
+class DrivingEnv(gymnasium.Env[Array, Array]):
+    """Drive courses: programs on their routes, with scenes drawn from the programs' ranges.
+
+    Observation: a preset of `chatscene.ego.observation`, float32.
+    Action: acceleration and steering in [-1, 1], mapped by one of `PEDALS`.
+    Reward: the sum of the terms of one of `REWARDS`; ``info["reward"]`` has each by name.
+    Terminated: the ego collided. Truncated: anything else that ends a drive. To arrive is no failure and no goal of
+    its own — the route ends, driving does not — so a learner must bootstrap from the last observation there.
+
+    ``info`` at the end of a drive has ``ending``, ``completion`` (share of the route, [0, 1]), ``collision`` and
+    ``scene`` (its id).
+
+    Args:
+        courses: What to drive; the ordinary drives of the map if None.
+        map_name: As on the command line.
+        ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
+        pedals: The mapping of actions.
+        reward: The reward.
+        settings: Step and limits.
+        simulator: Where programs run; that of the settings on the map if None.
+        render_mode: ``rgb_array``, and `render` gives a picture of the ego and what is around it; or None.
+
+    Raises:
+        SettingsError: A preset, mapping or reward of that name does not exist, or there is nothing to drive.
+        MapError: The map is missing or broken.
+    """
+
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 10}  # noqa: RUF012 - Gymnasium's attribute
+
+    def __init__(
+        self,
+        courses: Sequence[Course] | None = None,
+        *,
+        map_name: str | Path = "town",
+        ego_observation: str = "safebench",
+        pedals: str = "safebench",
+        reward: str = "safebench",
+        settings: SimulationSettings | None = None,
+        simulator: Simulator | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        for what, name, known in (("pedals", pedals, PEDALS), ("reward", reward, REWARDS)):
+            if name not in known:
+                raise SettingsError(no_such(what, name, known))
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise SettingsError(no_such("render mode", str(render_mode), self.metadata["render_modes"]))
+        self.render_mode = render_mode
+        end_drive()
+        self._preset = check_preset(ego_observation)
+        self._pedals = pedals
+        self._reward = REWARDS[reward]
+        self._map_path = resolve_map(str(map_name))
+        self._simulator = simulator or load_simulator(self._map_path, settings or SimulationSettings())
+        self.courses = tuple(courses) if courses is not None else ordinary_courses(self._simulator)
+        if not self.courses:
+            raise SettingsError("there is nothing to drive: give at least one course")
+        size = OBSERVATIONS[ego_observation]
+        self.observation_space = spaces.Box(-BOUND, BOUND, (size,), np.float32)
+        self.action_space = spaces.Box(-1.0, 1.0, (2,), np.float32)
+        self._drive: Session | None = None
+        self._last: Array = np.zeros(size, np.float32)
+        self._scene_id = ""
+        self._route: Route
+        self._drawing: dict[str, Any] | None = None
+
+    def reset(
+        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[Array, dict[str, Any]]:
+        """Start a drive.
+
+        Args:
+            seed: Of everything that is drawn from now on.
+            options: ``course``: the index of the one to drive, else one is drawn; ``values``: the scene's parameter
+                values, else they are those of the course, or drawn if it has none.
+
+        Raises:
+            SettingsError: There is no such course, or none of `TRIES` scenes could be placed.
+        """
+        super().reset(seed=seed)
+        options = options or {}
+        index = options.get("course")
+        if index is None:
+            index = int(self.np_random.integers(len(self.courses)))
+        if not 0 <= index < len(self.courses):
+            raise SettingsError(f"there is no course {index}; there are {len(self.courses)}, counted from 0")
+        course = self.courses[index]
+        values: Mapping[str, float] | None = options.get("values", course.values)
+        end_drive()
+        reason = ""
+        for _ in range(TRIES if values is None else 1):
+            scene = self._scene(course, values)
+            drive = self._simulator.open(course.program, scene, observation=self._preset, pedals=self._pedals)
+            if not isinstance(drive, Rejected):
+                self._drive = drive
+                _open.append(self)
+                self._scene_id = scene.id
+                self._route = self._simulator.route(course.program, course.route)
+                self._drawing = None
+                self._last = drive.observation.astype(np.float32)
+                return self._last, {"scene": scene.id, "values": dict(scene.values)}
+            reason = drive.reason
+        raise SettingsError(f"no scene of course {index} ({course.program.scenario_id}) could be placed: {reason}")
+
+    def _scene(self, course: Course, values: Mapping[str, float] | None) -> Scene:
+        program = course.program
+        drawn = {p.name: round(float(self.np_random.uniform(p.low, p.high)), 6) for p in program.parameters}
+        return Scene(
+            id=f"{program.scenario_id}/route-{course.route:02d}/drive",
+            scenario_id=program.scenario_id,
+            route=course.route,
+            block=0,
+            seed=0,
+            values=drawn if values is None else dict(values),
+        )
+
+    def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
+        """Drive one step of 0.1 s.
+
+        Raises:
+            EgoError: The action is not two finite numbers, or there is no drive in progress.
+        """
+        drive = self._drive
+        if drive is None:
+            raise EgoError(
+                "no drive is in progress: call reset first; if another environment was reset in this process, "
+                "give each a process of its own with vector_env"
+            )
+        before = drive.along
+        drive.step(action)
+        ended = drive.ending
+        moment = Moment(
+            collided=ended is Ending.COLLISION,
+            speed=drive.speed,
+            lateral=drive.offset,
+            steer=controls(action)[2],
+            progress=drive.along - before,
+        )
+        terms = self._reward(moment)
+        info: dict[str, Any] = {"reward": terms}
+        terminated, truncated = moment.collided, False
+        if ended is not None or drive.rejection:
+            truncated = not terminated
+            info |= {
+                "ending": str(ended) if ended is not None else "rejected",
+                "completion": 1.0 if ended is Ending.ARRIVED else min(max(drive.along / self._route.length, 0.0), 1.0),
+                "collision": terminated,
+                "scene": self._scene_id,
+            }
+        self._last = drive.observation.astype(np.float32)
+        return self._last, float(sum(terms.values())), terminated, truncated, info
+
+    def render(self) -> NDArray[np.uint8] | None:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """The ego and what is around it, now: (360, 640, 3), red, green, blue; None without a `render_mode`.
+
+        Raises:
+            EgoError: There is no drive in progress.
+        """
+        if self.render_mode is None:
+            return None
+        episode = self.episode("")
+        if self._drawing is None:
+            points = self._route.line.points
+            (west, south), (east, north) = points.min(axis=0) - NEAR, points.max(axis=0) + NEAR
+            self._drawing = map_drawing(load_network(self._map_path), (west, south, east, north))
+        x, y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
+        camera = Camera.around(x, y)
+        frame = draw_frame(camera, draw_ground(camera, self._drawing), episode, len(episode.ego_track.x) - 1)
+        return np.asarray(frame)
+
+    def episode(self, ego: str) -> Episode:
+        """The drive in progress, as far as it came, with its tracks and events.
+
+        Raises:
+            EgoError: There is none.
+        """
+        if self._drive is None:
+            raise EgoError("no drive is in progress: call reset first")
+        return self._drive.episode(self._scene_id, ego)
+
+    def close(self) -> None:
+        """End the drive in progress."""
+        if self in _open:
+            _open.remove(self)
+        if self._drive is not None:
+            self._drive.close()
+            self._drive = None
+
+
+def end_drive() -> None:
+    """End whatever drive an environment has in progress in this process, so that another can begin."""
+    while _open:
+        _open[-1].close()
+
+
+def vector_env(count: int, **arguments: Any) -> gymnasium.vector.AsyncVectorEnv:
+    """Several environments, each in a process of its own.
+
+    Args:
+        count: How many.
+        arguments: Of `DrivingEnv`.
+    """
+    return gymnasium.vector.AsyncVectorEnv([partial(DrivingEnv, **arguments)] * count, context="spawn")

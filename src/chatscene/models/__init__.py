@@ -1,0 +1,1 @@
+"""Models of others behind Protocols: language models and encoders of sentences."""

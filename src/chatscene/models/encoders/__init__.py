@@ -1,0 +1,1 @@
+"""Encoders: a sentence becomes a vector (paper, section 3.3)."""

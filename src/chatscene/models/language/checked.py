@@ -1,0 +1,142 @@
+"""A language model whose replies are validated, asked for again, cached, counted and kept within a budget."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from chatscene.errors import LanguageModelError, SettingsError
+from chatscene.models.language.completion import Completer, Completion, JsonSchema, Message
+from chatscene.models.language.protocol import Answer, Budget, Limits, Prompt, Reply, Spending
+from chatscene.models.language.reply_cache import question_key, read_reply, write_reply
+from chatscene.models.language.structured import Unusable, instruction, read_answer, strict_schema
+
+_TOKENS_PER_TURN = 16  # more than any chat template adds to one turn
+_TOKENS_PER_CHAT = 64  # nor does one add more than this to the whole
+_SHOWN_AGAIN = 2000  # characters of a wrong reply that are shown to the model again
+
+
+class CheckedModel:
+    """The `LanguageModel` that any `Completer` becomes. Not for several threads at once: its counters have no lock."""
+
+    def __init__(
+        self, completer: Completer, *, limits: Limits, budget: Budget | None = None, cache: Path | None = None
+    ) -> None:
+        self.name = completer.name
+        self._completer, self._limits, self._budget, self._cache = completer, limits, budget or Budget(), cache
+        if self._budget.dollars is not None and completer.price is None:
+            raise SettingsError(
+                f"a budget in dollars needs the price of {self.name}; set CHATSCENE_LLM_PRICE=IN/OUT, "
+                "in dollars per million tokens"
+            )
+        self._spending = Spending(dollars=None if completer.price is None else 0.0)
+
+    @property
+    def identity(self) -> Mapping[str, str | int | float]:
+        """All that decides a reply besides the question."""
+        return self._completer.identity
+
+    @property
+    def spending(self) -> Spending:
+        """What it has cost so far."""
+        return self._spending
+
+    def reply(self, prompt: Prompt, schema: type[Answer]) -> Reply[Answer]:
+        """Answer from the cache, or ask and ask again with the reason, `Limits.reasks` times.
+
+        Raises:
+            LanguageModelError: No reply, none that fits the schema, or none within the budget.
+        """
+        begun, before = time.monotonic(), self._spending
+        wanted, messages = strict_schema(schema), _conversation(prompt)
+        key = question_key(self.identity, messages, wanted)
+        kept = read_reply(self._cache, key) if self._cache else None
+        if kept is not None and not isinstance(answer := read_answer(kept, schema), Unusable):
+            self._spending = replace(before, from_cache=before.from_cache + 1)
+            return self._reply(answer, before, begun)
+        reason = ""
+        for _ in range(1 + self._limits.reasks):
+            completion = self._call(messages, wanted)
+            answer = read_answer(completion.text, schema)
+            if not isinstance(answer, Unusable):
+                if self._cache:
+                    write_reply(self._cache, key, completion.text)
+                return self._reply(answer, before, begun)
+            reason = _cut_reason(self._limits) if completion.cut else answer.reason
+            messages = [*messages, *_ask_again(completion.text, reason, wanted)]
+        raise LanguageModelError(
+            f"{self.name} gave no usable reply in {1 + self._limits.reasks} attempts; the last one: {reason}. "
+            "Try again with a larger model"
+        )
+
+    def _call(self, messages: Sequence[Message], schema: JsonSchema) -> Completion:
+        most_in = _most_tokens(messages, schema)
+        self._refuse_beyond_budget(most_in)
+        begun = time.monotonic()
+        self._spending = replace(self._spending, calls=self._spending.calls + 1)
+        try:
+            completion = self._completer.complete(messages, schema)
+        finally:
+            self._spending = replace(self._spending, seconds=self._spending.seconds + time.monotonic() - begun)
+        tokens_in = most_in if completion.tokens_in is None else completion.tokens_in
+        tokens_out = len(completion.text.encode()) if completion.tokens_out is None else completion.tokens_out
+        spent, price = self._spending, self._completer.price
+        self._spending = replace(
+            spent,
+            tokens_in=spent.tokens_in + tokens_in,
+            tokens_out=spent.tokens_out + tokens_out,
+            dollars=None if price is None else (spent.dollars or 0.0) + price.of(tokens_in, tokens_out),
+        )
+        return completion
+
+    def _refuse_beyond_budget(self, most_in: int) -> None:
+        spent, budget, price = self._spending, self._budget, self._completer.price
+        most_out = self._limits.reply_tokens
+        after: list[tuple[str, float, float | None]] = [
+            ("calls", spent.calls + 1, budget.calls),
+            ("tokens", spent.tokens_in + spent.tokens_out + most_in + most_out, budget.tokens),
+        ]
+        if price is not None:
+            after.append(("dollars", (spent.dollars or 0.0) + price.of(most_in, most_out), budget.dollars))
+        for what, most, limit in after:
+            if limit is not None and most > limit:
+                raise LanguageModelError(
+                    f"the budget for {self.name} is {limit:g} {what}, and one more call could make it {most:g}; "
+                    f"{spent.calls} calls were made. Allow more, or ask less"
+                )
+
+    def _reply(self, answer: Answer, before: Spending, begun: float) -> Reply[Answer]:
+        now = self._spending
+        return Reply(
+            answer=answer,
+            tokens_in=now.tokens_in - before.tokens_in,
+            tokens_out=now.tokens_out - before.tokens_out,
+            seconds=time.monotonic() - begun,
+            dollars=None if now.dollars is None or before.dollars is None else now.dollars - before.dollars,
+            cached=now.calls == before.calls,
+            attempts=now.calls - before.calls,
+        )
+
+
+def _conversation(prompt: Prompt) -> list[Message]:
+    shots = [m for e in prompt.examples for m in (Message("user", e.text), Message("assistant", e.reply))]
+    system = [Message("system", prompt.system)] if prompt.system.strip() else []
+    return [*system, *shots, Message("user", prompt.text)]
+
+
+def _ask_again(text: str, reason: str, schema: JsonSchema) -> tuple[Message, Message]:
+    asked = f"That reply cannot be used: {reason}.\n{instruction(schema)}"
+    return Message("assistant", text[:_SHOWN_AGAIN] or "(nothing)"), Message("user", asked)
+
+
+def _cut_reason(limits: Limits) -> str:
+    return f"the reply was cut at {limits.reply_tokens} tokens before it was whole"
+
+
+def _most_tokens(messages: Sequence[Message], schema: JsonSchema) -> int:
+    """An upper bound of the tokens of a conversation: no tokenizer makes more of a text than it has bytes."""
+    turns = sum(len(m.text.encode()) + _TOKENS_PER_TURN for m in messages)
+    return turns + len(json.dumps(schema)) + len(instruction({})) + _TOKENS_PER_CHAT

@@ -1,1 +1,0 @@
-"""Growing the library with a language model: drafts, trials behind both walls, and a queue that a person empties."""

@@ -1,0 +1,205 @@
+"""What the baselines start from: one adversary per base scenario, and what it does if nobody disturbs it.
+
+A baseline changes how that adversary starts or moves; who it is, where the ego drives and how scenes are driven,
+selected and measured is the same for all, and the same as for ChatScene (decision 0022). So are the routes among the
+baselines; a scenario of ChatScene's may ask for another geometry. Speeds and triggers are those of SafeBench's
+scenarios, but for the cyclist's speed and the lane-changing car's.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import SettingsError
+from chatscene.library.load import load_library
+from chatscene.program.assemble import assemble
+from chatscene.search.explore import Block, explore
+from chatscene.search.generator import Written
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.simulator import Simulator
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import ParameterRange, Snippet, Tried
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Nominal:
+    """The undisturbed adversary of a base scenario.
+
+    Attributes:
+        adversary: Its kind.
+        geometry: Snippet of the ego's route, one that most of ChatScene's scenarios of the base scenario use too.
+        spawn: Snippet of its start.
+        path: Name of the way it drives; empty if it goes straight ahead from where it stands at the roadside.
+        waits: What it does until it acts, as Scenic.
+        left: How far the ego still has to go [m] to where they meet, as Scenic; it acts when that is below a trigger.
+        speed: How fast it then is [m/s].
+        trigger: That distance [m].
+        once: What else must hold before it acts, as Scenic; empty for nothing.
+        turns: Where it goes at a junction, best first; empty if it meets none.
+    """
+
+    adversary: AdversaryKind
+    geometry: str
+    spawn: str
+    path: str = "advTrajectory"
+    waits: str = "Halt()"
+    left: str
+    speed: float
+    trigger: float
+    once: str = ""
+    turns: tuple[str, ...] = ()
+
+    def moves(self, speed: str, aside: str = "") -> str:
+        """Scenic that lets it move on at a speed; `aside`: to the left of its path [m], or of its course [rad]."""
+        more = f", {aside}" if aside else ""
+        return f"DrivePath({self.path}, {speed}{more})" if self.path else f"MoveAhead({speed}{more})"
+
+    def acts(self, trigger: str) -> str:
+        """Scenic condition: the ego is near enough, and nothing else holds it back."""
+        near = f"{self.left} < {trigger}"
+        return f"{self.once} and {near}" if self.once else near
+
+
+_TO_ADVERSARY = "headway(egoRoute, ego, self)"
+_TO_MEETING = "distanceLeft(egoRoute, ego, egoMeeting)"
+_CROSSES = ("straight", "left-turn", "right-turn")
+
+NOMINAL: dict[BaseScenario, Nominal] = {
+    BaseScenario.STRAIGHT_OBSTACLE: Nominal(
+        adversary=AdversaryKind.PEDESTRIAN, geometry="straight-road", spawn="roadside-right", path="",
+        left=_TO_ADVERSARY, speed=2.5, trigger=20.0,
+    ),
+    BaseScenario.TURNING_OBSTACLE: Nominal(
+        adversary=AdversaryKind.BICYCLE, geometry="left-turn", spawn="exit-corner-right", path="",
+        left=_TO_ADVERSARY, speed=5.0, trigger=17.0,
+    ),
+    BaseScenario.LANE_CHANGING: Nominal(
+        adversary=AdversaryKind.CAR, geometry="lane-change-left", spawn="adjacent-lane-ahead-leader",
+        waits="KeepStation(advTrajectory, ego)", left="distanceLeft(egoRoute, ego, egoRoute.eventAt)",
+        speed=3.0, trigger=15.0,
+    ),
+    BaseScenario.VEHICLE_PASSING: Nominal(
+        adversary=AdversaryKind.CAR, geometry="bypass", spawn="oncoming-beyond-blocker",
+        left="gap(self, ego)", speed=8.0, trigger=45.0,
+    ),
+    BaseScenario.RED_LIGHT_RUNNING: Nominal(
+        adversary=AdversaryKind.CAR, geometry="straight-signalised", spawn="crossing-from-left",
+        speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, turns=_CROSSES,
+    ),
+    BaseScenario.UNPROTECTED_LEFT_TURN: Nominal(
+        adversary=AdversaryKind.CAR, geometry="left-turn-junction-unsignalised", spawn="oncoming-at-junction",
+        speed=12.0, trigger=45.0, left=_TO_MEETING, turns=_CROSSES,
+    ),
+    BaseScenario.RIGHT_TURN: Nominal(
+        adversary=AdversaryKind.CAR, geometry="right-turn", spawn="crossing-from-left",
+        speed=12.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+    ),
+    BaseScenario.CROSSING_NEGOTIATION: Nominal(
+        adversary=AdversaryKind.CAR, geometry="straight-junction-unsignalised", spawn="crossing-from-right",
+        speed=10.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+    ),
+}  # fmt: skip
+
+
+class Baseline:
+    """What the baselines share; see `chatscene.search.generator.Generator` for the contract.
+
+    Attributes:
+        name: As on the command line.
+        title: As in the paper's tables.
+        sampler: Who searches.
+        reference: As the reference describes it: what its search ends with is kept, whatever comes of it.
+        starts: Whether it also moves where the adversary starts.
+    """
+
+    name: str
+    title: str
+    sampler: str
+    reference: SearchSettings = SearchSettings(scenes=100, block=10, keep=10, routes=10, selection="last")
+    starts: bool = False
+
+    def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
+        """The body of the adversary's behavior, as Scenic, and the parameters that it names."""
+        raise NotImplementedError
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:
+        """One scenario for each base scenario."""
+        return (f"{self.title}: {base.value}",)
+
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:  # noqa: ARG002 - nothing is retrieved
+        """The scenario of one of `texts`; nothing was said, so nothing is held against it."""
+        title, _, base = text.partition(": ")
+        if title != self.title or base not in list(BaseScenario):
+            raise SettingsError(f"{self.name} has one scenario per base scenario, such as {self._example()!r}")
+        parts = SubDescriptions(behavior=text, geometry=text, spawn=text)
+        return Scenario(id=f"{self.name}-{base}", text=text, base=BaseScenario(base), parts=parts, slots=Slots())
+
+    def _example(self) -> str:
+        return self.texts(BaseScenario.STRAIGHT_OBSTACLE)[0]
+
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
+        """The nominal adversary with this baseline's behavior."""
+        if scenario.base is None:
+            raise SettingsError(f"{self.name} needs a base scenario, such as in {self._example()!r}")
+        nominal, library = NOMINAL[scenario.base], load_library()
+        spawn = library.get(f"spawn/{nominal.spawn}")
+        triple = (
+            self._snippet(nominal),
+            library.get(f"geometry/{nominal.geometry}"),
+            spawn if self.starts else _fixed(spawn),
+        )
+        # Its parts are no choice of a retrieval, so that none of them is blamed and replaced.
+        program = replace(assemble(scenario, triple, nominal.adversary), snippet_ids=())
+        return Written(program=program, retrieval=None)
+
+    def _snippet(self, nominal: Nominal) -> Snippet:
+        body, parameters = self.behavior(nominal)
+        lines = [f"param {p.name} = Range({p.low:g}, {p.high:g})" for p in parameters]
+        turns = f"advTurn = {nominal.turns}\n\n" if nominal.turns else ""
+        code = "\n".join(f"    {line}" for line in body.splitlines())
+        return Snippet(
+            id=f"behavior/{self.name}",
+            component=Component.BEHAVIOR,
+            description=self.title,
+            rephrasings=(),
+            slots=Slots(),
+            adversaries=(nominal.adversary,),
+            requires=(),
+            provides=("AdvBehavior", "advTurn"),
+            parameters=parameters,
+            source="\n".join(lines) + f"\n\n{turns}behavior AdvBehavior():\n{code}",
+        )
+
+    def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
+        """Always: the code is ours."""
+        return True
+
+    def explore(
+        self,
+        program: ScenicProgram,
+        slots: Slots,
+        route: int,
+        *,
+        simulator: Simulator,
+        ego: EgoPolicy,
+        settings: SearchSettings,
+        done: Sequence[Sequence[Outcome]],
+    ) -> Iterator[Block]:
+        """Its own search; the sampler of the settings is ChatScene's."""
+        own = replace(settings, sampler=self.sampler)
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
+
+
+def _fixed(spawn: Snippet) -> Snippet:
+    """A spawn whose adversary starts in the middle of every range."""
+    source = spawn.source
+    for p in spawn.parameters:
+        source = re.sub(rf"^param {p.name} = .*\n", "", source, flags=re.MULTILINE)
+        source = re.sub(rf"\bglobalParameters\.{p.name}\b", f"{round((p.low + p.high) / 2, 3):g}", source)
+    return replace(spawn, parameters=(), source=source)

@@ -1,0 +1,101 @@
+"""The method of the paper as a generator: sentences, retrieved snippets, ranges moved toward collision."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+
+from chatscene.ego.policy import EgoPolicy
+from chatscene.interpret.retrieve import retrieve
+from chatscene.interpret.understand import read
+from chatscene.library.bind import bound, narrowed
+from chatscene.library.load import library_with
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.program.assemble import assemble
+from chatscene.read.canonical import canonical
+from chatscene.search.explore import Block, explore
+from chatscene.search.generator import Written
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.simulate.simulator import Simulator
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.snippet import Tried
+
+
+class Retrieved:
+    """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
+
+    reference = SearchSettings(scenes=50, block=10, keep=2, routes=10, selection="worst")
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:
+        """Five sentences, in our words, for the situations of the paper's five."""
+        return _benchmark_texts()[base]
+
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:
+        """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
+        scenario = read(text, settings)
+        wanted = canonical(text)
+        listed = next((base for base, texts in _benchmark_texts().items() if wanted in map(canonical, texts)), None)
+        return scenario if listed is None else replace(scenario, base=listed)
+
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
+        """Steps 3 and 4."""
+        library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+        retrieval = retrieve(scenario, library, embedder, settings, tried)
+        made = bound(retrieval.snippets, scenario)
+        program = assemble(scenario, made.triple, retrieval.adversary)
+        retrieval = replace(retrieval, notes=made.notes, unused=made.unused)
+        return Written(program=program, retrieval=retrieval)
+
+    def join(
+        self,
+        scenario: Scenario,
+        snippet_ids: tuple[str, str, str],
+        adversary: AdversaryKind,
+        ranges: Mapping[str, tuple[float, float]],
+        settings: RetrievalSettings,
+    ) -> ScenicProgram:
+        """Step 4 alone, for a choice that was made before: the sentence is not read, and nothing is retrieved.
+
+        Args:
+            scenario: What was understood then.
+            snippet_ids: Behavior, geometry, spawn.
+            adversary: The kind of adversary.
+            ranges: What each parameter was bound to, by name.
+            settings: Which library.
+
+        Raises:
+            SnippetError: The library has no such snippet, or one that cannot be bound so.
+        """
+        library = library_with(settings.library)
+        behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in snippet_ids)
+        return assemble(scenario, narrowed((behavior, geometry, spawn), ranges), adversary)
+
+    def is_trusted(self, settings: RetrievalSettings) -> bool:
+        """If all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""
+        return not settings.library
+
+    def explore(
+        self,
+        program: ScenicProgram,
+        slots: Slots,
+        route: int,
+        *,
+        simulator: Simulator,
+        ego: EgoPolicy,
+        settings: SearchSettings,
+        done: Sequence[Sequence[Outcome]],
+    ) -> Iterator[Block]:
+        """Steps 5 and 6."""
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+
+
+@cache
+def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
+    packaged = files("chatscene.search.generators").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8")
+    return {BaseScenario(base): tuple(texts) for base, texts in json.loads(packaged).items()}

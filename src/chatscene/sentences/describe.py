@@ -1,0 +1,289 @@
+"""Step 1 of 9: a base scenario, or an instruction in words, to descriptions of distinct scenarios.
+
+Paper: section 3.3, step i. The reference asks a language model for sentences and hopes that the library serves them;
+here each sentence is written about a triple of snippets that can be joined, so that every one of them can be served.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, fields, replace
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.errors import NothingFits, SettingsError
+from chatscene.interpret.understand import read
+from chatscene.library.compatibility import Compatibility, agree, compatibility
+from chatscene.library.load import Library
+from chatscene.models.encoders.embedding import Embedder
+from chatscene.read import lexicon
+from chatscene.read.base import base_of
+from chatscene.read.decompose import decompose
+from chatscene.sentences.rendering import implied, render
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.description import Description, Diversity, Style
+from chatscene.terms.scenario import BaseScenario, Maneuver, Place, Position, Slots, includes
+from chatscene.terms.snippet import Snippet
+
+TRIES = 24  # renderings of one triple before it is given up
+GIVE_UP = 200  # triples in a row of which nothing could be said
+STYLES = (Style.PLAIN, Style.PLAIN, Style.PLAIN, Style.COLLOQUIAL, Style.REPORT, Style.PROTOCOL)
+ASIDES = ("lanes", "two_way", "distance")  # facts that a sentence need not be burdened with …
+BURDEN = 0.5  # … and the chance that it is
+# What it costs a triple that its behavior, geometry, spawn, kind or side was used before
+WEIGHTS = np.array((4.0, 1.5, 1.5, 1.5, 1.0))
+NO_LUCK = 0.5  # of such a use, for a triple of which nothing could be said
+
+Rows = NDArray[np.int64]
+_KINDS = tuple(AdversaryKind)
+_GENERAL = re.compile(r"\b(?:vehicles?|drivers?|traffic)\b")
+_TOGETHER = re.compile(r"\b(?:groups?|two|three|several|couple|crowd|pair|together)\b")
+_VEHICLES = frozenset(kind for kind in AdversaryKind if kind.row.motorised)
+
+
+def describe(
+    base: BaseScenario | None, n: int, *, library: Library, seed: int, instruction: str = ""
+) -> tuple[Description, ...]:
+    """Make up scenarios, as different from each other as the library allows.
+
+    Args:
+        base: The base scenario they are to belong to; None for any.
+        n: How many; fewer come back only if the library has no more triples that fit.
+        library: Where the triples come from.
+        seed: The same seed, library and arguments give the same sentences.
+        instruction: What they are to be about, in words ("dangerous cyclists at junctions"); empty for anything.
+
+    Raises:
+        NothingFits: The library has no such scenario, or nothing in the instruction was understood.
+    """
+    wanted = _wanted(instruction)
+    pool = _Pool(library, base, wanted, seed)
+    if not len(pool.rows):
+        about = f"the base scenario {base}" if base else "any base scenario"
+        raise NothingFits(
+            f"no triple of the library is of {about} and of what the instruction {instruction!r} asks for; "
+            "ask for less at once"
+        )
+    rng = random.Random(f"{seed}/{base}/{instruction}")
+    made: dict[str, Description] = {}
+    failed = 0
+    while len(made) < n and failed < GIVE_UP and (row := pool.draw()) is not None:
+        description = _said(pool.triple(row), _KINDS[pool.rows[row, 3]], rng)
+        told = description is not None and description.text not in made
+        if told and description is not None:
+            made[description.text] = description
+        failed = 0 if told else failed + 1
+        pool.use(row, 1.0 if told else NO_LUCK)
+    return tuple(made.values())
+
+
+# What is asked for
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Wanted:
+    """What an instruction asks for; empty means anything."""
+
+    kinds: frozenset[AdversaryKind] = frozenset()
+    slots: Slots = field(default_factory=Slots)
+
+
+def _wanted(instruction: str) -> _Wanted:
+    """Read an instruction."""
+    if not instruction.strip():
+        return _Wanted()
+    lowered = instruction.lower()
+    kinds = _kinds(lowered)
+    try:
+        told = decompose(instruction if kinds else f"the adversary {instruction}").slots
+    except SettingsError as error:
+        raise NothingFits(f"the instruction cannot be read: {error}") from error
+    straight = told.maneuver is Maneuver.STRAIGHT and "straight" not in lowered  # read into any place without a turn
+    slots = replace(
+        told,
+        adversary=None,
+        position=None,
+        maneuver=None if straight else told.maneuver,
+        actions=tuple(action for action in told.actions if action is not Action.FOLLOW),
+        group=told.group if _TOGETHER.search(lowered) else None,  # "cyclists" means each of them
+    )
+    if not kinds and not slots.said():
+        raise NothingFits(
+            f"nothing in the instruction {instruction!r} is known; name who (cyclists), where (junctions), "
+            "from which side, or what they do (cut in)"
+        )
+    return _Wanted(kinds=kinds, slots=slots)
+
+
+def _kinds(lowered: str) -> frozenset[AdversaryKind]:
+    """The kinds of road user that are named; a word that names one is not looked at for another."""
+    for pattern in lexicon.OCCLUDERS.values():
+        lowered = pattern.sub(" ", lowered)
+    found: set[AdversaryKind] = set()
+    for kind, named in lexicon.KINDS.items():
+        if named.search(lowered):
+            found.add(kind)
+            lowered = named.sub(_kept_if_general, lowered)
+    return _VEHICLES if found == {AdversaryKind.CAR} and _GENERAL.search(lowered) else frozenset(found)
+
+
+def _kept_if_general(match: re.Match[str]) -> str:
+    return match[0] if _GENERAL.fullmatch(match[0]) else " "
+
+
+def _does(wanted: object, does: object) -> bool:
+    """Whether a fact of a snippet is what is asked for, or a kind of it."""
+    if isinstance(wanted, Place) and isinstance(does, Place):
+        return includes(wanted, does)
+    if isinstance(wanted, tuple) and isinstance(does, tuple):
+        return set(wanted) <= set(does)
+    return wanted == does
+
+
+# The triples
+
+
+class _Pool:
+    """The triples that can be described, and how often their parts were used.
+
+    Attributes:
+        rows: (N, 5) index of behavior, geometry, spawn, kind and side of every triple.
+    """
+
+    def __init__(self, library: Library, base: BaseScenario | None, wanted: _Wanted, seed: int) -> None:
+        self.joint = joint = compatibility(library)
+        rows = _rows(library)
+        rows = rows[_of_base(joint, rows, base)]
+        bypass = _having(joint, rows, lambda s: s.slots.maneuver is Maneuver.BYPASS)
+        rows = rows[~bypass | _having(joint, rows, lambda s: s.slots.blocker is True)]  # what it goes around
+        if wanted.kinds:
+            rows = rows[np.isin(rows[:, 3], [_KINDS.index(kind) for kind in wanted.kinds])]
+        for slot, value in wanted.slots.said().items():
+            rows = rows[_having(joint, rows, lambda s, slot=slot, value=value: _does(value, getattr(s.slots, slot)))]
+        self.rows = rows
+        self.used = [np.zeros(int(size) + 1) for size in (rows.max(axis=0) if len(rows) else np.zeros(5, np.int64))]
+        # Chance decides between equals; less than any use costs, so that it decides nothing else.
+        self.taken = np.random.default_rng(seed).random(len(rows)) * 0.5
+
+    def triple(self, row: int) -> tuple[Snippet, Snippet, Snippet]:
+        b, g, s = (int(i) for i in self.rows[row, :3])
+        return self.joint.behaviors[b], self.joint.geometries[g], self.joint.spawns[s]
+
+    def draw(self) -> int | None:
+        """The triple whose parts were used least; None if there are no more."""
+        axes = zip(self.rows.T, WEIGHTS, self.used, strict=True)
+        cost = self.taken + sum(weight * used[index] for index, weight, used in axes)
+        row = int(np.argmin(cost))
+        return row if np.isfinite(cost[row]) else None
+
+    def use(self, row: int, share: float) -> None:
+        """Take a triple out, and remember its parts."""
+        self.taken[row] = np.inf
+        for axis, used in enumerate(self.used):
+            used[self.rows[row, axis]] += share
+
+
+@lru_cache(maxsize=4)
+def _rows(library: Library) -> Rows:
+    """Every triple with every kind of adversary that can act it."""
+    joint = compatibility(library)
+    sides = [("left", "right", None).index(s.slots.side) for s in joint.spawns]
+    found: list[Rows] = []
+    for k, kind in enumerate(_KINDS):
+        at = np.argwhere(joint.of_kind(kind))
+        side = np.array([sides[s] for s in at[:, 2]], dtype=np.int64)
+        found.append(np.column_stack((at, np.full(len(at), k), side)).astype(np.int64))
+    return np.concatenate(found)
+
+
+def _of_base(joint: Compatibility, rows: Rows, base: BaseScenario | None) -> NDArray[np.bool_]:
+    """Which triples belong to a base scenario; it hangs on the kind, the geometry and whether a light is run."""
+    table = np.zeros((len(_KINDS), 2, len(joint.geometries)), bool)
+    for k, kind in enumerate(_KINDS):
+        for g, geometry in enumerate(joint.geometries):
+            for runs in (0, 1):
+                actions = (Action.RUN_LIGHT,) if runs else ()
+                found = base_of(replace(geometry.slots, adversary=kind, actions=actions))
+                table[k, runs, g] = found is not None and base in (None, found)
+    runs = np.array([Action.RUN_LIGHT in b.slots.actions for b in joint.behaviors], dtype=np.int64)
+    return table[rows[:, 3], runs[rows[:, 0]], rows[:, 1]]
+
+
+def _having(joint: Compatibility, rows: Rows, has: Callable[[Snippet], bool]) -> NDArray[np.bool_]:
+    """Which triples have a part of which something holds."""
+    parts = (joint.behaviors, joint.geometries, joint.spawns)
+    marks = [np.array([has(snippet) for snippet in part])[rows[:, axis]] for axis, part in enumerate(parts)]
+    return marks[0] | marks[1] | marks[2]
+
+
+def joined(triple: Sequence[Snippet], kind: AdversaryKind) -> Slots:
+    """Everything that a compatible triple does, as facts; the more exact place counts."""
+    facts: dict[str, object] = {}
+    for snippet in triple:
+        for f in fields(Slots):
+            value, known = getattr(snippet.slots, f.name), facts.get(f.name)
+            exact = isinstance(value, Place) and isinstance(known, Place) and includes(value, known)
+            if value not in (None, ()) and not exact:
+                facts[f.name] = value
+    return implied(Slots(**{**facts, "adversary": kind}))  # type: ignore[arg-type]
+
+
+# The sentences
+
+
+def _said(triple: tuple[Snippet, Snippet, Snippet], kind: AdversaryKind, rng: random.Random) -> Description | None:
+    """A sentence about a triple that is read as it is meant; None if none was found."""
+    slots = joined(triple, kind)
+    if (base := base_of(slots)) is None:
+        return None
+    behavior = triple[0]
+    for _ in range(TRIES):
+        spoken = replace(slots, **{name: None for name in ASIDES if rng.random() >= BURDEN})
+        wordings = (behavior.description, *behavior.rephrasings)
+        text = render(spoken, wordings, kind, rng=rng, style=rng.choice(STYLES)).text
+        heard = read(text)
+        if heard.base is base and misread(heard.slots, slots) is None:
+            ids = (triple[0].id, triple[1].id, triple[2].id)
+            return Description(text=text, base=base, adversary=kind, snippet_ids=ids, slots=slots)
+    return None
+
+
+def misread(heard: Slots, meant: Slots) -> str | None:
+    """The first fact that was read and was not meant, in words; None if what was read is true."""
+    if heard.adversary is not meant.adversary:
+        return f"adversary: {heard.adversary} for {meant.adversary}"
+    besides = {Action.FOLLOW} | ({Action.ONCOMING} if meant.position is Position.ONCOMING else set())
+    if not set(heard.actions) & set(meant.actions) or set(heard.actions) - set(meant.actions) - besides:
+        return f"actions: {', '.join(heard.actions) or 'none'} for {', '.join(meant.actions)}"
+    for f in fields(Slots):
+        here, there = getattr(heard, f.name), getattr(meant, f.name)
+        added = here is not None and there is None and f.name != "position"
+        if f.name not in ("adversary", "actions") and (added or not agree(here, there)):
+            return f"{f.name}: {here} for {there}"
+    return None
+
+
+def diversity(descriptions: Sequence[Description], embedder: Embedder) -> Diversity:
+    """How different descriptions are from each other; at least two of them."""
+    pairs = [pair for d in descriptions for pair in _pairs(d.text)]
+    rows = embedder.encode([d.text for d in descriptions])
+    above = np.triu_indices(len(rows), k=1)
+    return Diversity(
+        behaviors=len({d.snippet_ids[0] for d in descriptions}),
+        geometries=len({d.snippet_ids[1] for d in descriptions}),
+        spawns=len({d.snippet_ids[2] for d in descriptions}),
+        kinds=len({d.adversary for d in descriptions}),
+        distinct_2=len(set(pairs)) / max(len(pairs), 1),
+        distance=float(1.0 - (rows @ rows.T)[above].mean()),
+    )
+
+
+def _pairs(text: str) -> list[tuple[str, str]]:
+    words = re.findall(r"[a-z0-9'-]+", text.lower())
+    return list(pairwise(words))

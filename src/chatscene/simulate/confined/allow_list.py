@@ -1,0 +1,120 @@
+"""The first wall: a stranger's program is read, not run, and refused for anything that is not on a list.
+
+Text is bounded before it is parsed (`plain_text`); then the syntax tree is walked, and each node must be of a kind on
+the list (`words`) and keep to the rules of its kind (`rules`). What passes still runs behind the second wall
+(`confinement`): a list of words cannot know how long a loop takes.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Collection, Iterator
+from typing import Any
+
+from chatscene.simulate.confined.plain_text import REPORTED, Refusal, check_text
+from chatscene.simulate.confined.rules import MODEL, RULES, TEXTS, Reading, is_parameter
+from chatscene.simulate.confined.words import INSTEAD, syntax
+
+MAX_NODES = 8_000
+MAX_DEPTH = 60  # of the syntax tree
+
+_ONLY_AT_TOP = frozenset(("Model", "Param", "TrackedAssign", "BehaviorDef"))
+
+
+def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = True) -> tuple[Refusal, ...]:
+    """What a stranger's Scenic may not do; nothing of it is run.
+
+    Args:
+        source: Scenic text.
+        given: Names that partners define, if it is a part of a program.
+        whole: Whether it is a whole program, which says ``model chatscene.world.model``, or a part, which does not.
+
+    Returns:
+        The refusals, in order of lines, at most `REPORTED`; empty if it may be run in a confined process.
+    """
+    if refusals := check_text(source):
+        return refusals
+    tree = _parse(source)
+    if isinstance(tree, Refusal):
+        return (tree,)
+    reading = Reading(given=frozenset(given) | _defined(tree))
+    _check_model(tree, reading, whole=whole)
+    for parts, (node, depth) in enumerate(_walk(tree), 1):
+        reading.line = getattr(node, "lineno", reading.line)
+        if parts > MAX_NODES or depth > MAX_DEPTH:
+            reading.refuse("the size", f"a program has at most {MAX_NODES} parts, {MAX_DEPTH} deep in one another")
+            break
+        _check_node(node, depth, reading)
+    return tuple(sorted(set(reading.refusals))[:REPORTED])
+
+
+def refused(name: str, refusals: tuple[Refusal, ...]) -> str:
+    """The message for a program that may not be run."""
+    more = f"; and {len(refusals) - 3} more" if len(refusals) > 3 else ""
+    return f"program {name!r} uses what a stranger's program may not: {'; '.join(map(str, refusals[:3]))}{more}"
+
+
+def _parse(source: str) -> Any | Refusal:
+    from scenic.syntax.parser import parse_string
+
+    try:
+        return parse_string(source, "exec")
+    except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
+        message = ascii(str(error).strip().partition("\n")[0])[1:-1]
+        return Refusal(getattr(error, "lineno", None) or 0, "no Scenic", message or type(error).__name__)
+
+
+def _defined(tree: Any) -> frozenset[str]:
+    """Names that a program defines anywhere: what it assigns, its behaviors and their parameters."""
+    names: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        elif isinstance(node, ast.arg):
+            names.add(node.arg)
+        elif type(node).__name__ == "BehaviorDef":
+            names.add(node.name)  # type: ignore[attr-defined]
+    return frozenset(names)
+
+
+def _check_model(tree: Any, reading: Reading, *, whole: bool) -> None:
+    models = [node for node in tree.body if type(node).__name__ == "Model"]
+    begins = [node for node in tree.body if not _is_docstring(node)][:1]
+    if whole and (len(models) != 1 or begins != models):
+        reading.refuse("the beginning", f"a program begins with one line `model {MODEL}`")
+    if not whole and models:
+        reading.refuse("model", "a part of a program has no model statement of its own")
+
+
+def _check_node(node: Any, depth: int, reading: Reading) -> None:
+    kind = type(node).__name__
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()  # FunctionDef: a function def
+    if type(node) not in syntax():
+        reading.refuse(words, INSTEAD.get(kind, "this is not part of what a stranger's program may use"))
+        return
+    if kind in _ONLY_AT_TOP and depth != 1:
+        reading.refuse(words, "it stands at the top level of a program")
+    if kind in RULES:
+        RULES[kind](node, reading)
+    for name, value in ast.iter_fields(node):
+        if isinstance(value, str) and (kind, name) not in TEXTS:
+            reading.refuse(words, "it holds text that nobody has looked at")
+
+
+def _walk(tree: Any) -> Iterator[tuple[Any, int]]:
+    """Every node and how deep it lies; without what does nothing, what its owner has read, and below what is refused.
+
+    Does not recurse, since a program may be deeper than Python's stack.
+    """
+    left = [(tree, 0)]
+    while left:
+        node, depth = left.pop()
+        yield node, depth
+        if _is_docstring(node) or is_parameter(node) or type(node) not in syntax():
+            continue
+        left += [(child, depth + 1) for child in reversed(list(ast.iter_child_nodes(node)))]
+
+
+def _is_docstring(node: Any) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)

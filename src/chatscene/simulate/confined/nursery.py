@@ -1,0 +1,387 @@
+"""The parent's side of the second wall: starts confined processes, asks them, and ends them in time."""
+
+from __future__ import annotations
+
+import json
+import os
+import select
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+import weakref
+from contextlib import suppress
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from platformdirs import user_cache_path
+
+from chatscene import errors
+from chatscene.errors import ChatSceneError, DoesNotCompile, SandboxError, StuckBehavior
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined.child import CHUNK, WATCHMAN
+from chatscene.simulate.confined.confinement import LANDLOCK, LAYERS, SECCOMP, Limits
+from chatscene.simulate.confined.wire import Message, decode, encode, nonsense, program_to_json, words
+from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
+from chatscene.terms.scene import ScenicProgram
+
+LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
+ENVIRONMENT = {"LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0"}
+
+_PASSED_ON = {
+    name: kind
+    for name in (
+        "DoesNotCompile",
+        "EgoError",
+        "MapError",
+        "ProgramError",
+        "SettingsError",
+        "SimulationError",
+        "StuckBehavior",
+    )
+    if isinstance(kind := getattr(errors, name), type) and issubclass(kind, ChatSceneError)
+}
+
+
+class Nursery:
+    """Makes a confined process for each program it is given.
+
+    One process imports Scenic and reads the map, once; each program gets a fork of it that has seen no other program.
+
+    Args:
+        map_path: The map everything runs on.
+        settings: Step and limits of a drive.
+        limits: What a program may use up.
+    """
+
+    def __init__(self, map_path: Path, settings: SimulationSettings, limits: Limits | None = None) -> None:
+        self.limits = limits or Limits()
+        self._map_path = map_path
+        self._settings = settings
+        self._warm: _Warm | None = None
+
+    def __enter__(self) -> Nursery:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def layers(self) -> tuple[str, ...]:
+        """The layers of the second wall that this machine has.
+
+        Raises:
+            SandboxError: Too few to run anything of a stranger's.
+        """
+        empty = ScenicProgram(scenario_id="nothing", source="", parameters=(), snippet_ids=(), digest="")
+        confined = self.confine(empty)
+        confined.close()
+        return confined.layers
+
+    def confine(self, program: ScenicProgram) -> Confined:
+        """A confined process that holds a program, not compiled yet.
+
+        Raises:
+            SandboxError: There can be none on this machine.
+        """
+        warm = self._started()
+        ours, theirs = socket.socketpair()
+        with theirs:
+            socket.send_fds(warm.control, [b"fork"], [theirs.fileno()])
+            pid = int(warm.hear())
+        confined = Confined(self, pid, ours)
+        try:
+            confined.greet(program)
+        except BaseException:
+            confined.close()
+            raise
+        return confined
+
+    @property
+    def alive(self) -> bool:
+        """Whether its processes have not been ended."""
+        return self._warm is not None
+
+    def reap(self, pid: int) -> int:
+        """The exit status of a process that has ended or been killed; negative: by which signal."""
+        warm = self._started()
+        warm.control.send(b"%d" % pid)
+        return int(warm.hear())
+
+    def close(self) -> None:
+        """End all processes and delete their folder."""
+        if self._warm is not None:
+            self._warm.close()
+            self._warm = None
+
+    def _started(self) -> _Warm:
+        if self._warm is None:
+            if sys.platform != "linux":
+                raise SandboxError(
+                    "programs by strangers are confined by the Linux kernel, which this system does not have; "
+                    "run chatscene in a Linux container or virtual machine"
+                )
+            self._warm = warm = _Warm()
+            weakref.finalize(self, warm.close)
+            try:
+                warm.set_up(self._map_path, self._settings, self.limits)
+            except BaseException:
+                self.close()
+                raise
+        return self._warm
+
+
+class _Warm:
+    """The process that confined ones are forked from: our own code alone."""
+
+    def __init__(self) -> None:
+        self._folder = Path(tempfile.mkdtemp(prefix="chatscene-"))
+        self.control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        here = str(self._folder)
+        with theirs, (self._folder / "errors").open("wb") as log:
+            self._process = subprocess.Popen(
+                [sys.executable, "-I", "-m", "chatscene.simulate.confined.child", str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=log,
+                cwd=here,
+                env={**ENVIRONMENT, "HOME": here, "TMPDIR": here, "MPLCONFIGDIR": here},
+                pass_fds=(theirs.fileno(),),
+            )
+
+    def set_up(self, map_path: Path, settings: SimulationSettings, limits: Limits) -> None:
+        """Say what is to be simulated, and wait until it is ready.
+
+        Raises:
+            MapError: The map is none.
+            SandboxError: It does not start.
+        """
+        setup = {
+            "map": str(map_path),
+            "settings": asdict(settings),
+            "limits": asdict(limits),
+            "cache": str(user_cache_path()),
+            "folder": str(self._folder),
+        }
+        with suppress(BrokenPipeError):  # it is no more, and has left its reason in the log
+            self.control.send(json.dumps(setup).encode())
+        said = json.loads(self.hear())
+        if "error" in said:
+            raise _PASSED_ON.get(said["error"], SandboxError)(said["message"])
+
+    def hear(self) -> bytes:
+        """Its next message.
+
+        Raises:
+            SandboxError: There is none.
+        """
+        with suppress(ConnectionError):
+            if said := self.control.recv(CHUNK):
+                return said
+        log = self._folder / "errors"
+        tail = words(log.read_text(encoding="utf-8", errors="replace")[-400:]) if log.exists() else ""
+        raise SandboxError(f"the process that confines programs does not answer: {tail or 'it said nothing'}")
+
+    def close(self) -> None:
+        """End it, and with it all that was forked from it; may be called again."""
+        self.control.close()
+        self._process.kill()
+        self._process.wait()
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+
+class _Patience:
+    """How much longer a process is waited for: until it has computed, or anybody has waited, for so long [s]."""
+
+    def __init__(self, pid: int, processor: float, wall: float) -> None:
+        self._pid = pid
+        self._processor = processor
+        self._wall = wall
+        self._spent = _processor_time(pid)
+        self._began = time.monotonic()
+
+    def until_readable(self, handle: int) -> bool:
+        """Whether there was something to read from a handle before patience came to its end."""
+        while not select.select([handle], [], [], max(0.0, left := self._left()))[0]:
+            if left <= 0.0:
+                return False
+        return True
+
+    def at_an_end(self, what: str) -> StuckBehavior:
+        """The error for a process that was waited for long enough."""
+        spent = _processor_time(self._pid) - self._spent
+        if spent >= self._processor:
+            return computes_for_ever(what, self._processor)
+        return waits_for_ever(what, self._wall, spent)
+
+    def _left(self) -> float:
+        """The least wall time [s] in which patience can come to its end."""
+        computing = self._processor - (_processor_time(self._pid) - self._spent)
+        return min(computing, self._began + self._wall - time.monotonic())
+
+
+def _processor_time(pid: int) -> float:
+    """What a process has computed so far [s], by the clock that Linux keeps for it."""
+    return time.clock_gettime((~pid << 3) | 2)  # the number that clock_getcpuclockid(3) gives
+
+
+class Confined:
+    """One confined process, and the program in it; made by `Nursery.confine`.
+
+    Attributes:
+        layers: The layers of the second wall that are in force for it.
+    """
+
+    def __init__(self, nursery: Nursery, pid: int, channel: socket.socket) -> None:
+        self._nursery = nursery
+        self._pid = pid
+        self._channel = channel
+        self._limits = nursery.limits
+        self._rest = bytearray()
+        self._label = "the program"
+        self._open = True
+        self.layers: tuple[str, ...] = ()
+
+    def greet(self, program: ScenicProgram) -> None:
+        """See which layers are in force, and hand the program over.
+
+        Warns where one is missing that can be done without.
+
+        Raises:
+            SandboxError: The kernel does not confine it.
+        """
+        said = self._hear("confining itself").get("layers")
+        self.layers = tuple(layer for layer in LAYERS if isinstance(said, list) and layer in said)
+        if SECCOMP not in self.layers:
+            raise SandboxError(
+                "this kernel or machine cannot confine programs by strangers (no seccomp filter on "
+                f"{os.uname().machine}); run chatscene on Linux on x86_64 or aarch64"
+            )
+        if LANDLOCK not in self.layers and os.geteuid() == 0:
+            raise SandboxError(
+                "this kernel has no Landlock, and to root every file is open: programs by strangers are not run; "
+                "run chatscene as another user, or on Linux 5.13 or later"
+            )
+        if missing := [layer for layer in LAYERS if layer not in self.layers]:
+            warnings.warn(
+                f"programs by strangers run without {', '.join(missing)} here; docs/security.md says what that means",
+                RuntimeWarning,
+                stacklevel=2,
+            )
+        self._label = f"program {program.scenario_id!r}"
+        self.ask("load", program=program_to_json(program))
+
+    @property
+    def alive(self) -> bool:
+        """Whether it can be asked."""
+        return self._open
+
+    def __del__(self) -> None:
+        self._channel.close()
+
+    @property
+    def spent(self) -> bool:
+        """Whether it has used half of the processor time that its life has."""
+        return self._open and _processor_time(self._pid) > self._limits.processor / 2
+
+    def ask(self, do: str, **arguments: Any) -> Message:
+        """Have something done.
+
+        Raises:
+            StuckBehavior: It took too long; the process is no more.
+            SandboxError: It was stopped, ran out of memory, crashed, or answered nonsense; the process is no more.
+            ChatSceneError: What the program came to.
+        """
+        if not self._open:
+            raise SandboxError(f"{self._label} was stopped and cannot be asked again")
+        try:
+            self._say(encode({"do": do, **arguments}))
+            answer = self._hear(do)
+        except BaseException:  # an interrupted conversation cannot be taken up again
+            self.close()
+            raise
+        if "error" in answer:
+            raise self._error(answer)
+        return answer
+
+    def close(self) -> int:
+        """End the process and its group.
+
+        Returns:
+            Its exit status; negative: the signal that ended it.
+        """
+        if not self._open:
+            return 0
+        self._open = False
+        self._channel.close()
+        if not self._nursery.alive:
+            return 0  # the kernel has ended it with the process that it was forked from
+        with suppress(ProcessLookupError):
+            os.kill(self._pid, signal.SIGKILL)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._pid, signal.SIGKILL)
+        return self._nursery.reap(self._pid)
+
+    def _say(self, line: bytes) -> None:
+        self._channel.settimeout(self._limits.wall)
+        try:
+            self._channel.sendall(line)
+        except OSError as error:
+            raise self._ended() from error
+
+    def _hear(self, do: str) -> Message:
+        patience = _Patience(self._pid, self._limits.answer, self._limits.wall)
+        scanned = 0
+        while (end := self._rest.find(b"\n", scanned)) < 0:
+            scanned = len(self._rest)
+            if scanned > self._limits.message:
+                raise nonsense(f"more than {self._limits.message} bytes")
+            if not patience.until_readable(self._channel.fileno()):
+                raise patience.at_an_end(f"{self._label} ({do})")
+            try:
+                more = self._channel.recv(CHUNK)
+            except OSError as error:
+                raise self._ended() from error
+            if not more:
+                raise self._ended()
+            self._rest += more
+        line = bytes(self._rest[:end])
+        del self._rest[: end + 1]
+        message = decode(line)
+        if "stopped" in message:
+            raise SandboxError(f"{self._label} was stopped: it tried what no scene needs: {words(message['stopped'])}")
+        return message
+
+    def _ended(self) -> SandboxError:
+        """The error for a process that is no more."""
+        status = self._last_moment()
+        causes = {
+            WATCHMAN: "the watchman ended it",
+            -signal.SIGXCPU: "it used up its processor time",
+            -signal.SIGKILL: "it used up its processor time",
+            -signal.SIGSYS: "it made a forbidden system call",
+            -signal.SIGSEGV: "it crashed, perhaps by endless recursion",
+        }
+        return SandboxError(f"{self._label} was stopped: {causes.get(status, f'its process ended ({status})')}")
+
+    def _last_moment(self) -> int:
+        """Wait for a process that has closed its end to die by itself, so that its own cause is seen, but not long."""
+        with suppress(OSError):
+            handle = os.pidfd_open(self._pid)
+            try:
+                _Patience(self._pid, LAST_MOMENT, self._limits.wall).until_readable(handle)
+            finally:
+                os.close(handle)
+        return self.close()
+
+    def _error(self, answer: Message) -> ChatSceneError:
+        kind, message = answer.get("error"), words(answer.get("message"))
+        if kind == "MemoryError":
+            return SandboxError(f"{self._label} was stopped: it used up its memory")
+        if isinstance(kind, str) and kind in _PASSED_ON:
+            return _PASSED_ON[kind](message)
+        return DoesNotCompile(f"{self._label} fails: {words(kind)}: {message}")

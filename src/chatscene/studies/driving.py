@@ -1,0 +1,108 @@
+"""Egos on the ordinary drives of a map: the table, and a picture of each at the wheel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from chatscene.ego.policy import load_ego, name_of
+from chatscene.maps.drawing import map_drawing
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
+from chatscene.pipeline import MARGIN, Progress
+from chatscene.report.animation import animate
+from chatscene.report.tables import write_tables
+from chatscene.runs.atomic import write_bytes
+from chatscene.runs.parallel import spread
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import load_simulator
+from chatscene.terms.episode import Episode
+from chatscene.terms.results import ResultTable
+
+SEED = 20_000  # neither a training's nor that of its evaluations
+FRAMES = 200  # of a GIF: a whole drive
+WIDEST = 240.0  # [m] of a GIF: a whole route from north to south
+SHOWN = 10  # the course in the GIF: the first that turns
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Setup:
+    """What every process needs to know."""
+
+    map_name: str
+    simulation: SimulationSettings
+    scenes: int
+    seed: int
+    folder: Path | None
+
+
+def drive(
+    egos: Sequence[str],
+    *,
+    folder: Path | None = None,
+    map_name: str = "town",
+    simulation: SimulationSettings | None = None,
+    scenes: int = 5,
+    seed: int = SEED,
+    jobs: int = 1,
+    progress: Progress,
+) -> ResultTable:
+    """Let egos drive every ordinary course of a map.
+
+    Args:
+        egos: By name, file or ``package.module:factory``.
+        folder: Where the table and a GIF of each ego go; None for nowhere.
+        map_name: Where they drive.
+        simulation: In what, and with which step and limits.
+        scenes: Draws of traffic per course.
+        seed: Of the traffic.
+        jobs: Processes; an ego is driven by one.
+        progress: Told what is done.
+
+    Raises:
+        EgoError: An ego cannot be loaded, or fails.
+        SettingsError: There is no such simulator.
+    """
+    for ego in egos:
+        load_ego(ego)
+    simulation = simulation or SimulationSettings()
+    load_simulator(resolve_map(map_name), simulation)  # an unknown one is told here, and once
+    setup = _Setup(map_name=map_name, simulation=simulation, scenes=scenes, seed=seed, folder=folder)
+    results: dict[str, OrdinaryResult] = {}
+    for count, (ego, result) in enumerate(spread(_Driver, setup, egos, jobs=jobs), 1):
+        results[ego] = result
+        progress("driving, egos", count, len(egos))
+    table = ordinary_table([results[ego] for ego in egos])
+    if folder is not None:
+        write_tables(folder, {"ordinary": table})
+    return table
+
+
+class _Driver:
+    """Drives with one ego after another."""
+
+    def __init__(self, setup: _Setup) -> None:
+        self._setup = setup
+        self._simulator = load_simulator(resolve_map(setup.map_name), setup.simulation)
+
+    def __call__(self, ego: str) -> tuple[str, OrdinaryResult]:
+        setup = self._setup
+        policy = load_ego(ego)
+        if setup.folder is not None:
+            drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed)
+            shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
+            if isinstance(shown, Episode):
+                picture = animate(shown, _drawing(shown, setup.map_name), frames=FRAMES, widest=WIDEST)
+                write_bytes(setup.folder / f"{name_of(policy)}.gif", picture)
+        return ego, drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed)
+
+
+def _drawing(episode: Episode, map_name: str) -> dict[str, object]:
+    """The map around a drive."""
+    ego = episode.ego_track
+    points = np.column_stack((ego.x, ego.y))
+    (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
+    return map_drawing(load_network(resolve_map(map_name)), (float(x0), float(y0), float(x1), float(y1)))

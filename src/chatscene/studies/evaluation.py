@@ -1,0 +1,380 @@
+"""Step 8 of 9: egos on kept scenes, into a folder with the run's contract and the paper's tables.
+
+The unit of work is one ego on the kept scenes of one scenario on one route; it is kept when it is done, as a block is
+(in an evaluation the column `block` is the ego's place in the list), so an evaluation can be killed and continued. An
+ego that fails is given up with its reason, and the others' results stand.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from chatscene import runs
+from chatscene.ego.policy import load_ego, senses_of
+from chatscene.errors import ChatSceneError, EgoError, RunError, SettingsError
+from chatscene.measure.drive import Ran, drive
+from chatscene.measure.score import average_displacement
+from chatscene.measure.tables import (
+    avoidability_table,
+    diagnostic_table,
+    ego_table,
+    fault_table,
+    generation_table,
+)
+from chatscene.pipeline import Progress, map_of, rebuild
+from chatscene.report.egos import egos_in_words
+from chatscene.report.tables import write_tables
+from chatscene.runs.parallel import spread
+from chatscene.runs.trust import Repeated, follow
+from chatscene.search.explore import Block
+from chatscene.search.generator import load_generator, simulator_of
+from chatscene.settings import Settings, SimulationSettings
+from chatscene.simulate.simulator import Simulator, load_simulator
+from chatscene.terms.metrics import Mode
+from chatscene.terms.results import Displacement, Drive, ResultTable
+from chatscene.terms.scenario import BaseScenario, Scenario
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+EGOS = ("sac", "ppo", "td3")  # the paper's
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Evaluated:
+    """What an evaluation came to.
+
+    Attributes:
+        folder: Where it is.
+        tables: By name; also written to ``tables/``.
+        failures: Why egos were given up, by ego.
+        seconds: Wall time of this call.
+    """
+
+    folder: Path
+    tables: dict[str, ResultTable]
+    failures: dict[str, str]
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Task:
+    """One ego on the kept scenes of one route of one source."""
+
+    folder: Path
+    source: runs.SourceRecord
+    ego: str
+    number: int
+    route: int
+    map_name: str
+
+
+def evaluate(
+    sources: Sequence[Path],
+    folder: Path,
+    *,
+    egos: Sequence[str] = EGOS,
+    every_scene: bool = False,
+    first_route: int = 0,
+    simulator: str = "",
+    jobs: int = 1,
+    progress: Progress,
+    repeated: Repeated | None = None,
+) -> Evaluated:
+    """Drive the kept scenes of runs with egos, into a new folder.
+
+    Args:
+        sources: Run folders, finished; or folders with run folders somewhere below.
+        folder: Where to.
+        egos: By name, file or ``package.module:factory``.
+        every_scene: Not only the kept scenes but all that ran.
+        first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
+        simulator: In what they are driven; empty for that of the runs.
+        jobs: Processes.
+        progress: Told what is done.
+        repeated: What the runs name and the user as well, besides egos.
+
+    Raises:
+        RunError: A source is not finished, they lie on different maps, or the folder is taken; or a source names what
+            must be repeated (`chatscene.runs.trust.follow`).
+        EgoError: An ego cannot be loaded.
+        SettingsError: There is no ego, or one is named twice; or there is no such simulator.
+    """
+    if not egos or len(set(egos)) != len(egos):
+        raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
+    if odd := [ego for ego in egos if "," in ego]:
+        raise SettingsError(f"the name of the ego {odd[0]!r} holds a comma, which parts egos here; rename the file")
+    senses = {ego: senses_of(load_ego(ego)) for ego in egos}
+    found = [runs.open_run(path) for path in runs.run_folders(sources)]
+    repeated = repeated or Repeated()
+    follow(repeated, simulators_of=() if simulator else found, joining_of=found)
+    records = [runs.read_record(run) for run in found]
+    for run, record in zip(found, records, strict=True):
+        if record.status is not runs.Status.DONE:
+            raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        if _where(record, simulator) != _where(records[0], simulator):
+            raise RunError(f"{run.path} and {found[0].path} differ in map, step or simulator; evaluate them one by one")
+    told = [
+        _source(run, record, first_route, kept_for="" if every_scene else record.ego)
+        for run, record in zip(found, records, strict=True)
+    ]
+    for number, source in enumerate(told):
+        if (twin := next((s for s in told[:number] if s.scenario_id == source.scenario_id), None)) is not None:
+            raise RunError(
+                f"{twin.folder} and {source.folder} hold scenes of one and the same sentence, which the tables cannot "
+                "tell apart; evaluate them one by one"
+            )
+    map_path = map_of(records[0])
+    settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator)[-1])
+    with runs.alone(folder):
+        kept = runs.create(
+            folder,
+            text="all scenes" if every_scene else "kept scenes",
+            settings=settings,
+            map_name=records[0].map_name,
+            map_path=map_path,
+            ego=",".join(egos),
+            sources=told,
+            senses=senses,
+            simulator=load_simulator(map_path, settings.simulation).identity,
+        )
+        return _carry_on(
+            kept, jobs, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
+        )
+
+
+def _where(record: runs.RunRecord, simulator: str) -> tuple[str, str, SimulationSettings]:
+    """The map of a run and how its scenes are simulated: as they were, or in another simulator."""
+    simulation = runs.settings_of(record).simulation
+    if simulator:
+        simulation = replace(simulation, simulator=simulator)
+    return record.map_name, record.map_digest, simulation
+
+
+def _source(run: runs.Workspace, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
+    scenario, _ = runs.read_choice(run)
+    if scenario.base is None:
+        raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
+    return runs.SourceRecord(
+        folder=str(run.path),
+        scenario_id=scenario.id,
+        base=scenario.base,
+        generator=record.generator,
+        first_route=first_route,
+        kept_for=kept_for,
+    )
+
+
+def carry_on(run: runs.Workspace, *, jobs: int, progress: Progress, repeated: Repeated | None = None) -> Evaluated:
+    """Do what is left of an evaluation.
+
+    Raises:
+        RunError: It is damaged, or one of its sources is; another process is at work on it; or one of them names what
+            must be repeated (`chatscene.runs.trust.follow`).
+    """
+    with runs.alone(run.path):
+        return _carry_on(runs.open_run(run.path, holds="evaluate"), jobs, progress, repeated or Repeated())
+
+
+def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
+    began = time.monotonic()
+    sources = [runs.Workspace(Path(source.folder)) for source in runs.read_record(run).sources]
+    follow(repeated, egos_of=[run], simulators_of=[run], joining_of=sources)
+    runs.resume(run, told=lambda said: progress(said, 0, 0))
+    record = runs.read_record(run)
+    failures = dict(record.failures)
+    if record.status is not runs.Status.DONE:
+        try:
+            tasks = _tasks(run, record)
+            failures |= _drive_all(run, record, tasks, failures, jobs, progress)
+            every = [(t.source.scenario_id, t.route, t.number) for t in tasks if t.ego not in failures]
+            runs.finish(run, selected=_fill_ins(record), expected=every)
+        except ChatSceneError as error:
+            runs.update(run, status=runs.Status.FAILED, reason=str(error))
+            raise
+    runs.update(run, timings={"total": time.monotonic() - began})
+    progress("computing the tables", 0, 0)
+    tables = tabulate(run)
+    write_tables(run.file("tables"), tables)
+    runs.note(run, *run.file("tables").iterdir())
+    return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
+
+
+def _tasks(run: runs.Workspace, record: runs.RunRecord) -> list[_Task]:
+    """Every ego that did not fail on every route with scenes of every source.
+
+    Raises:
+        RunError: A source is damaged.
+    """
+    for source in record.sources:
+        runs.open_run(Path(source.folder))
+    return [
+        _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
+        for number, ego in enumerate(record.egos)
+        if ego not in record.failures
+        for source in record.sources
+        for route in sorted({row for row, _ in _kept(source, record)})
+    ]
+
+
+def _drive_all(
+    run: runs.Workspace,
+    record: runs.RunRecord,
+    tasks: Sequence[_Task],
+    failed: dict[str, str],
+    jobs: int,
+    progress: Progress,
+) -> dict[str, str]:
+    """Run every task that is not done; the reasons of the egos that failed in it."""
+    done = runs.done_blocks(run)
+    left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
+    failures: dict[str, str] = {}
+    for count, (task, reason) in enumerate(spread(_Evaluator, record, left, jobs=jobs), len(tasks) - len(left) + 1):
+        if reason and task.ego not in failures:
+            failures[task.ego] = reason
+            runs.update(run, failures={**failed, **failures})
+        progress("driving, ego and route", count, len(tasks))
+    for number, ego in enumerate(record.egos):
+        if ego in failures or ego in failed:  # a kill may have come between the failure and this
+            runs.drop_blocks(run, number)
+    return failures
+
+
+def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, dict[str, object]]]:
+    """The rows of a source that are to be driven, each with its route."""
+    rows = runs.read_scenes(runs.Workspace(Path(source.folder)))
+    every = record.text == "all scenes"
+    return [
+        (runs.route_index(row["route_id"]), row)
+        for row in rows
+        if (row["selected"] or (every and row["status"] == "ran"))
+        and runs.route_index(row["route_id"]) >= source.first_route
+    ]
+
+
+def _fill_ins(record: runs.RunRecord) -> dict[str, bool]:
+    return {str(row["scene_id"]): bool(row["fill_in"]) for source in record.sources for _, row in _kept(source, record)}
+
+
+class _Evaluator:
+    """Does tasks in one process, and keeps what was compiled and loaded."""
+
+    def __init__(self, record: runs.RunRecord) -> None:
+        self._record = record
+        self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
+        self._simulators: dict[tuple[str, Settings], Simulator] = {}
+        self._failed: dict[str, str] = {}
+
+    def __call__(self, task: _Task) -> tuple[_Task, str]:
+        """Drive and keep; the reason if the ego failed, now or before."""
+        if task.ego in self._failed:
+            return task, self._failed[task.ego]
+        source = runs.Workspace(Path(task.source.folder))
+        if task.source.folder not in self._programs:
+            self._programs[task.source.folder] = rebuild(source)
+        scenario, program = self._programs[task.source.folder]
+        scenes = [runs.scene_of(row, program) for route, row in _kept(task.source, self._record) if route == task.route]
+        try:
+            block = self._block(task, scenario, program, scenes, self._simulator_of(source))
+        except EgoError as error:
+            self._failed[task.ego] = str(error)
+            return task, str(error)
+        runs.write_block(runs.Workspace(task.folder), block)
+        return task, ""
+
+    def _simulator_of(self, source: runs.Workspace) -> Simulator:
+        """Where the programs of a source are run, which is for its own generator to say; one for all that are alike."""
+        record = runs.read_record(source)
+        settings = Settings(
+            simulation=runs.settings_of(self._record).simulation, retrieval=runs.settings_of(record).retrieval
+        )
+        key = (record.generator, settings)
+        if key not in self._simulators:
+            generator = load_generator(record.generator)
+            self._simulators[key] = simulator_of(generator, map_of(self._record), settings)
+        return self._simulators[key]
+
+    def _block(
+        self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene], simulator: Simulator
+    ) -> Block:
+        ego = load_ego(task.ego)
+        outcomes = [drive(program, scenario.slots, scene, simulator=simulator, ego=ego) for scene in scenes]
+        return Block(
+            scenario_id=scenario.id,
+            route=task.route,
+            number=task.number,
+            ranges=(),
+            ran=tuple(outcome for outcome in outcomes if isinstance(outcome, Ran)),
+            rejected=tuple(outcome for outcome in outcomes if isinstance(outcome, Rejected)),
+        )
+
+
+def tabulate(run: runs.Workspace) -> dict[str, ResultTable]:
+    """The tables of a finished evaluation, by name."""
+    record = runs.read_record(run)
+    drives = read_drives(run, record)
+    displacements = read_displacements(run, record)
+    tables: dict[str, ResultTable] = {}
+    for mode in Mode:
+        suffix = "" if mode is Mode.PAPER else f"-{mode}"
+        tables[f"generation{suffix}"] = generation_table(drives, displacements, mode)
+        tables[f"diagnostic{suffix}"] = diagnostic_table(drives, mode)
+        tables[f"overall-score-by-ego{suffix}"] = ego_table(drives, mode, which="overall_score")
+    tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
+    tables["avoidability"] = avoidability_table(drives)
+    tables["fault"] = fault_table(drives)
+    egos = [f"{ego}." for ego in egos_in_words(record)]
+    return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
+
+
+def read_drives(run: runs.Workspace, record: runs.RunRecord) -> list[Drive]:
+    """Every drive of an evaluation that was not rejected."""
+    sources = {source.scenario_id: source for source in record.sources}
+    egos = record.egos
+    drives: list[Drive] = []
+    for row in runs.read_scenes(run):
+        source = sources[row["scenario_id"]]
+        if row["status"] == "ran":
+            drives.append(
+                Drive(
+                    generator=source.generator,
+                    base_scenario=BaseScenario(source.base),
+                    scenario_id=row["scenario_id"],
+                    route=runs.route_index(row["route_id"]),
+                    scene_id=row["scene_id"],
+                    ego=egos[row["block"]],
+                    measurements=runs.measurements_of(row),
+                    fill_in=row["fill_in"],
+                    avoidable=row["avoidable"],
+                    fault=row["fault"],
+                    by_selection=source.kept_for == egos[row["block"]],
+                )
+            )
+    return drives
+
+
+def read_displacements(run: runs.Workspace, record: runs.RunRecord) -> list[Displacement]:
+    """The ADE of each scenario, route and ego of which at least two scenes were driven."""
+    sources = {source.scenario_id: source for source in record.sources}
+    egos = record.egos
+    groups: dict[tuple[str, str, int], list[str]] = {}
+    for row in runs.read_scenes(run):
+        if row["status"] == "ran":
+            groups.setdefault((row["scenario_id"], row["route_id"], row["block"]), []).append(row["scene_id"])
+    found: list[Displacement] = []
+    for (scenario_id, route_id, number), scene_ids in sorted(groups.items()):
+        source, route = sources[scenario_id], runs.route_index(route_id)
+        tracks = runs.read_adversaries(run, scenario_id, route, number, scene_ids)
+        if len(tracks) > 1:
+            found.append(
+                Displacement(
+                    generator=source.generator,
+                    base_scenario=BaseScenario(source.base),
+                    scenario_id=scenario_id,
+                    route=route,
+                    ego=egos[number],
+                    value=average_displacement(tracks),
+                )
+            )
+    return found

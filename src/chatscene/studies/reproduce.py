@@ -1,0 +1,299 @@
+"""The paper's five tables, each from one command, with the paper's numbers below ours.
+
+What is missing is run, what was cut is gone on with, what is there is not done again. A folder holds, per method, a
+benchmark under ``generation/<method>``; for table 3 also, under ``finetuning/<preset>-<choice>``, a fine-tuning per
+method and base scenario (``egos``), and per base scenario all of these egos on all methods' scenes (``tested``); and
+``tables`` and ``figures``.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from statistics import fmean
+
+from chatscene import runs
+from chatscene.errors import SettingsError, no_such
+from chatscene.learn.finetune import PRESETS, FinetuneSettings, finetune
+from chatscene.measure.score import score
+from chatscene.measure.tables import avoidability_table, diagnostic_table, ego_table, generation_table
+from chatscene.pipeline import Progress
+from chatscene.report.beside_paper import beside_paper
+from chatscene.report.egos import egos_in_words
+from chatscene.report.figures import two_curves
+from chatscene.report.tables import write_tables
+from chatscene.runs.atomic import read_json, write_json
+from chatscene.runs.parallel import spread
+from chatscene.runs.trust import Repeated
+from chatscene.studies.benchmark import benchmark
+from chatscene.studies.evaluation import carry_on, evaluate, read_displacements, read_drives
+from chatscene.terms.metrics import Measurements, Mode
+from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
+from chatscene.terms.scenario import BaseScenario
+
+METHODS = ("learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory", "chatscene")
+TABLES = ("table1", "table2", "table3", "table4", "table5")
+SURROGATE = "sac"
+BEFORE = "before"  # the surrogate as it was, in table 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Budget:
+    """How much is spent on the tables.
+
+    Attributes:
+        benchmark: A budget of `chatscene.studies.benchmark`, for every method.
+        finetune: Every fine-tuning of table 3.
+        bases: The base scenarios of table 3.
+    """
+
+    benchmark: str
+    finetune: FinetuneSettings
+    bases: tuple[BaseScenario, ...] = tuple(BaseScenario)
+
+
+_SHORT = FinetuneSettings(
+    episodes=12, round=6, first_choice=6, train_routes=1, validation_routes=1, learning_starts=200,
+    warm_up_steps=400, critic_steps=100, updates_per_step=0.1,
+)  # fmt: skip
+BUDGETS: dict[str, Budget] = {
+    "paper": Budget(benchmark="paper", finetune=FinetuneSettings()),
+    "reference": Budget(benchmark="reference", finetune=FinetuneSettings()),
+    "small": Budget(benchmark="small", finetune=_SHORT, bases=(BaseScenario.STRAIGHT_OBSTACLE,)),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reproduced:
+    """What a reproduction came to.
+
+    Attributes:
+        folder: Where everything is.
+        tables: By name, with the paper's rows.
+        seconds: Wall time by part, over every call that worked on the folder.
+    """
+
+    folder: Path
+    tables: dict[str, ResultTable]
+    seconds: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Lessons:
+    """The fine-tunings of a table 3.
+
+    Attributes:
+        folder: Of the whole reproduction.
+        where: Of these.
+        bases: One per method and each of these base scenarios.
+        settings: Of each.
+    """
+
+    folder: Path
+    where: Path
+    bases: tuple[BaseScenario, ...]
+    settings: FinetuneSettings
+
+    def scenes(self, method: str, base: BaseScenario) -> Path:
+        """The scenes of a method."""
+        return self.folder / "generation" / method / "scenes" / base
+
+    def ego(self, method: str, base: BaseScenario) -> Path:
+        """The folder of the ego that learned from them."""
+        return self.where / "egos" / method / base
+
+
+def reproduce(
+    folder: Path,
+    tables: Sequence[str] = TABLES,
+    *,
+    budget: str = "small",
+    avoidable_only: bool = False,
+    preset: str = "released",
+    choice: str = "paper",
+    seed: int = 0,
+    jobs: int = 1,
+    progress: Progress,
+) -> Reproduced:
+    """Make tables of the paper.
+
+    Args:
+        folder: Where to; a new one, or one to go on in.
+        tables: Which, of `TABLES`.
+        budget: One of `BUDGETS`.
+        avoidable_only: Keep no collision that a careful driver would not have avoided.
+        preset: How often a fine-tuning learns, of `chatscene.learn.finetune.PRESETS`.
+        choice: Who chooses its checkpoint.
+        seed: Of everything.
+        jobs: Processes; any number gives the same.
+        progress: Told what is done.
+
+    Raises:
+        SettingsError: There is no such table or budget.
+        RunError: The folder holds something else.
+        MissingExtra: A package is missing that a method or the fine-tuning needs.
+    """
+    for name in tables:
+        if name not in TABLES:
+            raise SettingsError(no_such("table", name, TABLES))
+    if budget not in BUDGETS:
+        raise SettingsError(no_such("budget", budget, BUDGETS))
+    if preset not in PRESETS:
+        raise SettingsError(no_such("preset", preset, PRESETS))
+    chosen, clock = BUDGETS[budget], _Clock(folder / "reproduce.json")
+    settings = replace(chosen.finetune, **PRESETS[preset], ego=SURROGATE, choice=choice, seed=seed)
+    drives: list[Drive] = []
+    displacements: list[Displacement] = []
+    seen: tuple[str, ...] = ()
+    for method in METHODS:
+        began = time.monotonic()
+        done = benchmark(
+            folder / "generation" / method,
+            generator=method,
+            budget=chosen.benchmark,
+            surrogate=SURROGATE,
+            avoidable_only=avoidable_only,
+            seed=seed,
+            jobs=jobs,
+            progress=lambda what, count, total, method=method: progress(f"{method}: {what}", count, total),
+        )
+        clock.spent(f"generation, {method}", began)
+        run = runs.open_run(done.evaluated.folder)
+        drives += read_drives(run, runs.read_record(run))
+        displacements += read_displacements(run, runs.read_record(run))
+        seen = tuple(f"{ego}." for ego in egos_in_words(runs.read_record(run)))  # the same egos each time
+    found = {
+        "table1": generation_table(drives, displacements, Mode.PAPER),
+        "table2": diagnostic_table(drives, Mode.PAPER),
+        "table4": ego_table(drives, Mode.PAPER, which="collision_rate"),
+        "table5": ego_table(drives, Mode.PAPER, which="overall_score"),
+    }
+    if "table3" in tables:
+        lessons = _Lessons(folder, folder / "finetuning" / f"{preset}-{choice}", chosen.bases, settings)
+        found["table3"] = _finetuned(lessons, jobs, clock, progress)
+    progress("drawing the search", 0, 0)
+    curves = {method: _searched(folder / "generation" / method / "scenes") for method in METHODS}
+    x = "share of the simulations"
+    two_curves(folder / "figures" / "search.svg", curves, x=x, second="overall score")
+    made = {name: beside_paper(found[name], name) for name in TABLES if name in tables}
+    made["avoidability"] = avoidability_table(drives)
+    made = {name: replace(table, notes=(*table.notes, *seen)) for name, table in made.items()}
+    write_tables(folder / "tables", made)
+    return Reproduced(folder=folder, tables=made, seconds=clock.seconds)
+
+
+class _Clock:
+    """Wall times by part, kept in a file, added up over calls."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self.seconds: dict[str, float] = read_json(path)["seconds"] if path.is_file() else {}
+
+    def spent(self, part: str, began: float) -> None:
+        """Add what has passed since `began`."""
+        self.seconds[part] = round(self.seconds.get(part, 0.0) + time.monotonic() - began, 1)
+        write_json(self._path, {"seconds": self.seconds})
+
+
+def _searched(scenes: Path) -> list[tuple[float, float, float]]:
+    """Over the blocks of a search: the share of simulations done, collision rate and overall score of the block."""
+    blocks: dict[int, dict[str, list[Measurements]]] = {}
+    for run in map(runs.open_run, runs.run_folders([scenes])):
+        base = run.path.parent.name
+        for row in runs.read_scenes(run):
+            if row["status"] == "ran":
+                blocks.setdefault(row["block"], {}).setdefault(base, []).append(runs.measurements_of(row))
+    curve: list[tuple[float, float, float]] = []
+    for number, by_base in sorted(blocks.items()):
+        scores = [score(measured) for measured in by_base.values()]
+        curve.append(
+            (
+                (number + 1) / len(blocks),
+                fmean(each.collision_rate for each in scores),
+                fmean(each.overall_score for each in scores),
+            )
+        )
+    return curve
+
+
+# Table 3
+
+
+def _finetuned(lessons: _Lessons, jobs: int, clock: _Clock, progress: Progress) -> ResultTable:
+    """The surrogate, and what it became on each method's scenes of the training routes, on all methods' others."""
+    began = time.monotonic()
+    tasks = [(method, base) for base in lessons.bases for method in METHODS]
+    for count, _ in enumerate(spread(_Tutor, lessons, tasks, jobs=jobs), 1):
+        progress("fine-tuning", count, len(tasks))
+    clock.spent(f"fine-tuning, {lessons.where.name}", began)
+    curves = {method: _learned([lessons.ego(method, base) for base in lessons.bases]) for method in METHODS}
+    two_curves(lessons.where / "figures" / "finetuning.svg", curves, x="episodes", second="completion")
+    began = time.monotonic()
+    drives = [drive for base in lessons.bases for drive in _tested(lessons, base, jobs, progress)]
+    clock.spent(f"testing, {lessons.where.name}", began)
+    collided = ego_table(drives, Mode.PAPER, which="collision_rate")
+    scored = ego_table(drives, Mode.PAPER, which="overall_score")
+    completed = ego_table(drives, Mode.PAPER, which="completion")
+    return replace(
+        collided,
+        title="Fine-tuned egos on the scenes of all methods, on the routes that they did not train on",
+        rows=(
+            *_named("CR", collided.rows),
+            *_named("OS", scored.rows),
+            *_named("Comp", completed.rows),
+        ),
+        notes=(
+            *collided.notes,
+            f"{BEFORE}: {SURROGATE} before fine-tuning; the others: fine-tuned on the scenes of that method.",
+            "A cell is one training. Its interval is over the test routes alone: how another training would come out,"
+            " which moves single cells far more, is not in it, so where rows are close their order is noise.",
+        ),
+    )
+
+
+class _Tutor:
+    """Fine-tunes one ego after another."""
+
+    def __init__(self, lessons: _Lessons) -> None:
+        self._lessons = lessons
+
+    def __call__(self, task: tuple[str, BaseScenario]) -> Path:
+        scenes, ego = self._lessons.scenes(*task), self._lessons.ego(*task)
+        return finetune(ego, [scenes], self._lessons.settings, progress=_silent).folder
+
+
+def _silent(_what: str, _done: int, _total: int) -> None:
+    pass
+
+
+def _learned(egos: Sequence[Path]) -> list[tuple[float, float, float]]:
+    """Over the checkpoints of a method: episodes, collision rate and completion where they are chosen; means of all."""
+    checkpoints: dict[float, list[dict[str, float]]] = {}
+    for ego in egos:
+        for row in read_json(ego / "finetune.json")["curve"]:
+            if "collision_rate" in row:
+                checkpoints.setdefault(float(row["episode"]), []).append(row)
+    return [
+        (episodes, fmean(row["collision_rate"] for row in rows), fmean(row["completion"] for row in rows))
+        for episodes, rows in sorted(checkpoints.items())
+    ]
+
+
+def _named(what: str, rows: Sequence[tuple[str, tuple[Cell, ...]]]) -> list[tuple[str, tuple[Cell, ...]]]:
+    return [(f"{what}, {label.partition(',')[0]}", cells) for label, cells in rows]
+
+
+def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress) -> list[Drive]:
+    """The egos of a base scenario on all methods' scenes, on the routes that none of them trained on."""
+    egos = {SURROGATE: BEFORE} | {str(lessons.ego(method, base) / "policy.npz"): method for method in METHODS}
+    where = lessons.where / "tested" / base
+    if (where / "run.json").exists():
+        done = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=Repeated(ego=tuple(egos)))
+    else:
+        sources = [lessons.scenes(method, base) for method in METHODS]
+        first = lessons.settings.train_routes
+        done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
+    run = runs.open_run(done.folder)
+    return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run, runs.read_record(run))]
