@@ -10,10 +10,11 @@ import pytest
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
-from chatscene.pipeline import rebuild, run
+from chatscene.pipeline import run
 from chatscene.program.check import Checked
 from chatscene.read.decompose import decompose
 from chatscene.runs import open_run, read_explanation
+from chatscene.runs.rebuild import rebuild
 from chatscene.search import generator as searching
 from chatscene.search.generator import TRIES, Written, climb, simulator_of
 from chatscene.search.generators.retrieved import Retrieved

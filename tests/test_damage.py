@@ -49,6 +49,7 @@ from chatscene.runs import (
 )
 from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import write_sealed
+from chatscene.runs.replay import replay
 from chatscene.runs.tables import scene_of
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.studies.benchmark import benchmark
@@ -213,7 +214,7 @@ def _silent(_what: str, _done: int, _total: int) -> None:
 
 USES: dict[str, Callable[[Path, Path], object]] = {
     "resume": lambda folder, _: pipeline.resume(folder),
-    "replay": lambda folder, _: pipeline.replay(folder, "any"),
+    "replay": lambda folder, _: replay(folder, "any"),
     "report": lambda folder, _: write_report(folder),
     "evaluate": lambda folder, out: evaluate([folder], out, egos=["rule-based"], progress=_silent),
     "finetune": lambda folder, _: kept_scenes([folder]),

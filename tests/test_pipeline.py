@@ -17,6 +17,8 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
 from chatscene.read.decompose import decompose
+from chatscene.report.summary import Summary
+from chatscene.runs import working
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.actors import AdversaryKind
@@ -59,7 +61,7 @@ def test_the_stock_scenic_command_compiles_and_runs_a_program() -> None:
 
 def summed_up(**counts: int) -> str:
     known = {"ran": 50, "collided": 20, "rejected": 0, "selected": 2, "selected_shown": 2, "fill_in": 0}
-    scenes, ego = pipeline.Summary(counts=known | counts, seconds=3.0, ego="sac sees little").in_words().splitlines()
+    scenes, ego = Summary(counts=known | counts, seconds=3.0, ego="sac sees little").in_words().splitlines()
     assert ego == "sac sees little"
     return scenes
 
@@ -110,7 +112,7 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     seconds = itertools.count(start=100.0, step=2.0)
-    monkeypatch.setattr(pipeline.time, "monotonic", lambda: next(seconds))
+    monkeypatch.setattr(working.time, "monotonic", lambda: next(seconds))
     small = Settings(search=SearchSettings(scenes=2, block=1, keep=1))
 
     told: list[str] = []

@@ -17,6 +17,8 @@ from chatscene import pipeline, runs
 from chatscene.commands.main import main
 from chatscene.errors import Diverged, RunError
 from chatscene.maps.network import resolve_map
+from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.replay import replay
 from chatscene.search.generators import retrieved
 from chatscene.search.generators.baselines.advsim import AdvSim
 from chatscene.search.generators.retrieved import Retrieved
@@ -62,14 +64,14 @@ def _driven(folder: Path) -> str:
 
 @pytest.mark.usefixtures("unread")
 def test_a_replay_reads_no_sentence(whole: Path) -> None:
-    replayed = pipeline.replay(whole, _driven(whole))
+    replayed = replay(whole, _driven(whole))
     assert replayed.identical
     assert replayed.versions == {}
 
 
 @pytest.mark.usefixtures("unread")
 def test_the_program_of_a_run_is_joined_again_with_the_ranges_it_was_bound_to(whole: Path) -> None:
-    scenario, program = pipeline.rebuild(runs.open_run(whole))
+    scenario, program = rebuild(runs.open_run(whole))
     speed = next(p for p in program.parameters if p.name == "OPT_ADV_SPEED")
     assert (speed.low, speed.high) == (4.5, 5.0)
     assert program.source == runs.read_programs(runs.Workspace(whole))[scenario.id]
@@ -115,7 +117,7 @@ def test_a_baseline_is_rebuilt_from_its_stored_scenario(tmp_path: Path) -> None:
     few = Settings(search=SearchSettings(scenes=1, block=1))
     text = AdvSim().texts(BaseScenario.RIGHT_TURN)[0]
     pipeline.run(text, tmp_path / "run", settings=few, ego_name="rule-based", generator="advsim")
-    assert pipeline.replay(tmp_path / "run", _driven(tmp_path / "run")).identical
+    assert replay(tmp_path / "run", _driven(tmp_path / "run")).identical
 
 
 def _forge(folder: Path, name: str, change: dict[str, Any]) -> None:
@@ -130,7 +132,7 @@ def test_a_stored_program_that_is_another_one_is_not_executed(folder: Path, tmp_
     program.write_text(program.read_text() + f"\nopen({str(tmp_path / 'ran')!r}, 'w')\n")
     as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match="now make another program"):
-        pipeline.replay(folder, _driven(folder))
+        replay(folder, _driven(folder))
     assert not (tmp_path / "ran").exists()
 
 
@@ -145,7 +147,7 @@ def test_other_snippets_than_those_of_the_program_diverge(folder: Path, chosen: 
     _forge(folder, "explanation.json", {"chosen": chosen})
     as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match="the library has changed"):
-        pipeline.rebuild(runs.Workspace(folder))
+        rebuild(runs.Workspace(folder))
 
 
 def test_ranges_beyond_those_of_a_snippet_diverge(folder: Path) -> None:
@@ -155,14 +157,14 @@ def test_ranges_beyond_those_of_a_snippet_diverge(folder: Path) -> None:
     pq.write_table(table.set_column(table.column_names.index("high"), "high", pa.array(high)), path)
     as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(Diverged, match=r"lies between .* not .* and 900"):
-        pipeline.rebuild(runs.Workspace(folder))
+        rebuild(runs.Workspace(folder))
 
 
 def test_a_run_that_came_to_no_choice_cannot_be_rebuilt(folder: Path) -> None:
     _forge(folder, "explanation.json", {"chosen": {}})
     as_by_an_older_version(runs.Workspace(folder))
     with pytest.raises(RunError, match="names no snippets"):
-        pipeline.rebuild(runs.Workspace(folder))
+        rebuild(runs.Workspace(folder))
 
 
 def _with_other_versions(folder: Path, **versions: str) -> None:
@@ -195,7 +197,7 @@ def test_a_program_that_another_version_makes_otherwise_is_said_with_the_version
     program.write_text(program.read_text() + "\n")
     _with_other_versions(folder, chatscene="0.0.1")
     with pytest.raises(Diverged, match=r"chatscene 0\.0\.1 then"):
-        pipeline.rebuild(runs.Workspace(folder))
+        rebuild(runs.Workspace(folder))
 
 
 def test_an_identical_replay_under_other_versions_is_identical(folder: Path) -> None:
@@ -214,7 +216,7 @@ def test_a_run_is_not_replayed_on_a_map_that_was_changed_since(tmp_path: Path) -
     town = tmp_path / "mine.xodr"
     town.write_bytes(resolve_map("town").read_bytes())
     run = runs.create(tmp_path / "run", text="a car", settings=Settings(), map_name=str(town), map_path=town, ego="sac")
-    assert pipeline.map_of(runs.read_record(run)) == town
+    assert map_of(runs.read_record(run)) == town
     town.write_text(town.read_text() + "<!-- wider -->")
     with pytest.raises(RunError, match="is not the file that the run was made on"):
-        pipeline.map_of(runs.read_record(run))
+        map_of(runs.read_record(run))

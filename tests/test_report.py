@@ -25,7 +25,6 @@ from chatscene.commands import main as cli
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError
-from chatscene.pipeline import Summary
 from chatscene.report import viewer
 from chatscene.report.animation import write_gif
 from chatscene.report.highlight import highlight
@@ -33,6 +32,7 @@ from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, verdict
+from chatscene.report.summary import Summary
 from chatscene.report.tracks import extent, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import (

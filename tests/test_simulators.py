@@ -10,6 +10,7 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
+from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
@@ -74,8 +75,8 @@ def test_a_record_says_what_ran_its_scenes(scripted: Path) -> None:
 def test_a_replay_runs_in_the_simulator_of_the_record_and_only_if_the_user_names_it_too(scripted: Path) -> None:
     scene_id = next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(scripted)) if row["status"] == "ran")
     with pytest.raises(RunError, match=f"names the simulator '{OWN}', .*say so: --simulator {OWN}"):
-        pipeline.replay(scripted, scene_id)
-    assert pipeline.replay(scripted, scene_id, repeated=Repeated(simulator=(OWN,))).identical
+        replay(scripted, scene_id)
+    assert replay(scripted, scene_id, repeated=Repeated(simulator=(OWN,))).identical
 
 
 def test_a_fine_tuning_takes_no_simulator_from_a_record_that_is_not_packaged(scripted: Path) -> None:

@@ -40,9 +40,11 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.read.slot_classifier import load_classifier, save_classifier
 from chatscene.report.terminal import print_understanding, visible
+from chatscene.runs import replay as replaying
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.parallel import spread
+from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import GENERATORS, load_generator, simulator_of
 from chatscene.search.generators.own_program import text_of
@@ -96,7 +98,7 @@ def hostile(tmp_path: Path, canary: Path) -> Path:
 
 FOLLOWERS: dict[str, Callable[[Path], object]] = {
     "resume": pipeline.resume,
-    "replay": lambda folder: pipeline.replay(folder, "x"),
+    "replay": lambda folder: replay(folder, "x"),
     "evaluate": lambda folder: evaluation.evaluate([folder], folder / "e", egos=["idm"], progress=silent),
     "finetune": lambda folder: kept_scenes([folder]),
 }
@@ -151,11 +153,11 @@ def test_who_read_the_sentence_need_not_be_named_where_it_is_not_read_again(
     def rebuild(_run: runs.Workspace) -> None:
         raise Seen
 
-    for module in (pipeline, evaluation, scenes):
+    for module in (replaying, evaluation, scenes):
         monkeypatch.setattr(module, "rebuild", rebuild)
     if command == "replay":
-        monkeypatch.setattr(runs, "read_episode", Mock())
-        monkeypatch.setattr(runs, "read_scenes", Mock(return_value=[{"scene_id": "x"}]))
+        monkeypatch.setattr(replaying, "read_episode", Mock())
+        monkeypatch.setattr(replaying, "read_scenes", Mock(return_value=[{"scene_id": "x"}]))
     with pytest.raises(Seen):
         FOLLOWERS[command](run.path)
 

@@ -14,7 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene import pipeline, runs
 from chatscene.errors import RunError, SettingsError, no_such
-from chatscene.pipeline import Progress, Replayed, Summary, Understood, silent
+from chatscene.report.summary import Summary
+from chatscene.report.understood import Understood
+from chatscene.runs.progress import Progress, silent
+from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.replay import Replayed
+from chatscene.runs.replay import replay as replay_scene
 from chatscene.runs.tables import EPISODES, SCENES, Table, read_table
 from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import RetrievalSettings, Settings
@@ -171,7 +176,7 @@ class DrivenScene:
 
     def replay(self) -> Replayed:
         """Simulate it again from its stored values, and compare every number of every track."""
-        return pipeline.replay(self._workspace.path, self.id, repeated=self._repeated)
+        return replay_scene(self._workspace.path, self.id, repeated=self._repeated)
 
     def env(
         self,
@@ -200,8 +205,8 @@ class DrivenScene:
 
         follow(replace(self._repeated, ego=()), simulators_of=[self._workspace], joining_of=[self._workspace])
         record = runs.read_record(self._workspace)
-        map_path = pipeline.map_of(record)
-        _, program = pipeline.rebuild(self._workspace)
+        map_path = map_of(record)
+        _, program = rebuild(self._workspace)
         scene = runs.scene_of(self.row, program)
         return DrivingEnv(
             [Course(program=program, route=scene.route, values=scene.values)],
@@ -426,7 +431,7 @@ def replay(
     repeated = Repeated(
         ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
     )
-    return pipeline.replay(Path(folder), scene_id, repeated=repeated)
+    return replay_scene(Path(folder), scene_id, repeated=repeated)
 
 
 def evaluate(

@@ -21,10 +21,10 @@ from gymnasium.envs.registration import register
 from chatscene.ego.policy import load_ego
 from chatscene.learn.env import DrivingEnv, end_drive
 from chatscene.maps.network import resolve_map
-from chatscene.pipeline import routes_of
 from chatscene.program.ordinary import Course
 from chatscene.search.generator import climb, load_generator, simulator_of
 from chatscene.settings import RetrievalSettings, Settings
+from chatscene.simulate.simulator import routes_of
 
 
 def make_scene(

@@ -149,7 +149,7 @@ def run(
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run --program mine.scenic --routes 4
     """
-    from chatscene import api, pipeline
+    from chatscene import api, runs
 
     if (text is None) == (program is None):
         raise click.UsageError("say what to run: either a TEXT or --program FILE")
@@ -158,7 +158,7 @@ def run(
         with _refusing(text or "", reading["embedder"], as_json):
             done = api.run(
                 text or "",
-                folder or pipeline.free_folder(Path("runs"), name),
+                folder or runs.free_folder(Path("runs"), name),
                 program=one,
                 map=map_name,
                 ego=ego,
@@ -258,11 +258,11 @@ def evaluate(
     chatscene evaluate runs/cyclist --ego sac --ego idm
     chatscene evaluate runs/* --ego my-policy.onnx --ego mypackage.stack:make_ego --out runs/my-stack
     """
-    from chatscene import api, pipeline
+    from chatscene import api, runs
 
     evaluated = api.evaluate(
         scenes,
-        out or pipeline.free_folder(Path("runs"), "evaluation"),
+        out or runs.free_folder(Path("runs"), "evaluation"),
         ego=egos,
         all=every_scene,
         simulator=simulator or None,

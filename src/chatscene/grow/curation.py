@@ -14,9 +14,9 @@ from chatscene.grow.fit import fit, heads_of, joined
 from chatscene.grow.lint import Finding, alike, sifted, sound_part, trials, try_joint, try_triple, unpartnered
 from chatscene.library.load import library_with, load_library
 from chatscene.maps.network import resolve_map
-from chatscene.pipeline import Progress
 from chatscene.read.slot_classifier import NAME, PACKAGED, TRUSTED, save_classifier
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress
 from chatscene.search.generator import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
 from chatscene.maps.junctions import junction_signals
+from chatscene.terms.route import Route
 
 Points = list[list[float]]
+MARGIN = 60.0  # [m] of map drawn around what happens
 SIMPLIFY = 0.02  # [m]; less than a pixel at any useful zoom
 
 
@@ -67,6 +70,26 @@ def _boundaries(network: Any) -> Iterator[tuple[str, BaseGeometry]]:
 
 def _line(edge: Any) -> BaseGeometry:
     return shapely.LineString(np.array(edge.points)[:, :2])
+
+
+def drawing_around(network: Any, points: NDArray[np.float64]) -> dict[str, Any]:
+    """The map around some points [m], an array of n x 2 in the map frame, as `map_drawing` gives it."""
+    (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
+    return map_drawing(network, (float(x0), float(y0), float(x1), float(y1)))
+
+
+def routes_drawing(network: Any, routes: Mapping[str, Route]) -> dict[str, Any]:
+    """The map around some routes, and the routes, ready for JSON.
+
+    Args:
+        network: Scenic's road network.
+        routes: By name.
+
+    Returns:
+        As `map_drawing`, and ``routes``: by name, points [x, y] in metres.
+    """
+    drawing = drawing_around(network, np.concatenate([route.line.points for route in routes.values()]))
+    return {**drawing, "routes": {name: route.line.points.round(2).tolist() for name, route in routes.items()}}
 
 
 def _polygons(areas: Iterable[BaseGeometry], frame: BaseGeometry) -> list[list[Points]]:

@@ -33,13 +33,14 @@ from chatscene.runs.blocks import (
 )
 from chatscene.runs.checking import Condition, check
 from chatscene.runs.exclusive import alone
-from chatscene.runs.explanation import Choice, explain, read_choice, read_explanation
+from chatscene.runs.explanation import Choice, explain, read_choice, read_explanation, write_choice
 from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, settings_of
-from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_index, scene_of
+from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_id, route_index, scene_of
 from chatscene.runs.workspace import (
     Workspace,
     changed_versions,
     create,
+    free_folder,
     note,
     open_run,
     read_drawing,
@@ -69,6 +70,7 @@ __all__ = [
     "drop_blocks",
     "explain",
     "finish",
+    "free_folder",
     "measurements_of",
     "metrics_of",
     "note",
@@ -86,12 +88,14 @@ __all__ = [
     "read_scenes",
     "read_signals",
     "resume",
+    "route_id",
     "route_index",
     "run_folders",
     "scene_of",
     "settings_of",
     "update",
     "write_block",
+    "write_choice",
     "write_drawing",
     "write_explanation",
     "write_program",

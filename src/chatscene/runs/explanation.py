@@ -12,9 +12,10 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from chatscene.errors import RunError
-from chatscene.runs.atomic import read_json
+from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.record import first_problem
-from chatscene.runs.workspace import Workspace
+from chatscene.runs.workspace import Workspace, read_record, write_program
+from chatscene.search.generator import Written
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval
@@ -28,6 +29,14 @@ def explain(text: str, understood: Sequence[tuple[Scenario, Retrieval | None]]) 
         understood: Each scenario with what was retrieved for it, or None where retrieval was not reached.
     """
     return {"text": text, "scenarios": [_scenario(*pair) for pair in understood]}
+
+
+def write_choice(run: Workspace, scenario: Scenario, written: Written | None = None) -> None:
+    """Keep what was read and, if it came that far, what was chosen and the program it makes."""
+    retrieval = written.retrieval if written else None
+    write_json(run.file("explanation.json"), explain(read_record(run).text, [(scenario, retrieval)]))
+    if written:
+        write_program(run, scenario.id, written.program.source)
 
 
 def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, as_completed, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -19,7 +19,9 @@ from typing import Any, TypeVar
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import RunError
-from chatscene.runs import Workspace, write_block
+from chatscene.runs import Workspace, read_record, settings_of, write_block
+from chatscene.runs.progress import Progress
+from chatscene.runs.rebuild import map_of
 from chatscene.search.explore import outcomes
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import Settings
@@ -47,6 +49,7 @@ class Work:
         map_path: The map.
         ego: The surrogate ego, by name.
         settings: All settings.
+        routes: On which routes.
     """
 
     folder: Path
@@ -56,10 +59,31 @@ class Work:
     map_path: Path
     ego: str
     settings: Settings
+    routes: tuple[int, ...]
 
-    def blocks(self) -> int:
+    @classmethod
+    def of(cls, run: Workspace, slots: Slots, program: ScenicProgram, routes: Iterable[int]) -> Work:
+        """What is to be done for a run folder, with a program on some routes."""
+        record = read_record(run)
+        return cls(
+            folder=run.path,
+            generator=record.generator,
+            program=program,
+            slots=slots,
+            map_path=map_of(record),
+            ego=record.ego,
+            settings=settings_of(record),
+            routes=tuple(routes),
+        )
+
+    @property
+    def per_route(self) -> int:
         """How many blocks a route has."""
         return -(-self.settings.search.scenes // self.settings.search.block)
+
+    def blocks(self) -> list[tuple[str, int, int]]:
+        """Scenario, route and number of every block there has to be."""
+        return [(self.program.scenario_id, route, n) for route in self.routes for n in range(self.per_route)]
 
 
 class _Worker:
@@ -90,32 +114,35 @@ class _Worker:
 
 
 def run_blocks(
-    work: Work, done: Mapping[int, list[list[Outcome]]], *, jobs: int, on_block: Callable[[int], None]
+    work: Work, done: Mapping[tuple[str, int], list[list[Outcome]]], *, jobs: int, progress: Progress
 ) -> None:
     """Run every block that is not done yet, and keep each in the run folder.
 
     Args:
         work: The run.
-        done: For each route, what came of each block that is done.
+        done: For each scenario and route, what came of each block that is done (`chatscene.runs.resume`).
         jobs: How many processes; 1 runs in this one.
-        on_block: Told after each block how many were run.
+        progress: Told after each block.
 
     Raises:
         RunError: A process died, or the folder cannot be written.
         ChatSceneError: Whatever a block raised.
     """
-    history = {route: list(blocks) for route, blocks in done.items()}
-    open_routes = [route for route in sorted(history) if len(history[route]) < work.blocks()]
+    history = {route: list(done.get((work.program.scenario_id, route), ())) for route in work.routes}
+    open_routes = [route for route in sorted(history) if len(history[route]) < work.per_route]
+
+    def tell() -> None:
+        progress("searching, blocks", sum(map(len, history.values())), len(work.blocks()))
+
     if jobs == 1 or len(open_routes) <= 1:
-        worker, ran = _Worker(work), 0
+        worker = _Worker(work)
         for route in open_routes:
-            while len(history[route]) < work.blocks():
+            while len(history[route]) < work.per_route:
                 history[route].append(worker.run_block(route, history[route]))
-                ran += 1
-                on_block(ran)
+                tell()
         return
     try:
-        _in_processes(work, history, open_routes, min(jobs, len(open_routes)), on_block)
+        _in_processes(work, history, open_routes, min(jobs, len(open_routes)), tell)
     except BrokenProcessPool as error:
         raise RunError(
             "a worker process was killed, perhaps for want of memory; nothing finished is lost: "
@@ -128,9 +155,8 @@ def _in_processes(
     history: dict[int, list[list[Outcome]]],
     routes: list[int],
     jobs: int,
-    on_block: Callable[[int], None],
+    tell: Callable[[], None],
 ) -> None:
-    ran = 0
     with _processes(jobs, _start_worker, work) as pool:
 
         def submit(route: int) -> Future[list[Outcome]]:
@@ -143,9 +169,8 @@ def _in_processes(
                 for future in sorted(finished, key=lambda f: pending[f]):
                     route = pending.pop(future)
                     history[route].append(future.result())
-                    ran += 1
-                    on_block(ran)
-                    if len(history[route]) < work.blocks():
+                    tell()
+                    if len(history[route]) < work.per_route:
                         pending[submit(route)] = route
         finally:
             pool.shutdown(wait=False, cancel_futures=True)

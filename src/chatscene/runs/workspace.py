@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
@@ -184,6 +185,13 @@ def _refuse_links(folder: Path) -> None:
     """
     if (link := next((path for path in sorted(folder.rglob("*")) if path.is_symlink()), None)) is not None:
         raise RunError(f"{link} is a link, and a run folder holds files of its own only; take it away")
+
+
+def free_folder(parent: Path, text: str) -> Path:
+    """A folder name made from a sentence that is not taken yet."""
+    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:6]) or "run"
+    taken = (parent / f"{stem}-{n}" if n > 1 else parent / stem for n in range(1, 10_000))
+    return next(folder for folder in taken if not folder.exists())
 
 
 def open_run(folder: Path, *, holds: str = "") -> Workspace:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Protocol
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
-from chatscene.errors import EgoError, StuckBehavior
+from chatscene.errors import EgoError, MapError, StuckBehavior
 from chatscene.plugins import Kind, make
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import time_limit
@@ -139,6 +140,16 @@ def simulate(
             return session.episode(scene.id, name_of(ego))
         finally:
             session.close()
+
+
+def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route]:
+    """The first routes of a program's geometry on which its adversary has a way, by number; as many as there are."""
+    found: dict[int, Route] = {}
+    for index in range(simulator.routes(program)):
+        if len(found) < wanted:
+            with suppress(MapError):
+                found[index] = simulator.route(program, index)
+    return found
 
 
 def _drive(session: Session, ego: EgoPolicy) -> None:

@@ -20,9 +20,10 @@ from chatscene import runs
 from chatscene.ego.policy import load_ego, senses_of
 from chatscene.errors import ChatSceneError, MapError, MeansSomethingElse, NothingFits, RunError, SettingsError, no_such
 from chatscene.maps.network import resolve_map
-from chatscene.pipeline import Progress, search
+from chatscene.pipeline import search
 from chatscene.runs.atomic import read_json, write_json, writing
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.search.sampler import load_sampler
@@ -246,7 +247,7 @@ class _Searcher:
         if record.status is runs.Status.REFUSED:
             return task, record.reason
         try:
-            search(run, 1, _silent)
+            search(run, 1, silent)
         except (NothingFits, MeansSomethingElse, MapError) as error:
             runs.update(run, status=runs.Status.REFUSED, reason=str(error))
             return task, str(error)
@@ -254,7 +255,3 @@ class _Searcher:
             runs.update(run, status=runs.Status.FAILED, reason=str(error))
             raise
         return task, ""
-
-
-def _silent(_what: str, _done: int, _total: int) -> None:
-    pass

@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 
 from chatscene.ego.policy import load_ego, name_of
-from chatscene.maps.drawing import map_drawing
+from chatscene.maps.drawing import drawing_around
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
-from chatscene.pipeline import MARGIN, Progress
 from chatscene.report.animation import animate
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.episode import Episode
@@ -103,6 +103,4 @@ class _Driver:
 def _drawing(episode: Episode, map_name: str) -> dict[str, object]:
     """The map around a drive."""
     ego = episode.ego_track
-    points = np.column_stack((ego.x, ego.y))
-    (x0, y0), (x1, y1) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
-    return map_drawing(load_network(resolve_map(map_name)), (float(x0), float(y0), float(x1), float(y1)))
+    return drawing_around(load_network(resolve_map(map_name)), np.column_stack((ego.x, ego.y)))

@@ -24,10 +24,11 @@ from chatscene.measure.tables import (
     fault_table,
     generation_table,
 )
-from chatscene.pipeline import Progress, map_of, rebuild
 from chatscene.report.egos import egos_in_words
 from chatscene.report.tables import write_tables
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress
+from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator, simulator_of

@@ -28,10 +28,10 @@ from chatscene.library.load import Library, library_with
 from chatscene.maps.network import resolve_map
 from chatscene.measure.score import wilson
 from chatscene.models.encoders.embedding import load_embedder
-from chatscene.pipeline import Progress
 from chatscene.program.check import unshown
 from chatscene.read.base import concluded
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress
 from chatscene.search.generator import Written, climb, simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings

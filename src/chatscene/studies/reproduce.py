@@ -19,13 +19,13 @@ from chatscene.errors import SettingsError, no_such
 from chatscene.learn.finetune import PRESETS, FinetuneSettings, finetune
 from chatscene.measure.score import score
 from chatscene.measure.tables import avoidability_table, diagnostic_table, ego_table, generation_table
-from chatscene.pipeline import Progress
 from chatscene.report.beside_paper import beside_paper
 from chatscene.report.egos import egos_in_words
 from chatscene.report.figures import two_curves
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated
 from chatscene.studies.benchmark import benchmark
 from chatscene.studies.evaluation import carry_on, evaluate, read_displacements, read_drives
@@ -261,11 +261,7 @@ class _Tutor:
 
     def __call__(self, task: tuple[str, BaseScenario]) -> Path:
         scenes, ego = self._lessons.scenes(*task), self._lessons.ego(*task)
-        return finetune(ego, [scenes], self._lessons.settings, progress=_silent).folder
-
-
-def _silent(_what: str, _done: int, _total: int) -> None:
-    pass
+        return finetune(ego, [scenes], self._lessons.settings, progress=silent).folder
 
 
 def _learned(egos: Sequence[Path]) -> list[tuple[float, float, float]]:

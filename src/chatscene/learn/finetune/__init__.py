@@ -23,10 +23,10 @@ from chatscene.learn.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, Less
 from chatscene.learn.finetune.settings import PRESETS, FinetuneSettings
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import drive_ordinary
-from chatscene.pipeline import Progress
 from chatscene.program.ordinary import ordinary_courses
 from chatscene.runs import alone
 from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
+from chatscene.runs.progress import Progress
 from chatscene.simulate.simulator import Simulator, load_simulator
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from chatscene import runs
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import RunError
 from chatscene.measure.score import measure, score, wilson
-from chatscene.pipeline import map_of, rebuild
 from chatscene.program.ordinary import Course
+from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.search.generator import GENERATORS, load_generator
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import SIMULATORS, Simulator, simulate

@@ -1,0 +1,45 @@
+"""What a run came to, in two lines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from chatscene import runs
+from chatscene.measure.score import wilson
+from chatscene.report.egos import egos_in_words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Summary:
+    """What a run came to.
+
+    Attributes:
+        counts: As in `run.json`.
+        seconds: Wall time, of every call that worked on the folder.
+        ego: Who drove, and what it sees: no collision rate means anything without it.
+    """
+
+    counts: Mapping[str, int]
+    seconds: float
+    ego: str
+
+    @classmethod
+    def of(cls, record: runs.RunRecord) -> Summary:
+        """The summary of a run by its record."""
+        return cls(counts=record.counts, seconds=record.timings["total"], ego=egos_in_words(record)[0])
+
+    def in_words(self) -> str:
+        """Two lines for a person: what came of it, and what the ego could see."""
+        ran, collided = self.counts["ran"], self.counts["collided"]
+        low, high = wilson(collided, ran)
+        rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
+        kept, fill_in = self.counts["selected"], self.counts["fill_in"]
+        unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
+        but = [f"{fill_in} without a collision"] * bool(fill_in)
+        but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
+        return (
+            f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
+            f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
+            f"{kept} kept" + (f" ({', '.join(but)})" if but else "") + f"\n{self.ego}"
+        )

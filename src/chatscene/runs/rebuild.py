@@ -1,0 +1,75 @@
+"""What a run was made of, made again from its record: its map, its scenario and its program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from chatscene.errors import Diverged, RunError, SnippetError
+from chatscene.maps.network import resolve_map
+from chatscene.runs.blocks import read_ranges
+from chatscene.runs.digests import digest_of
+from chatscene.runs.explanation import read_choice
+from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.workspace import Workspace, changed_versions, read_programs, read_record
+from chatscene.search.generator import load_generator
+from chatscene.search.generators.retrieved import Retrieved
+from chatscene.terms.scenario import Scenario
+from chatscene.terms.scene import ScenicProgram
+
+
+def map_of(record: RunRecord) -> Path:
+    """The map that a run was made on.
+
+    Raises:
+        MapError: There is none of that name.
+        RunError: It is another file by now.
+    """
+    path = resolve_map(record.map_name)
+    if record.map_digest and digest_of(path) != record.map_digest:
+        raise RunError(
+            f"the map {record.map_name} is not the file that the run was made on (its SHA-256 differs); put that one "
+            f"back, or {_remedy(record)}"
+        )
+    return path
+
+
+def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
+    """The scenario and the program of a run, from what was understood and chosen then; the text is not read again.
+
+    The program that lies in the folder is never executed: it is joined again, of snippets of the library, and compared.
+
+    Raises:
+        RunError: The run did not come that far, or what it tells was changed.
+        Diverged: This version makes another program than the one that was kept.
+    """
+    record = read_record(run)
+    generator = load_generator(record.generator)
+    settings = settings_of(record).retrieval
+    scenario, choice = read_choice(run)
+    try:
+        if not isinstance(generator, Retrieved):
+            program = generator.write(scenario, settings).program
+        elif choice is None:
+            raise RunError(f"nothing was chosen in {run.path}: its explanation.json names no snippets")
+        else:
+            ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
+            program = generator.join(scenario, choice.snippet_ids, choice.adversary, ranges, settings)
+    except SnippetError as error:
+        raise Diverged(f"the library has changed since {run.path} was made: {error}; {_remedy(record)}") from error
+    if read_programs(run).get(scenario.id) != program.source:
+        raise Diverged(
+            f"the library has changed since {run.path} was made: the same snippets now make another program; "
+            f"{_remedy(record)}"
+        )
+    return scenario, program
+
+
+def _remedy(record: RunRecord) -> str:
+    return f"install the version of chatscene that run.json names{since(changed_versions(record))}"
+
+
+def since(versions: Mapping[str, tuple[str, str]]) -> str:
+    """The versions that changed, to end a sentence with; empty if none did."""
+    changed = ", ".join(f"{name} {then} then, {now} now" for name, (then, now) in versions.items())
+    return f" ({changed})" if changed else ""
