@@ -19,8 +19,8 @@ from chatscene.search.generators.baselines.scenario_runner import AROUND, EARLIE
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 from fake_run import finished
+from places import ROOT
 
-ROOT = Path(__file__).parents[1]
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 

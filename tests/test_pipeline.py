@@ -24,14 +24,14 @@ from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
+from places import GOLDEN, SHARED
 
-GOLDEN = Path(__file__).parent / "golden"
 SENTENCES = {
     "bus-stop": "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",
     "red-light": "We drive straight when a truck from the left runs the red light and brakes.",
     "lane-change": "While we change to the left lane, a motorcycle ahead in that lane brakes hard.",
 }
-PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+PAPER = SHARED / "data" / "paper_descriptions.json"
 
 
 @pytest.fixture(scope="module")

@@ -21,11 +21,12 @@ from chatscene.plugins import Kind, make, names
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, load_sampler
 from chatscene.simulate.simulator import SIMULATORS
+from places import ROOT
 
 KINDS: tuple[Kind[Any], ...] = (EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS)
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.noun)
 
-PAGE = (Path(__file__).parents[1] / "docs" / "plugins.md").read_text()
+PAGE = (ROOT / "docs" / "plugins.md").read_text()
 MIDDLE = PAGE.split("```python\n")[1].split("```")[0]
 FAULTS = """
 def broken():

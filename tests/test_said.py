@@ -23,8 +23,8 @@ from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Why
+from places import ROOT
 
-ROOT = Path(__file__).parents[1]
 _SHOWN = re.compile(r"chatscene (?:run|explain) \"([^\"…]+)\"([^\n]*)")
 
 

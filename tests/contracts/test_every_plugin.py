@@ -6,7 +6,6 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -27,8 +26,9 @@ from chatscene.testing import (
     check_sampler,
 )
 from chatscene.testing.language_models import PROMPT
+from places import GOLDEN
 
-OWN_PROGRAM = Path(__file__).parents[1] / "golden" / "bus-stop.scenic"
+OWN_PROGRAM = GOLDEN / "bus-stop.scenic"
 
 
 @pytest.mark.parametrize("name", sorted(EGOS.built_in))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import pickle
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
@@ -15,8 +14,8 @@ from chatscene.sentences.grammar.deeds import DEEDS, phrases
 from chatscene.sentences.grammar.inflection import Form, conjugated
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS, Action, reordered
+from places import ROOT
 
-ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "chatscene"
 ELSEWHERE = {
     "program/deeds.py": "a test on tracks for each",

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from scenic.simulators.carla import blueprints
@@ -14,8 +13,9 @@ from chatscene.read import lexicon
 from chatscene.sentences.grammar.who import NOUNS
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.actors import BY_CLASS, AdversaryKind
+from places import ROOT
 
-SOURCE = Path(__file__).parents[1] / "src" / "chatscene"
+SOURCE = ROOT / "src" / "chatscene"
 TABLE = {SOURCE / "terms" / "actors.py", SOURCE / "world" / "model.scenic"}
 NAMES = {kind.name for kind in AdversaryKind} | {kind.value for kind in AdversaryKind} | set(BY_CLASS)
 QUOTED = re.compile(rf"""\b(?:{"|".join(sorted(BY_CLASS))})\b(?=["']?\s*[,:\])])""")

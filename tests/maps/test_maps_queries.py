@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,9 +22,10 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.survey import check_map, describe_map
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import BaseScenario, Control
+from places import SHARED
 
 TOWN = resolve_map("town")
-SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "maps"
+DATA = SHARED / "data" / "maps"
 NETWORK: Any = load_network(TOWN)
 LANES = LaneMap(NETWORK)
 MAIN_LANES = {lane.uid: lane for road in NETWORK.roads for lane in road.lanes}
@@ -136,7 +136,7 @@ def test_the_town_is_described_with_ten_routes_or_more_for_every_base_scenario()
 
 @pytest.mark.parametrize("name", ["Town01", "Town04", "Town10HD"])
 def test_a_town_of_carla_can_be_asked_the_same_questions(name: str) -> None:
-    path = SHARED / f"{name}.xodr"
+    path = DATA / f"{name}.xodr"
     if not path.is_file():
         pytest.skip(f"{name}.xodr is not beside this repository")
     network = load_network(path)

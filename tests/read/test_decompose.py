@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,9 +13,10 @@ from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side
+from places import FIXTURES, SHARED
 
-SENTENCES: dict[str, Any] = json.loads((Path(__file__).parent / "fixtures" / "sentences.json").read_text("utf-8"))
-PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+SENTENCES: dict[str, Any] = json.loads((FIXTURES / "sentences.json").read_text("utf-8"))
+PAPER = SHARED / "data" / "paper_descriptions.json"
 
 PED, CYC, MOTO, CAR = (
     AdversaryKind.PEDESTRIAN,

@@ -57,8 +57,8 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from places import GOLDEN, TESTS
 
-GOLDEN = Path(__file__).parent / "golden"
 TOWN = resolve_map("town")
 HEAD = 'model chatscene.world.model\negoRoute = selectRoute(maneuver="straight")\n'
 EGO = "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
@@ -241,7 +241,7 @@ def test_every_layer_that_this_kernel_has_is_in_force(simulator: ConfinedSimulat
 
 def test_the_walls_of_the_kernel_hold_without_the_watchman(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("x")
-    script = Path(__file__).parent / "red_team" / "unwatched.py"
+    script = TESTS / "red_team" / "unwatched.py"
     done = subprocess.run([sys.executable, str(script), str(tmp_path)], capture_output=True, text=True, check=True)
     tried: dict[str, str] = json.loads(done.stdout)
     assert len(tried) >= 14

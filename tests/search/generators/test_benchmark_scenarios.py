@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -16,8 +15,9 @@ from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario
+from places import SHARED
 
-PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+PAPER = SHARED / "data" / "paper_descriptions.json"
 OURS = {base: Retrieved().texts(base) for base in BaseScenario}
 beside_the_paper = pytest.mark.skipif(not PAPER.exists(), reason="the paper's sentences are not beside this checkout")
 

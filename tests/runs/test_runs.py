@@ -43,6 +43,7 @@ from chatscene.search.explore import outcomes
 from chatscene.settings import SearchSettings, Settings
 from chatscene.terms.episode import Episode
 from fake_run import DECLARED, SCENARIO, TEXT, blocks, drive, finished, scene, selection, started
+from places import TESTS
 
 CONTRACT = {
     "scenes.parquet": "scene_id scenario_id route_id block seed status reason meaning_ok meaning_failures collision "
@@ -196,7 +197,7 @@ for number in itertools.count():
 @pytest.mark.skipif(os.name != "posix", reason="SIGKILL is POSIX")
 def test_a_killed_writer_leaves_only_whole_blocks(tmp_path: Path) -> None:
     folder = tmp_path / "run"
-    path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+    path = os.pathsep.join([str(TESTS), *sys.path])
     writer = subprocess.Popen([sys.executable, "-c", WRITER, str(folder)], env={**os.environ, "PYTHONPATH": path})
     while len(list(folder.glob("parts/*.json"))) < 5 and writer.poll() is None:
         time.sleep(0.002)

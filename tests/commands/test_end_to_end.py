@@ -14,8 +14,8 @@ import pytest
 from chatscene import runs
 from chatscene.simulate.confined.landlock import landlock_version
 from fake_run import as_by_an_older_version
+from places import ROOT
 
-ROOT = Path(__file__).parents[1]
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
 SAME = ("scenes.parquet", "events.parquet", "signals.parquet", "ranges.parquet", "map.json", "explanation.json")
 

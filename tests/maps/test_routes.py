@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,8 +16,9 @@ from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, conflicting_paths, find_routes
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place
+from places import SHARED
 
-SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "maps"
+DATA = SHARED / "data" / "maps"
 NETWORK: Any = load_network(resolve_map("town"))
 LANES = LaneMap(NETWORK)
 BASE = [(base, query) for base, queries in BASE_SCENARIO_QUERIES.items() for query in queries]
@@ -263,7 +263,7 @@ def test_what_a_map_lacks_is_said() -> None:
     ],
 )
 def test_the_towns_of_carla_serve_what_they_have_the_geometry_for(name: str, serves: set[str], lacks: set[str]) -> None:
-    path = SHARED / f"{name}.xodr"
+    path = DATA / f"{name}.xodr"
     if not path.is_file():
         pytest.skip(f"{name}.xodr is not beside this repository")
     network = load_network(path)

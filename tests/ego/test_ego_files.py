@@ -16,8 +16,9 @@ from chatscene.ego.files import SAFEBENCH_EVERY, load_file
 from chatscene.ego.network import Network, NetworkEgo, load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import EgoError
+from places import SHARED
 
-SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "safebench"
+DATA = SHARED / "data" / "safebench"
 quiet = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::FutureWarning", "ignore::UserWarning")
 
 
@@ -272,12 +273,12 @@ def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: P
             assert ego.act(observation) == pytest.approx(ours(observation), abs=3e-6)
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="SafeBench's checkpoints are not beside this checkout")
+@pytest.mark.skipif(not DATA.is_dir(), reason="SafeBench's checkpoints are not beside this checkout")
 @pytest.mark.parametrize("name", ["sac", "sac_0", "ppo_0", "td3_0"])
 class TestSafeBenchCheckpoints:
     def ego(self, name: str) -> EgoPolicy:
         pytest.importorskip("torch", reason="the extra 'train' is not installed")
-        return load_file(SHARED / f"{name}.pt")
+        return load_file(DATA / f"{name}.pt")
 
     def test_it_steers_back_to_its_route_from_both_sides(self, name: str) -> None:
         turned_left, turned_right = self.ego(name), self.ego(name)

@@ -3,7 +3,6 @@ from __future__ import annotations
 import itertools
 import json
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,10 +28,10 @@ from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Clauses, Frame
 from chatscene.terms.scenario import Component, Maneuver, Place, Position, Scenario, Side, Slots, SubDescriptions
 from chatscene.terms.snippet import Retrieval
+from places import FIXTURES, SHARED
 
-FIXTURES = Path(__file__).parent / "fixtures"
 SENTENCES = json.loads((FIXTURES / "sentences.json").read_text("utf-8"))
-PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_descriptions.json"
+PAPER = SHARED / "data" / "paper_descriptions.json"
 ANYTHING = RetrievalSettings(refuse_below=0.0)
 
 

@@ -1,11 +1,11 @@
 """The five published overall scores from the ten published columns (paper, diagnostic table)."""
 
 import json
-from pathlib import Path
 
 import pytest
 
 from chatscene.terms.metrics import Metrics
+from places import SHARED
 
 NAMES = (
     "collision_rate", "red_light", "stop_sign", "off_road", "route_following",
@@ -18,7 +18,7 @@ PUBLISHED = {
     "AT": ((0.627, 0.312, 0.158, 0.028, 0.893, 0.726, 0.279, 0.219, 0.248, 0.137), 0.596),
     "ChatScene": ((0.831, 0.179, 0.143, 0.035, 0.833, 0.544, 0.223, 0.705, 0.532, 0.243), 0.482),
 }
-TABLES = Path(__file__).parents[1].parent / "shared" / "data" / "paper_tables.json"
+TABLES = SHARED / "data" / "paper_tables.json"
 
 
 @pytest.mark.parametrize("method", PUBLISHED)

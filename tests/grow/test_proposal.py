@@ -35,6 +35,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
+from places import ROOT
 
 BASE = BaseScenario.STRAIGHT_OBSTACLE
 CODE = """param OPT_ADV_SPEED = Range(1.5, 3)
@@ -246,7 +247,7 @@ def test_the_prompt_shows_the_language_and_examples_that_are_drafts() -> None:
 
 
 def test_the_snippet_of_the_documents_keeps_its_contract(tmp_path: Path) -> None:
-    page = (Path(__file__).parents[1] / "docs" / "library.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
     (shown,) = re.findall(r"```scenic\n(.*?)```", page, re.DOTALL)
     path = tmp_path / "behavior" / "drop-and-fetch.scenic"
     path.parent.mkdir()

@@ -17,8 +17,9 @@ from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Place
 from chatscene.terms.snippet import Snippet
 from chatscene.world.compilation import compile_program
+from places import FIXTURES, ROOT
 
-SMALL = Path(__file__).parent / "fixtures" / "library"
+SMALL = FIXTURES / "library"
 GOOD = (SMALL / "behavior" / "cross.scenic").read_text(encoding="utf-8")
 NAMES = """
     ego selectRoute startOf trafficFrom wayOf besideRoad pointOn headway MoveAhead DrivePath Range globalParameters self
@@ -167,7 +168,7 @@ def test_a_fault_in_a_family_names_the_line_or_the_row(tmp_path: Path, old: str,
 
 
 def test_the_files_on_the_page_about_snippets_are_what_it_says(tmp_path: Path) -> None:
-    page = (Path(__file__).parents[1] / "docs" / "snippets.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "snippets.md").read_text(encoding="utf-8")
     single, rows = re.findall(r"```scenic\n(#: .*?)```", page, re.DOTALL)
     for name, text in (("behavior/cross-over", single), ("geometry/road", rows)):
         path = tmp_path / f"{name}.scenic"

@@ -28,9 +28,10 @@ from chatscene.terms.criticality import Fault
 from chatscene.terms.metrics import Measurements, Metrics, Mode
 from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
+from places import GOLDEN, SHARED
 
-GOLDEN = Path(__file__).parent / "golden" / "tables"
-PAPER = Path(__file__).parents[1].parent / "shared" / "data" / "paper_tables.json"
+TABLES_GOLDEN = GOLDEN / "tables"
+PAPER = SHARED / "data" / "paper_tables.json"
 EGOS = ("ppo", "sac", "td3")
 FIRST, SECOND = list(BaseScenario)[:2]
 
@@ -310,7 +311,7 @@ SMALL = ResultTable(
     ("suffix", "render"), [("txt", as_text), ("md", as_markdown), ("csv", as_csv), ("tex", as_latex)]
 )
 def test_a_table_renders_as_it_always_did(suffix: str, render: Callable[[ResultTable], str]) -> None:
-    assert render(SMALL) == (GOLDEN / f"small.{suffix}").read_text(encoding="utf-8")
+    assert render(SMALL) == (TABLES_GOLDEN / f"small.{suffix}").read_text(encoding="utf-8")
 
 
 def test_csv_reads_back_with_low_and_high_in_columns_of_their_own() -> None:
