@@ -13,8 +13,8 @@ import numpy as np
 from scipy.optimize import minimize
 
 from chatscene.grow.curation import FITTING, kept_back
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import CONFIDENCE, doubts, retrieve
-from chatscene.interpret.understand import read
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
@@ -28,7 +28,7 @@ def main() -> None:
     library, embedder, anything = load_library(), load_embedder(), RetrievalSettings(refuse_below=0.0)
     rows = []
     for sentence in sentences:
-        scenario = read(sentence.text)
+        scenario = scenario_of(sentence.text)
         found = retrieve(scenario, library, embedder, anything)
         told = doubts(scenario, scenario.frame, found.behavior.snippet, library, embedder)
         rows.append([told[name] for name in CONFIDENCE])

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ChatSceneError
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import retrieve
-from chatscene.interpret.understand import read
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.models.encoders.embedding import load_embedder
@@ -40,7 +40,7 @@ class Came:
 
 
 def round_trip(description: Description, simulator: Simulator | None, own: bool) -> Came:
-    scenario = read(description.text)
+    scenario = scenario_of(description.text)
     same = 3 if own else 0
     behavior, geometry, spawn = (load_library().get(name) for name in description.snippet_ids)
     triple, adversary = (behavior, geometry, spawn), description.adversary

@@ -21,6 +21,7 @@ from pathlib import Path
 from chatscene import pipeline
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NothingFits
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import retrieve
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
@@ -28,7 +29,6 @@ from chatscene.maps.network import resolve_map
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.assemble import assemble
 from chatscene.program.check import probe_scenes
-from chatscene.read.decompose import decompose
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.simulate.staging import Stage
@@ -42,7 +42,7 @@ EPISODES = 1000
 def programs(count: int) -> list[ScenicProgram]:
     """Programs from triples spread over the whole library, each behavior in turn."""
     joint = compatibility(load_library())
-    scenario = decompose(SENTENCE)
+    scenario = scenario_of(SENTENCE)
     made: list[ScenicProgram] = []
     for b, behavior in enumerate(joint.behaviors):
         for g, s in list(zip(*joint.mask[b].nonzero(), strict=True))[:: max(1, int(joint.mask[b].sum()) // 2)]:
@@ -86,7 +86,7 @@ def main() -> None:
 
     library, embedder = load_library(), load_embedder()
     sentences = [
-        decompose(f"{g.description} {b.description}")
+        scenario_of(f"{g.description} {b.description}")
         for g in library.of(Component.GEOMETRY)[::4]
         for b in library.of(Component.BEHAVIOR)[::6]
     ]

@@ -25,8 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import retrieve
-from chatscene.interpret.understand import read
 from chatscene.interpret.vector_index import PROBED, Rows, build
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached, load_embedder
@@ -80,7 +80,7 @@ def packaged(name: str) -> Embedder:
 
     def one(text: str) -> tuple[Times, Times]:
         scenarios: list[Scenario] = []
-        reading = timed(lambda: scenarios.append(read(text, settings)))
+        reading = timed(lambda: scenarios.append(scenario_of(text, settings)))
 
         def choose() -> None:
             with suppress(NothingFits):

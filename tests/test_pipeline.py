@@ -16,7 +16,6 @@ from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
-from chatscene.read.decompose import decompose
 from chatscene.report.summary import Summary
 from chatscene.runs import working
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
@@ -24,6 +23,7 @@ from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import ScenicProgram
+from outright import decompose
 from places import GOLDEN, SHARED
 
 SENTENCES = {

@@ -17,12 +17,12 @@ from chatscene.errors import NothingFits
 from chatscene.interpret.suggest import SERVED
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import check
-from chatscene.read.decompose import decompose
 from chatscene.read.lexicon import is_english
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Why
+from outright import decompose
 from places import ROOT
 
 _SHOWN = re.compile(r"chatscene (?:run|explain) \"([^\"…]+)\"([^\n]*)")

@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import NothingFits
-from chatscene.interpret import understand as reading
+from chatscene.interpret import decide as deciding
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
 from chatscene.interpret.retrieve import NO_SIDE, retrieve, settle
-from chatscene.interpret.understand import read
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library, load_library
 from chatscene.models.encoders.embedding import load_embedder
@@ -202,26 +202,26 @@ def test_search_in_one_component_is_by_wording_alone(small: Library) -> None:
 @pytest.mark.parametrize("text", SENTENCES["refused"])
 def test_what_the_library_cannot_serve_is_refused_with_what_is_nearest(text: str) -> None:
     with pytest.raises(NothingFits, match="nothing in the library does this") as error:
-        retrieve(read(text), load_library(), load_embedder())
+        retrieve(scenario_of(text), load_library(), load_embedder())
     assert len(error.value.nearest) == 3
 
 
 def test_a_refusal_names_what_was_not_understood() -> None:
     with pytest.raises(NothingFits, match="dragon"):
-        retrieve(read("a dragon lands on the hood"), load_library(), load_embedder())
+        retrieve(scenario_of("a dragon lands on the hood"), load_library(), load_embedder())
 
 
 def test_a_sentence_the_library_would_have_to_contradict_is_refused() -> None:
     text = "We turn left at a four-way stop, and a pedestrian behind us runs the red light."
     with pytest.raises(NothingFits, match="nothing in the library does this"):
-        retrieve(read(text), load_library(), load_embedder())
+        retrieve(scenario_of(text), load_library(), load_embedder())
 
 
 @pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
 def test_each_sentence_of_the_paper_finds_a_triple_that_contradicts_nothing() -> None:
     for texts in json.loads(PAPER.read_text("utf-8"))["descriptions"].values():
         for text in texts:
-            understood = read(text)
+            understood = scenario_of(text)
             chosen = retrieve(understood, load_library(), load_embedder())
             assert [c for m in (chosen.behavior, chosen.geometry, chosen.spawn) for c in m.conflicts] == [], text
             assert set(understood.slots.actions) & set(chosen.behavior.snippet.slots.actions), text
@@ -231,7 +231,7 @@ def test_each_sentence_of_the_paper_finds_a_triple_that_contradicts_nothing() ->
 
 
 def test_retrieval_goes_by_what_was_believed_and_asks_no_text_again() -> None:
-    understood = read("The bloke in front jumps on the anchors for no reason at all.")
+    understood = scenario_of("The bloke in front jumps on the anchors for no reason at all.")
     told = retrieve(understood, load_library(), load_embedder(), ANYTHING)
     other = replace(understood, text="A pedestrian crosses from the left.")
     assert retrieve(other, load_library(), load_embedder(), ANYTHING) == told
@@ -247,8 +247,8 @@ def test_a_behavior_that_the_classifier_does_not_know_is_believed_by_its_wording
     def other(_: str) -> Library:
         return library
 
-    monkeypatch.setattr(reading, "library_with", other)
-    frame = read(own.description).frame
+    monkeypatch.setattr(deciding, "library_with", other)
+    frame = scenario_of(own.description).frame
     assert frame is not None
     assert frame.beliefs.others.keys() == {"behavior/own-brake", "behavior/own-cross"}
     assert frame.beliefs.meant("behavior/own-brake") > 0.5 > frame.beliefs.meant("behavior/own-cross")

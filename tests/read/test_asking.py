@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
+from chatscene.interpret.decide import decide
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.protocol import LanguageModel, Limits
 from chatscene.models.language.scripted import Scripted
-from chatscene.read.asking import EXAMPLES, Decomposition, decompose_with
-from chatscene.read.decompose import decompose
+from chatscene.read.asking import EXAMPLES, Decomposition, ask
+from chatscene.read.decompose import hear
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Control, Maneuver, Place, Side
+from chatscene.terms.scenario import Control, Maneuver, Place, Scenario, Side
 
 TEXT = "Some guy barrels through on red from our left while we go straight."
 
@@ -28,6 +31,10 @@ def form(**slots: Any) -> dict[str, Any]:
     return json.loads(EXAMPLES[-1].reply) | {"position": None} | slots
 
 
+def asked(text: str, *answers: dict[str, Any]) -> Scenario:
+    return decide(ask(model(*answers), hear(text)), RetrievalSettings())
+
+
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda e: e.text[:30])
 def test_the_examples_of_the_prompt_are_what_they_ask_for(example: Any) -> None:
     assert Decomposition.model_validate_json(example.reply).behavior
@@ -35,7 +42,7 @@ def test_the_examples_of_the_prompt_are_what_they_ask_for(example: Any) -> None:
 
 def test_a_models_slots_are_used_with_what_follows_from_them() -> None:
     answer = form(adversary="truck", actions=["run-light"], side="left", behavior="the truck runs the light")
-    scenario = decompose_with(model(answer), decompose(TEXT))
+    scenario = asked(TEXT, answer)
     slots = scenario.slots
     assert (slots.adversary, slots.actions, slots.side) == (AdversaryKind.TRUCK, (Action.RUN_LIGHT,), Side.LEFT)
     assert (slots.control, slots.place, slots.maneuver) == (Control.SIGNAL, Place.JUNCTION, Maneuver.STRAIGHT)
@@ -45,8 +52,7 @@ def test_a_models_slots_are_used_with_what_follows_from_them() -> None:
 
 def test_what_a_model_read_is_believed_with_probability_one() -> None:
     answer = form(adversary="truck", actions=["run-light"], side="left")
-    frame = decompose_with(model(answer), decompose("The bus ahead brakes.")).frame
-    assert frame is not None
+    frame = ask(model(answer), hear("The bus ahead brakes."))
     assert (frame.beliefs.of("adversary", AdversaryKind.TRUCK), frame.beliefs.of("adversary", AdversaryKind.BUS)) == (
         1,
         0,
@@ -56,19 +62,19 @@ def test_what_a_model_read_is_believed_with_probability_one() -> None:
 
 def test_where_the_readers_differ_is_told() -> None:
     answer = form(adversary="bus", actions=["brake"])
-    notes = decompose_with(model(answer), decompose("The truck ahead brakes.")).notes
+    notes = asked("The truck ahead brakes.", answer).notes
     assert any("bus" in str(note) and "truck" in str(note) for note in notes)
 
 
 def test_a_model_that_answers_nonsense_leaves_the_offline_reading() -> None:
-    offline = decompose("A cyclist cuts across from the left.")
-    scenario = decompose_with(model(*["no idea"] * 3), offline)
-    assert scenario.slots == offline.slots
-    assert "read offline" in str(scenario.notes[-1])
+    offline = hear("A cyclist cuts across from the left.")
+    frame = ask(model(*["no idea"] * 3), offline)
+    assert replace(frame, notes=offline.notes) == offline
+    assert "read offline" in str(frame.notes[-1])
 
 
 def test_words_that_are_no_facts_are_asked_for_again() -> None:
     wrong = form(adversary="dragon")
     right = form(adversary="bicycle", actions=["cross"])
-    scenario = decompose_with(model(wrong, right), decompose("A cyclist crosses."))
+    scenario = asked("A cyclist crosses.", wrong, right)
     assert scenario.slots.adversary is AdversaryKind.BICYCLE

@@ -8,8 +8,8 @@ from importlib.resources import files
 
 import pytest
 
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import retrieve
-from chatscene.interpret.understand import read
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.pipeline import understand
@@ -73,7 +73,7 @@ def test_the_reading_the_triple_and_the_confidence_are_those_of_the_situation(te
     anything = RetrievalSettings(refuse_below=0.0)
     found = set()
     for variant in variants(text):
-        scenario = read(variant)
+        scenario = scenario_of(variant)
         got = retrieve(scenario, load_library(), load_embedder(), anything)
         found.add((scenario.slots, scenario.parts, scenario.notes, got.confidence, tuple(s.id for s in got.snippets)))
     assert len(found) == 1

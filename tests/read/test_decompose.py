@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
-from chatscene.read.decompose import LONGEST, decompose
+from chatscene.read.decompose import LONGEST
 from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side
+from outright import decompose
 from places import FIXTURES, SHARED
 
 SENTENCES: dict[str, Any] = json.loads((FIXTURES / "sentences.json").read_text("utf-8"))

@@ -7,9 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.decide import understood
 from chatscene.library.bind import Triple, bound, distances, out_of_reach
 from chatscene.library.load import load_library, names_of
-from chatscene.read.decompose import hear, understood
+from chatscene.read.decompose import hear
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
 

@@ -13,12 +13,11 @@ import pytest
 from chatscene.errors import SnippetError
 from chatscene.grow.compose_texts import Labelled, compose, wordings
 from chatscene.grow.fit import fit, fit_trust, heads_of
+from chatscene.interpret.decide import likeliest, scenario_of
 from chatscene.interpret.retrieve import guessed
-from chatscene.interpret.understand import likeliest, read
 from chatscene.interpret.wording_index import stem
 from chatscene.library.load import Library, load_library
 from chatscene.models.encoders.embedding import MiniLM
-from chatscene.read.decompose import decompose
 from chatscene.read.slot_classifier import (
     PACKAGED,
     TRUSTED,
@@ -31,6 +30,7 @@ from chatscene.read.slot_classifier import (
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Component, Side, Slots
+from outright import decompose
 
 States = Callable[[str], list[Any]]  # of a sentence, from each member's encoder
 WORDS = ("now", "then", "soon", "late", "fast", "slow", "far", "near")
@@ -192,7 +192,7 @@ def test_the_packaged_classifier_knows_the_behaviors_of_the_library() -> None:
 
 
 def test_a_fact_that_only_the_classifier_saw_is_called_a_guess() -> None:
-    scenario = read("The bloke in front jumps on the anchors for no reason at all.")
+    scenario = scenario_of("The bloke in front jumps on the anchors for no reason at all.")
     assert scenario.frame is not None
     found = guessed(scenario.slots, scenario.frame)
     assert "actions" in found

@@ -12,7 +12,6 @@ from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import run
 from chatscene.program.check import Checked
-from chatscene.read.decompose import decompose
 from chatscene.runs import open_run, read_explanation
 from chatscene.runs.rebuild import rebuild
 from chatscene.search import generator as searching
@@ -22,6 +21,7 @@ from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
+from outright import decompose
 
 SCENARIO = decompose("A car brakes.")
 SETTINGS = RetrievalSettings()

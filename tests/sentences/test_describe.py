@@ -3,14 +3,14 @@ from __future__ import annotations
 import pytest
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.understand import read
+from chatscene.interpret.decide import scenario_of
 from chatscene.library.compatibility import incompatibility
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
-from chatscene.read.base import base_of
 from chatscene.sentences.describe import describe, diversity, joined, misread
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import base_of
 from chatscene.terms.scenario import BaseScenario, Place, Position, Side, Slots
 
 
@@ -30,7 +30,7 @@ def test_descriptions_belong_to_their_base_scenario_and_can_be_joined(base: Base
 
 def test_descriptions_are_read_as_they_are_meant() -> None:
     for description in describe(BaseScenario.TURNING_OBSTACLE, 8, library=load_library(), seed=1):
-        heard = read(description.text)
+        heard = scenario_of(description.text)
         assert heard.base is description.base
         assert misread(heard.slots, description.slots) is None
 

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 from chatscene.commands import proposal as cli_proposal
 from chatscene.errors import NothingFits
-from chatscene.interpret.understand import read
+from chatscene.interpret.decide import scenario_of
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.models.language.checked import CheckedModel
@@ -95,7 +95,7 @@ def test_the_examples_of_the_prompt_are_sentences_of_the_base_scenario() -> None
     script = says([WALKER])
     told(script, n=1, instruction="pedestrians who stop")
     example = Sentences.model_validate_json(script.asked[0][2].text)
-    assert {read(text).base for text in example.sentences} == {BASE}
+    assert {scenario_of(text).base for text in example.sentences} == {BASE}
     assert "pedestrians who stop" in script.asked[0][-1].text
 
 

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.read.decompose import decompose
 from chatscene.sentences.grammar import deed_pairs, deeds, roads, where, who
 from chatscene.sentences.grammar.inflection import Form, conjugated, plural, with_article
 from chatscene.sentences.grammar.quoting import predicate
@@ -19,6 +18,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.description import Style
 from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
+from outright import decompose
 
 CYCLIST = Slots(
     adversary=AdversaryKind.BICYCLE,

@@ -20,7 +20,7 @@ from chatscene.grow.compose_texts import Labelled
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import plain
 from chatscene.models.encoders.wordpiece import tokenize
-from chatscene.read.decompose import decompose
+from chatscene.read.decompose import hear
 from chatscene.read.slot_classifier import (
     BEHAVIOR,
     HEADS,
@@ -172,7 +172,7 @@ def fit_trust(classifier: SlotClassifier, sentences: Sequence[Labelled]) -> Slot
     """
     encoders = classifier.encoders()
     odds = [classifier.log_odds([encoder.states(s.text) for encoder in encoders]) for s in sentences]
-    rules = [decompose(s.text).slots for s in sentences]
+    rules = [hear(s.text).outright for s in sentences]
     trust: dict[str, Trust] = {}
     for head in TRUSTED:
         classes = classifier.classes[head]

@@ -11,10 +11,10 @@ from chatscene.grow.draft import code_faults
 from chatscene.grow.lint import SCENES, Finding, Triple, trials, try_triple
 from chatscene.grow.twins import twins
 from chatscene.library.load import Library
-from chatscene.read.base import base_of
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import base_of
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 

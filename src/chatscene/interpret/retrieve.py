@@ -17,16 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
-from chatscene.read.base import concluded
-from chatscene.read.wording import parts_of
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
+from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Beliefs, Frame, Note
 from chatscene.terms.scenario import (
     REFUSED,

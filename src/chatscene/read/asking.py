@@ -15,12 +15,11 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from chatscene.errors import LanguageModelError
 from chatscene.models.language.protocol import Example, LanguageModel, Prompt
-from chatscene.read.base import concluded
-from chatscene.read.decompose import understood
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Frame, Note, certain
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Scenario, Side, Slots, Why
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots, Why
 
 
 class Decomposition(BaseModel):
@@ -100,20 +99,20 @@ EXAMPLES = (
 )  # fmt: skip
 
 
-def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
+def ask(model: LanguageModel, frame: Frame) -> Frame:
     """Fill the slots of a sentence by asking a language model.
 
     Args:
         model: Who is asked.
-        offline: The sentence as the project's own reader understood it; its answer where the model gives none.
+        frame: The sentence as our own reader read it; the answer where the model gives none.
 
     Returns:
-        The scenario; its notes say who read it, and where the two readers differ.
+        The frame, in which the model's facts are sure; its notes say who read it, and where the two readers differ.
     """
     try:
-        form = model.reply(Prompt(system=SYSTEM, examples=EXAMPLES, text=offline.text), Decomposition).answer
+        form = model.reply(Prompt(system=SYSTEM, examples=EXAMPLES, text=frame.text), Decomposition).answer
     except LanguageModelError as error:
-        return replace(offline, notes=(*offline.notes, Note(about=About.OFFLINE, said=(str(error),))))
+        return replace(frame, notes=(*frame.notes, Note(about=About.OFFLINE, said=(str(error),))))
     slots = concluded(
         Slots(
             **form.model_dump(exclude={"behavior", "actions", "leader", "blocker", "group"}),
@@ -123,18 +122,18 @@ def decompose_with(model: LanguageModel, offline: Scenario) -> Scenario:
             group=form.group or None,
         )
     )
-    frame = offline.frame or Frame()
     differ = [
         Note(about=About.DIFFERENT, said=(name, model.name, str(new), "the offline reader", str(old)))
         for name, new in slots.said().items()
-        if (old := getattr(offline.slots, name)) not in (None, (), new) and name != "actions"
+        if (old := frame.beliefs.likeliest(name)) not in (None, new)
     ]
-    frame = replace(
+    return replace(
         frame,
+        clauses=replace(frame.clauses, adversary=form.behavior.strip() or frame.clauses.adversary),
         outright=slots,
         beliefs=certain(slots, frame.beliefs),
         unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
+        notes=(Note(about=About.READER, said=(model.name,)), *differ),
+        reader=model.name,
         plain=False,
     )
-    scenario = understood(frame, slots, (Note(about=About.READER, said=(model.name,)), *differ))
-    return replace(scenario, parts=replace(scenario.parts, behavior=form.behavior.strip() or scenario.parts.behavior))

@@ -1,4 +1,4 @@
-"""Step 2 of 9: a sentence to a sub-description per component, and typed slots.
+"""What the words of a sentence say outright.
 
 Paper: section 3.3, step ii. The reference asks a language model; this reader is deterministic and needs none. It
 cuts the sentence into clauses, finds whose clause each is (the ego's or the adversary's), and reads each with the
@@ -7,40 +7,22 @@ patterns of `chatscene.read.lexicon`.
 
 from __future__ import annotations
 
-import hashlib
 import re
 from dataclasses import dataclass
 
 from chatscene.errors import SettingsError
 from chatscene.read import lexicon as words
-from chatscene.read.base import JUNCTIONS, LANE_CHANGES, TURNS, base_of
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
 from chatscene.read.quantities import quantities_of
-from chatscene.read.unused import known_whole, unused_beside, unused_of
-from chatscene.read.wording import parts_of
+from chatscene.read.unused import known_whole, mentions_of, unused_of
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.frame import About, Clauses, Frame, Note, certain
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Scenario, Side, Slots
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
 
 LONGEST = 2000  # characters; a situation fits into a paragraph
-
-
-def decompose(text: str) -> Scenario:
-    """Read a sentence by what its words say outright.
-
-    Args:
-        text: English, one situation.
-
-    Returns:
-        What was understood; slots that were not said are unfilled.
-
-    Raises:
-        SettingsError: The text is empty or longer than `LONGEST`.
-    """
-    frame = hear(text)
-    return understood(frame, frame.outright, frame.notes)
 
 
 def hear(text: str) -> Frame:
@@ -67,31 +49,12 @@ def hear(text: str) -> Frame:
         beliefs=certain(slots),
         quantities=quantities,
         unused=unused_of(told, quantities),
+        mentions=mentions_of(told),
         notes=tuple(notes),
         plain=slots.adversary is not None
         and bool(slots.actions)
         and known_whole(told, quantities)
         and not (len(slots.actions) > 1 and words.INVERTED.search(told)),
-    )
-
-
-def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
-    """The scenario of a sentence, once its facts are decided.
-
-    Args:
-        frame: What the sentence says.
-        slots: The facts that were decided on.
-        notes: What was unsure.
-    """
-    return Scenario(
-        id=_id(frame.text),
-        text=frame.text,
-        base=base_of(slots),
-        parts=parts_of(frame, slots),
-        slots=slots,
-        notes=notes,
-        unused=unused_beside(frame, slots),
-        frame=frame,
     )
 
 
@@ -120,11 +83,6 @@ def _with_an_ego(text: str) -> str:
     named = rf"\b(?:the|a|an|my \w+'s|this) (?:\w+ )?{told['vehicle']}\b"
     rest = re.sub(named, "the ego", text)
     return rest if any(pattern.search(rest) for pattern in words.KINDS.values()) else text
-
-
-def _id(text: str) -> str:
-    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:4]) or "scenario"
-    return f"{stem[:40]}-{hashlib.blake2b(text.encode(), digest_size=3).hexdigest()}"
 
 
 def _changes(before: str, after: str) -> list[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""What was said and is not used: weather, light, numbers, a second road user, words that no rule knows.
+"""What was said and is not used, whatever else is: weather, light, numbers, words that no rule knows; and who is named.
 
 Nothing that a user wrote may vanish in silence. This errs toward naming too much.
 """
@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 from chatscene.read import lexicon as words
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.frame import Frame
-from chatscene.terms.scenario import Quantity, Slots, Unused, Why
+from chatscene.terms.frame import Mention
+from chatscene.terms.scenario import Quantity, Unused, Why
 
 _NUMBER = re.compile(
     r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|mph|m/s ?(?:²|\^?2)|m/s|metres?|meters?|m|yards?|feet|ft|seconds?|"
@@ -19,7 +19,6 @@ _NUMBER = re.compile(
 )
 _ANOTHER = r"(?:another|a second|a third|a different|yet another)"
 _SHORT = 60  # characters of a text that is not English
-_ORDER = {why: place for place, why in enumerate(Why)}
 _A = rf"(?:{_ANOTHER}|an?|two|three|several|some)"
 
 
@@ -62,32 +61,28 @@ def _numbers(text: str) -> list[str]:
     return [m[0].strip(" .,:") for m in _NUMBER.finditer(text)]
 
 
-def unused_beside(frame: Frame, slots: Slots) -> tuple[Unused, ...]:
-    """What of a text is in no slot and no quantity, and the road users beside those that the slots have."""
-    if any(one.why is Why.LANGUAGE for one in frame.unused):
-        return frame.unused
-    told = others(words.REACTION.sub(" ", frame.told), slots)
-    found = (*frame.unused, *(Unused(said=said, why=Why.ROAD_USER) for said in told))
-    return tuple(sorted(dict.fromkeys(found), key=lambda one: _ORDER[one.why]))
+def mentions_of(text: str) -> tuple[Mention, ...]:
+    """The road users that a text names, in its order.
 
-
-def others(text: str, slots: Slots) -> list[str]:
-    """The road users that are spoken of beside the adversary and what the slots have: "a cyclist", "another car"."""
-    if slots.occluder is not None or slots.blocker:
-        for pattern in words.OCCLUDERS.values():
-            text = pattern.sub(" ", text)
-    if slots.leader:
-        text = words.LEADER.sub(" ", text)
-    text = words.BACKGROUND.sub(" ", text)
-    found: list[str] = []
-    seen = False  # of the adversary
+    Args:
+        text: Lower case, mended and rewritten.
+    """
+    text = words.BACKGROUND.sub(" ", words.REACTION.sub(" ", text))
+    hidden_by = [m.span() for pattern in words.OCCLUDERS.values() for m in pattern.finditer(text)]
+    led_by = [m.span() for m in words.LEADER.finditer(text)]
+    found: list[Mention] = []
     for start, end, kinds in _mentions(text):
         named = re.search(rf"\b(?P<how>{_A}) (?:[\w-]+ ){{0,2}}?$", text[:start])
-        own = slots.adversary in kinds or slots.adversary is None
-        if named is not None and ((not own) or (seen and re.fullmatch(_ANOTHER, named["how"]))):
-            found.append(text[named.start() : end])
-        seen = seen or own
-    return found
+        found.append(
+            Mention(
+                said=text[named.start() : end] if named else "",
+                kinds=frozenset(kinds),
+                another=bool(named and re.fullmatch(_ANOTHER, named["how"])),
+                hides=any(start < last and first < end for first, last in hidden_by),
+                leads=any(start < last and first < end for first, last in led_by),
+            )
+        )
+    return tuple(found)
 
 
 def _mentions(text: str) -> list[tuple[int, int, set[AdversaryKind]]]:

@@ -17,16 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits, SettingsError
-from chatscene.interpret.understand import read
+from chatscene.interpret.decide import scenario_of
 from chatscene.library.compatibility import Compatibility, agree, compatibility
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
 from chatscene.read import lexicon
-from chatscene.read.base import base_of
-from chatscene.read.decompose import decompose
+from chatscene.read.decompose import hear
 from chatscene.sentences.rendering import implied, render
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import base_of
 from chatscene.terms.description import Description, Diversity, Style
 from chatscene.terms.scenario import BaseScenario, Maneuver, Place, Position, Slots, includes
 from chatscene.terms.snippet import Snippet
@@ -101,7 +101,7 @@ def _wanted(instruction: str) -> _Wanted:
     lowered = instruction.lower()
     kinds = _kinds(lowered)
     try:
-        told = decompose(instruction if kinds else f"the adversary {instruction}").slots
+        told = hear(instruction if kinds else f"the adversary {instruction}").outright
     except SettingsError as error:
         raise NothingFits(f"the instruction cannot be read: {error}") from error
     straight = told.maneuver is Maneuver.STRAIGHT and "straight" not in lowered  # read into any place without a turn
@@ -247,7 +247,7 @@ def _said(triple: tuple[Snippet, Snippet, Snippet], kind: AdversaryKind, rng: ra
         spoken = replace(slots, **{name: None for name in ASIDES if rng.random() >= BURDEN})
         wordings = (behavior.description, *behavior.rephrasings)
         text = render(spoken, wordings, kind, rng=rng, style=rng.choice(STYLES)).text
-        heard = read(text)
+        heard = scenario_of(text)
         if heard.base is base and misread(heard.slots, slots) is None:
             ids = (triple[0].id, triple[1].id, triple[2].id)
             return Description(text=text, base=base, adversary=kind, snippet_ids=ids, slots=slots)

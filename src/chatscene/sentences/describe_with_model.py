@@ -15,14 +15,14 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from chatscene.errors import LanguageModelError, NothingFits, SettingsError
 from chatscene.files.caches import cache_folder
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.retrieve import retrieve
-from chatscene.interpret.understand import read
 from chatscene.library.bind import bound
 from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import Embedder, load_embedder
 from chatscene.models.language.protocol import Example, LanguageModel, Limits, Prompt, load_language_model
 from chatscene.models.language.structured import printable
-from chatscene.read.decompose import decompose
+from chatscene.read.decompose import hear
 from chatscene.sentences.describe import describe, joined
 from chatscene.settings import OFFLINE, RetrievalSettings
 from chatscene.terms.description import Description
@@ -219,9 +219,9 @@ class _Sieve:
 
     def _served(self, text: str) -> Description | Unserved:
         try:
-            if decompose(text).slots.adversary is None:  # the classifier would take a dragon for the nearest kind
+            if hear(text).outright.adversary is None:  # the classifier would take a dragon for the nearest kind
                 return Unserved(text, "adversary", "it names no road user that the library has")
-            scenario = read(text, self._settings)
+            scenario = scenario_of(text, self._settings)
             if scenario.base is None or self._base not in (None, scenario.base):
                 return Unserved(text, "base", f"it is read as {scenario.base or 'none of the eight'}")
             found = retrieve(scenario, self._library, self._embedder, self._settings)

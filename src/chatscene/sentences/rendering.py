@@ -12,13 +12,13 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from chatscene.read.base import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.sentences.grammar.adversary_clause import Adversary, acts, adversary
 from chatscene.sentences.grammar.ego_clause import ego_clause, ego_does
 from chatscene.sentences.grammar.inflection import Form, conjugated
 from chatscene.sentences.grammar.voice import Voice
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.description import Rendered, Style
 from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, includes
 

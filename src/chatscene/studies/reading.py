@@ -20,16 +20,15 @@ from pydantic import TypeAdapter
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.files.bounded import parse_json
+from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
 from chatscene.interpret.retrieve import OF_COMPONENT, retrieve
-from chatscene.interpret.understand import read
 from chatscene.library.bind import distances
 from chatscene.library.load import Library, library_with
 from chatscene.maps.network import resolve_map
 from chatscene.measure.score import wilson
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.check import unshown
-from chatscene.read.base import concluded
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.generator import Written, climb, simulator_of
@@ -37,6 +36,7 @@ from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.acts import BRINGS, TURNS, Action
+from chatscene.terms.conclusions import concluded
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Component, Maneuver, Position, Scenario, Side, Slots, includes
 from chatscene.terms.snippet import Snippet
@@ -396,7 +396,7 @@ def _staged(stage: str, sentence: Sentence, library: Library, settings: Retrieva
         return {
             c: nearest(sentence.text, c, library, embedder, count=1, lexical_weight=lexical)[0][0] for c in Component
         }
-    chosen = retrieve(read(sentence.text, settings), library, embedder, replace(settings, refuse_below=0.0))
+    chosen = retrieve(scenario_of(sentence.text, settings), library, embedder, replace(settings, refuse_below=0.0))
     if stage == STAGES[2]:
         return {c: chosen.candidates[c][0].snippet for c in Component}
     return dict(zip(Component, chosen.snippets, strict=True))

@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
+from typing import Any
 
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Quantity, Slots, Unused
 
@@ -46,6 +48,11 @@ class Beliefs:
     others: Mapping[str, float] = field(default_factory=dict[str, float])
     in_scope: float = 1.0
 
+    def likeliest(self, slot: str) -> Any:
+        """The likeliest value of a slot that has one; None if it was likely not said, or nobody was asked."""
+        classes = self.slots.get(slot, {})
+        return max(classes, key=lambda value: classes[value], default=None)
+
     def of(self, slot: str, value: object) -> float:
         """The probability that a slot has a value."""
         return self.slots.get(slot, {}).get(value, 0.0)
@@ -70,6 +77,9 @@ def certain(slots: Slots, beliefs: Beliefs | None = None) -> Beliefs:
     return replace(
         beliefs or Beliefs(), slots=single, actions={action: float(action in slots.actions) for action in Action}
     )
+
+
+LIKELY = 0.5  # an action is said if it is as likely as this
 
 
 class About(StrEnum):
@@ -104,6 +114,25 @@ class Note:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Mention:
+    """A road user that a text names.
+
+    Attributes:
+        said: The words, with the article; empty for one that is spoken of as known, such as "the cyclist".
+        kinds: What it may be.
+        another: Whether the words part it from one of the same kind.
+        hides: Whether it is named as what hides somebody.
+        leads: Whether it is named as what drives slowly ahead.
+    """
+
+    said: str
+    kinds: frozenset[AdversaryKind]
+    another: bool = False
+    hides: bool = False
+    leads: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Frame:
     """What a text says.
 
@@ -116,7 +145,9 @@ class Frame:
         beliefs: How sure every fact is.
         quantities: The numbers that can be set.
         unused: What is in no slot and no quantity, whatever the slots are.
+        mentions: The road users that it names.
         notes: What was unsure.
+        reader: The language model that read it; empty for our own reader.
         plain: Whether every word is known and says what is done: then nothing was said beyond that.
     """
 
@@ -128,5 +159,7 @@ class Frame:
     beliefs: Beliefs = field(default_factory=Beliefs)
     quantities: tuple[Quantity, ...] = ()
     unused: tuple[Unused, ...] = ()
+    mentions: tuple[Mention, ...] = ()
     notes: tuple[Note, ...] = ()
+    reader: str = ""
     plain: bool = False

@@ -9,12 +9,12 @@ from functools import cache
 import pytest
 
 from chatscene.library.load import load_library
-from chatscene.read.decompose import decompose
 from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import BaseScenario
+from outright import decompose
 from places import SHARED
 
 PAPER = SHARED / "data" / "paper_descriptions.json"

@@ -11,7 +11,6 @@ import pytest
 from chatscene.errors import ForeignCodeRefused, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import understand
-from chatscene.read.decompose import decompose
 from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign
@@ -19,6 +18,7 @@ from chatscene.simulate.confined.nursery import Nursery
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.watchdog import BACKSTOP, PATIENCE
 from chatscene.terms.scene import ScenicProgram
+from outright import decompose
 from red_team.attempt import LIMITS, SECRET, Canaries, Listener, attempt
 from red_team.corpus import ATTACKS, SENTENCES, Attack
 from red_team.table import BEGIN, END, PAGE, recorded, table

@@ -9,13 +9,13 @@ from functools import cache
 from importlib.resources import files
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.interpret.retrieve import retrieve
-from chatscene.interpret.understand import read
-from chatscene.library.bind import bound, narrowed
+from chatscene.interpret.choose import choose
+from chatscene.interpret.decide import decide
+from chatscene.library.bind import narrowed
 from chatscene.library.load import library_with
-from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.assemble import assemble
 from chatscene.read.canonical import canonical
+from chatscene.read.reading import read
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Written
 from chatscene.settings import RetrievalSettings, SearchSettings
@@ -38,19 +38,14 @@ class Retrieved:
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
-        scenario = read(text, settings)
-        wanted = canonical(text)
-        listed = next((base for base, texts in _benchmark_texts().items() if wanted in map(canonical, texts)), None)
-        return scenario if listed is None else replace(scenario, base=listed)
+        frame = read(text, settings)
+        scenario = decide(frame, settings)
+        return replace(scenario, base=_listed().get(frame.canonical, scenario.base))
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
-        library, embedder = library_with(settings.library), load_embedder(settings.embedder)
-        retrieval = retrieve(scenario, library, embedder, settings, tried)
-        made = bound(retrieval.snippets, scenario)
-        program = assemble(scenario, made.triple, retrieval.adversary)
-        retrieval = replace(retrieval, notes=made.notes, unused=made.unused)
-        return Written(program=program, retrieval=retrieval)
+        retrieval, triple = choose(scenario, settings, tried)
+        return Written(program=assemble(scenario, triple, retrieval.adversary), retrieval=retrieval)
 
     def join(
         self,
@@ -99,3 +94,9 @@ class Retrieved:
 def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
     packaged = files("chatscene.search.generators").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8")
     return {BaseScenario(base): tuple(texts) for base, texts in json.loads(packaged).items()}
+
+
+@cache
+def _listed() -> dict[str, BaseScenario]:
+    """The base scenario of each sentence of the benchmark, by its canonical text."""
+    return {canonical(text): base for base, texts in _benchmark_texts().items() for text in texts}

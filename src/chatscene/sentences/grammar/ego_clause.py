@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from chatscene.read.base import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.sentences.grammar import roads
 from chatscene.sentences.grammar.inflection import Form, conjugated, with_article
 from chatscene.sentences.grammar.voice import Voice
+from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.description import Style
 from chatscene.terms.scenario import Control, Maneuver, Place, Position
 

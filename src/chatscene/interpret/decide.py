@@ -1,0 +1,132 @@
+"""The first half of step 3: the facts of a sentence, decided together with what the library has."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+
+from chatscene.interpret.nearest import likely_by_wording
+from chatscene.interpret.retrieve import settle
+from chatscene.interpret.wording import parts_of
+from chatscene.library.load import Library, library_with
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.read.reading import read
+from chatscene.settings import RetrievalSettings
+from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import base_of
+from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note
+from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
+
+KNOWN = 0.1  # what the likeliest behavior does is said if that behavior is as likely as this
+_ORDER = {why: place for place, why in enumerate(Why)}
+
+
+def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenario:
+    """Read a sentence and decide its facts.
+
+    Raises:
+        SettingsError: The text is empty or too long, or there is no such language model.
+        MissingExtra: The language model's package is missing.
+    """
+    settings = settings or RetrievalSettings()
+    return decide(read(text, settings), settings)
+
+
+def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
+    """Every reader's belief weighed slot by slot, then settled together with what the library has.
+
+    Each slot that ends otherwise than the patterns read it is a note. Where the patterns know every word, what they
+    read stands, and nothing else was said to be done; so does what a language model read.
+    """
+    if frame.reader:
+        return understood(frame, frame.outright, frame.notes)
+    library = library_with(settings.library)
+    frame = _with_own_behaviors(frame, library, settings.embedder)
+    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
+    if frame.plain:
+        slots = replace(slots, **frame.outright.said())
+    slots = settle(frame, slots, library)
+    differ = [
+        Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))
+        for name in frame.beliefs.slots
+        if (was := getattr(frame.outright, name)) is not None and (now := getattr(slots, name)) != was
+    ]
+    found = {About.WHO, About.STRANGER} if slots.adversary else set[About]()
+    found |= {About.WHAT} if slots.actions else set[About]()
+    return understood(frame, slots, (*(note for note in frame.notes if note.about not in found), *differ))
+
+
+def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
+    """The scenario of a sentence, once its facts are decided.
+
+    Args:
+        frame: What the sentence says.
+        slots: The facts that were decided on.
+        notes: What was unsure.
+    """
+    return Scenario(
+        id=_id(frame.text),
+        text=frame.text,
+        base=base_of(slots),
+        parts=parts_of(frame, slots),
+        slots=slots,
+        notes=notes,
+        unused=_unused(frame, slots),
+        frame=frame,
+    )
+
+
+def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
+    """The likeliest value of each slot, and what the likeliest behavior does.
+
+    Actions come together or not at all, as in the behaviors that people speak of; taken one by one where each is
+    likelier than not, half as many are right. Where no behavior is likely, they are.
+
+    Args:
+        beliefs: How sure everything is.
+        behaviors: What each behavior of the library does.
+    """
+    values = {name: beliefs.likeliest(name) for name in beliefs.slots}
+    likely = {name: p for name, p in beliefs.behaviors.items() if name in behaviors}
+    best = max(likely, key=lambda name: likely[name], default="")
+    if likely.get(best, 0.0) >= KNOWN:
+        return Slots(**values, actions=behaviors[best])
+    return Slots(**values, actions=tuple(a for a in Action if beliefs.heard(a) >= LIKELY))
+
+
+def _with_own_behaviors(frame: Frame, library: Library, embedder: str) -> Frame:
+    """How likely those behaviors are that the classifier has not heard of, such as a user's own, by their wordings."""
+    unknown = [s for s in library.of(Component.BEHAVIOR) if s.id not in frame.beliefs.behaviors]
+    if not unknown:
+        return frame
+    others = likely_by_wording(frame.clauses.adversary or frame.clauses.whole, unknown, load_embedder(embedder))
+    return replace(frame, beliefs=replace(frame.beliefs, others=others))
+
+
+def _unused(frame: Frame, slots: Slots) -> tuple[Unused, ...]:
+    """What of a text is in no slot and no quantity, and the road users beside those that the slots have."""
+    if any(one.why is Why.LANGUAGE for one in frame.unused):
+        return frame.unused
+    beside = (Unused(said=one.said, why=Why.ROAD_USER) for one in _others(frame.mentions, slots))
+    return tuple(sorted(dict.fromkeys((*frame.unused, *beside)), key=lambda one: _ORDER[one.why]))
+
+
+def _others(mentions: tuple[Mention, ...], slots: Slots) -> list[Mention]:
+    """The road users that are spoken of beside the adversary and what the slots have: "a cyclist", "another car"."""
+    found: list[Mention] = []
+    seen = False  # of the adversary
+    for one in mentions:
+        if (one.hides and (slots.occluder is not None or slots.blocker)) or (one.leads and slots.leader):
+            continue
+        own = slots.adversary in one.kinds or slots.adversary is None
+        if one.said and ((not own) or (seen and one.another)):
+            found.append(one)
+        seen = seen or own
+    return found
+
+
+def _id(text: str) -> str:
+    stem = "-".join(re.findall(r"[a-z0-9]+", text.lower())[:4]) or "scenario"
+    return f"{stem[:40]}-{hashlib.blake2b(text.encode(), digest_size=3).hexdigest()}"
