@@ -1,0 +1,65 @@
+"""The shape of the house: what the import contracts cannot see, and what its page says of it."""
+
+from __future__ import annotations
+
+import ast
+import re
+import runpy
+import tomllib
+from typing import Any
+
+import pytest
+
+from places import ROOT
+
+SOURCE = ROOT / "src" / "chatscene"
+LANGUAGE_WING = {"sentences", "interpret", "library", "read", "models"}
+UNDER_THE_WORLD = {"world", "maps", "terms", "settings", "plugins", "files", "errors"}
+PROGRAMS = sorted(SOURCE.rglob("*.scenic"))
+IMPORTED = re.compile(r"^\s*(?:from|import|model)\s+chatscene\.(\w+)", re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in PROGRAMS if "packaged" not in path.parts], ids=lambda path: path.name
+)
+def test_the_world_model_imports_what_lies_below_it(path: Any) -> None:
+    assert set(IMPORTED.findall(path.read_text(encoding="utf-8"))) <= UNDER_THE_WORLD
+
+
+def test_snippets_import_nothing() -> None:
+    assert not [p.name for p in PROGRAMS if "packaged" in p.parts and IMPORTED.search(p.read_text(encoding="utf-8"))]
+
+
+def test_the_page_draws_every_room() -> None:
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    drawing = page.split("```")[1]
+    rooms = {path.name for path in SOURCE.iterdir() if (path / "__init__.py").exists()}
+    assert rooms <= set(re.findall(r"\w+", drawing))
+
+
+def test_a_room_says_in_its_first_line_what_it_is_for() -> None:
+    rooms = [path for path in SOURCE.rglob("__init__.py") if path.parent != SOURCE]
+    assert all(ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) for path in rooms)
+
+
+def test_the_contracts_name_every_room() -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (layers,) = [
+        c["layers"] for c in settings["tool"]["importlinter"]["contracts"] if "chatscene.terms" in c.get("layers", ())
+    ]
+    named = set(re.findall(r"chatscene\.(\w+)", " ".join(layers)))
+    rooms = {path.stem for path in SOURCE.iterdir() if (path / "__init__.py").exists() or path.suffix == ".py"}
+    assert rooms - {"__init__", "__main__"} == named
+
+
+def test_a_sentence_is_read_once_and_nobody_but_the_generator_comes_back() -> None:
+    walk = runpy.run_path(str(ROOT / "benchmarks" / "walk.py"))
+    understand = walk["understand"]
+    understand("A truck ahead brakes hard.")
+    stays = walk["walked"](lambda: understand("A cyclist rides out from the left and stops in front of us."))
+    assert [stay[:2] for stay in stays].count(("search", "read")) == 1
+    for room in ("read", "interpret", "library", "program"):
+        assert len({there for there, here, _ in stays if here == room}) == 1
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8").split("## The walk of a scene")[0]
+    told = set(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", page, re.MULTILINE))
+    assert told == {(there.removesuffix(".py"), here) for there, here, _ in stays if there}
