@@ -19,11 +19,11 @@ from pathlib import Path
 from gymnasium.envs.registration import register
 
 from chatscene.ego.policy import load_ego
-from chatscene.learn.env import DrivingEnv, end_drive
+from chatscene.learn.env import DrivingEnv
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course
 from chatscene.search.generator import climb, load_generator, simulator_of
-from chatscene.settings import RetrievalSettings, Settings
+from chatscene.settings import RetrievalSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import routes_of
 
 
@@ -34,6 +34,7 @@ def make_scene(
     ego: str = "sac",
     routes: int = 1,
     library: str = "",
+    simulator: str = SimulationSettings().simulator,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
     reward: str = "safebench",
@@ -47,6 +48,7 @@ def make_scene(
         ego: Who drives while it is checked that scenes show what was read.
         routes: Routes that episodes lie on.
         library: Folder of one's own snippets, beside the packaged ones.
+        simulator: Where it runs, one of `chatscene.simulate.simulator.SIMULATORS`.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
         reward: One of `chatscene.learn.reward.REWARDS`.
@@ -56,8 +58,9 @@ def make_scene(
         NothingFits: The library cannot serve the sentence.
         MeansSomethingElse: Its scenes do not show what was read.
     """
-    end_drive()
-    settings = Settings(retrieval=RetrievalSettings(library=library))
+    settings = Settings(
+        retrieval=RetrievalSettings(library=library), simulation=SimulationSettings(simulator=simulator)
+    )
     generator = load_generator("chatscene")
     where = simulator_of(generator, resolve_map(str(map)), settings)
     scenario = generator.read(text, settings.retrieval)
@@ -77,6 +80,7 @@ def make_scene(
 def make_drive(
     *,
     map: str | Path = "town",  # noqa: A002 - the word of the command line
+    simulator: str = SimulationSettings().simulator,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
     reward: str = "safebench",
@@ -86,13 +90,19 @@ def make_drive(
 
     Args:
         map: Packaged ``town``, or an ``.xodr`` file.
+        simulator: Where it runs, one of `chatscene.simulate.simulator.SIMULATORS`.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
         reward: One of `chatscene.learn.reward.REWARDS`.
         render_mode: ``rgb_array`` or None.
     """
     return DrivingEnv(
-        map_name=map, ego_observation=ego_observation, pedals=pedals, reward=reward, render_mode=render_mode
+        map_name=map,
+        settings=SimulationSettings(simulator=simulator),
+        ego_observation=ego_observation,
+        pedals=pedals,
+        reward=reward,
+        render_mode=render_mode,
     )
 
 

@@ -13,6 +13,7 @@ pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
 
 from gymnasium.utils.env_checker import check_env
 
+import chatscene
 from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.observation import OBSERVATIONS
 from chatscene.ego.rule_based import RuleBased
@@ -22,7 +23,7 @@ from chatscene.learn.reward import REWARDS, Moment, progress, safebench
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.simulate.simulator import load_simulator, routes_of, simulate
 from chatscene.terms.scene import Scene
 
 STRAIGHT = Course(program=ordinary_program(ordinary_queries()[0]), route=0)
@@ -163,6 +164,17 @@ def test_a_second_environment_takes_the_drive_and_says_so(env: DrivingEnv) -> No
     with pytest.raises(EgoError, match="a process of its own"):
         env.step(FULL)
     other.close()
+
+
+def test_work_of_another_kind_takes_the_process_from_an_open_environment(env: DrivingEnv) -> None:
+    env.reset(seed=0)
+    written = chatscene.explain("A truck runs the red light from the left.")
+    simulator = load_simulator(resolve_map("town"), SimulationSettings())
+    assert routes_of(simulator, written.program, 1)  # compiles it
+    with pytest.raises(EgoError, match="something else was simulated in this process"):
+        env.step(FULL)
+    env.reset(seed=0)
+    env.step(FULL)
 
 
 @pytest.mark.parametrize(("what", "name"), [("reward", "money"), ("pedals", "clutch")])

@@ -1,7 +1,7 @@
 """A Gymnasium environment over routes and scenes: what an ego learns to drive in.
 
-One drive at a time per process (Scenic's rule): a second environment in the same process takes the drive away from
-the first. `vector_env` gives each environment a process of its own.
+One drive at a time per process (Scenic's rule): whatever else is simulated in the same process takes the drive away
+from an environment, which has to be reset then. `vector_env` gives each environment a process of its own.
 """
 
 from __future__ import annotations
@@ -37,7 +37,6 @@ except ImportError as error:
 Array = NDArray[np.float32]
 BOUND = 2000.0  # [m], [m/s]: farther or faster than anything gets within a drive
 TRIES = 100  # draws of a scene that cannot be placed before a course is given up
-_open: list[DrivingEnv] = []  # the environment whose drive is in progress in this process
 
 
 class DrivingEnv(gymnasium.Env[Array, Array]):
@@ -87,7 +86,6 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise SettingsError(no_such("render mode", str(render_mode), self.metadata["render_modes"]))
         self.render_mode = render_mode
-        end_drive()
         self._preset = check_preset(ego_observation)
         self._pedals = pedals
         self._reward = REWARDS[reward]
@@ -127,14 +125,13 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             raise SettingsError(f"there is no course {index}; there are {len(self.courses)}, counted from 0")
         course = self.courses[index]
         values: Mapping[str, float] | None = options.get("values", course.values)
-        end_drive()
+        self.close()
         reason = ""
         for _ in range(TRIES if values is None else 1):
             scene = self._scene(course, values)
             drive = self._simulator.open(course.program, scene, observation=self._preset, pedals=self._pedals)
             if not isinstance(drive, Rejected):
                 self._drive = drive
-                _open.append(self)
                 self._scene_id = scene.id
                 self._route = self._simulator.route(course.program, course.route)
                 self._drawing = None
@@ -159,14 +156,12 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         """Drive one step of 0.1 s.
 
         Raises:
-            EgoError: The action is not two finite numbers, or there is no drive in progress.
+            EgoError: The action is not two finite numbers, or there is no drive in progress, or something else was
+                simulated in this process meanwhile.
         """
         drive = self._drive
         if drive is None:
-            raise EgoError(
-                "no drive is in progress: call reset first; if another environment was reset in this process, "
-                "give each a process of its own with vector_env"
-            )
+            raise EgoError("no drive is in progress: call reset first")
         before = drive.along
         drive.step(action)
         ended = drive.ending
@@ -221,17 +216,9 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
 
     def close(self) -> None:
         """End the drive in progress."""
-        if self in _open:
-            _open.remove(self)
         if self._drive is not None:
             self._drive.close()
             self._drive = None
-
-
-def end_drive() -> None:
-    """End whatever drive an environment has in progress in this process, so that another can begin."""
-    while _open:
-        _open[-1].close()
 
 
 def vector_env(count: int, **arguments: Any) -> gymnasium.vector.AsyncVectorEnv:

@@ -10,7 +10,7 @@ import numpy as np
 
 from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
 from chatscene.ego.policy import controls
-from chatscene.errors import ChatSceneError, ProgramError
+from chatscene.errors import ChatSceneError, EgoError, ProgramError
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import approach_speed, contact_side, touch
 from chatscene.simulate.roadside import RouteSurroundings
@@ -85,6 +85,7 @@ class SteppedSession:
         self._offsets: list[float] = []
         self._contacts: list[Event] = []
         self._touching: set[int] = set()
+        self._closed = False
         self.step_number = 0
         self.ending: Ending | None = None
         self.rejection = _overlap(objects, bodies, self._names)
@@ -111,9 +112,14 @@ class SteppedSession:
         """Drive one step of the simulation.
 
         Raises:
-            EgoError: The action is not two finite numbers.
+            EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
             ProgramError: The program's own code fails.
         """
+        if self._closed:
+            raise EgoError(
+                "this session is over: something else was simulated in this process, which runs one session at a "
+                "time; start it again, and give each environment a process of its own with vector_env"
+            )
         body, simulation = self._ego, self._simulation
         body.throttle, body.brake, body.steer = controls(action, self._pedals)
         if not self._go_on(simulation.advance):
@@ -125,8 +131,10 @@ class SteppedSession:
         self._look()
 
     def close(self) -> None:
-        """Give the process free for another session."""
-        self._simulation.__exit__()
+        """Give the process free for another session; to be called again does nothing."""
+        if not self._closed:
+            self._closed = True
+            self._simulation.__exit__()
 
     def _look(self) -> None:
         """Take in the state that a step left: what the ego sees, what is kept, whether it is over."""

@@ -12,7 +12,7 @@ from chatscene.simulate.physics import PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.simulate.staging import Stage
+from chatscene.simulate.staging import Stage, free_process, take_process
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.simulator import SimulatorIdentity
@@ -64,6 +64,7 @@ class SteppedSimulator:
     ) -> SteppedSession | Rejected:
         """Start a session."""
         label = f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}), scene {scene.id!r},"
+        free_process()
         try:
             placed = self._stage.place(program, scene)
             if isinstance(placed, Rejected):
@@ -86,6 +87,7 @@ class SteppedSimulator:
         if session.rejection:
             session.close()
             return Rejected(scene=scene, reason=session.rejection)
+        take_process(session.close)
         return session
 
     def _around(self, route: Route) -> RouteSurroundings:
