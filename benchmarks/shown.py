@@ -77,7 +77,7 @@ def _strings(value: Any) -> Iterator[str]:
 def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str]:
     """What one sentence adds to the totals, and its line."""
     with TemporaryDirectory() as folder:
-        run = runs.create(Path(folder) / "run", text=text, settings=settings, map_name="town", ego=ego)
+        run = runs.create(Path(folder) / "run", runs.asked_run(text, settings=settings, ego=ego))
         try:
             pipeline.search(run, 1, silent)
         except (NothingFits, MeansSomethingElse) as error:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.drive import Ran
 from chatscene.measure.score import columns, measure
 from chatscene.runs import (
+    RunRecord,
     Workspace,
     create,
     explain,
@@ -23,6 +25,7 @@ from chatscene.runs import (
     write_explanation,
     write_program,
 )
+from chatscene.runs.digests import DRAWN, KEPT, digests, write_sealed
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.samplers.paper import refine
 from chatscene.search.select import Candidate, select
@@ -341,10 +344,27 @@ def understanding(text: str = TEXT) -> tuple[Scenario, Retrieval]:
     return scenario, retrieval
 
 
+def asked(**told: Any) -> RunRecord:
+    """What is asked of a run, without a look at what it names."""
+    fields: dict[str, Any] = {
+        "text": TEXT,
+        "program": None,
+        "settings": asdict(Settings()),
+        "map_name": "town",
+        "map_digest": "",
+        "egos": ["rule-based"],
+        "ego_digests": {},
+        "senses": {},
+        "generator": "chatscene",
+        "simulator": {},
+    }
+    return RunRecord.model_validate(fields | told)
+
+
 def started(folder: Path, *, text: str = TEXT, program: str = PROGRAM, routes: int = 1) -> Workspace:
     """A run folder up to the first block."""
     settings = Settings(search=SearchSettings(seed=7, routes=routes))
-    run = create(folder, text=text, settings=settings, map_name="town", ego="rule-based")
+    run = create(folder, asked(text=text, settings=asdict(settings)))
     write_explanation(run, explain(text, [understanding(text)]))
     write_program(run, SCENARIO, program)
     write_drawing(run, drawing())
@@ -390,8 +410,11 @@ def finished(
     return run
 
 
-def as_by_an_older_version(run: Workspace) -> None:
-    """Make `run.json` one that knows no digests, so that a test may change what is in the folder."""
+def resealed(run: Workspace, **told: Any) -> None:
+    """Let the record say something else, and have it hold the digests of what is in the folder now."""
     path = run.file("run.json")
-    content = json.loads(path.read_text()) | {"schema_version": 1, "files": {}, "digest": ""}
-    path.write_text(json.dumps(content))
+    content = json.loads(path.read_text()) | told
+    del content["digest"]
+    if content["files"]:
+        content["files"] = digests(run.path, (*KEPT, *DRAWN))
+    write_sealed(path, content)

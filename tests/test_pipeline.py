@@ -123,7 +123,7 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        pipeline.run(SENTENCES["bus-stop"], tmp_path / "run", settings=small, progress=cut)
+        pipeline.run(runs.asked_run(SENTENCES["bus-stop"], settings=small), tmp_path / "run", progress=cut)
     first = runs.read_record(runs.open_run(tmp_path / "run")).timings["total"]
     assert first == 2.0 * len(told)  # two seconds from each telling to the next
     summary = pipeline.resume(tmp_path / "run")

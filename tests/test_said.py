@@ -181,11 +181,11 @@ def test_a_refusal_in_json_says_why_how_sure_and_what_would_work(tmp_path: Path)
 def test_a_refused_folder_takes_a_better_sentence(tmp_path: Path) -> None:
     folder = tmp_path / "first"
     with pytest.raises(NothingFits):
-        pipeline.run("A helicopter lands on our roof.", folder)
+        pipeline.run(runs.asked_run("A helicopter lands on our roof."), folder)
     assert runs.read_record(runs.open_run(folder)).status is runs.Status.REFUSED
     (folder / "programs").mkdir(exist_ok=True)
     (folder / "programs" / "old.scenic").write_text("")
-    kept = runs.create(folder, text="better", settings=Settings(), map_name="town", ego="sac")
+    kept = runs.create(folder, runs.asked_run("better"))
     assert runs.read_record(kept).status is runs.Status.RUNNING
     assert not runs.read_programs(kept)
 
@@ -193,10 +193,10 @@ def test_a_refused_folder_takes_a_better_sentence(tmp_path: Path) -> None:
 def test_a_refused_folder_with_a_user_s_file_in_it_is_left_alone(tmp_path: Path) -> None:
     folder = tmp_path / "first"
     with pytest.raises(NothingFits):
-        pipeline.run("A helicopter lands on our roof.", folder)
+        pipeline.run(runs.asked_run("A helicopter lands on our roof."), folder)
     (folder / "notes.txt").write_text("mine")
     with pytest.raises(Exception, match="not empty"):
-        runs.create(folder, text="better", settings=Settings(), map_name="town", ego="sac")
+        runs.create(folder, runs.asked_run("better"))
     assert (folder / "notes.txt").read_text() == "mine"
     assert runs.read_record(runs.Workspace(folder)).status is runs.Status.REFUSED
 

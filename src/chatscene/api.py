@@ -63,7 +63,7 @@ class Run:
         self._repeated = Repeated(
             ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
         )
-        self._workspace = runs.open_run(self.folder, holds="run")
+        self._workspace = runs.open_run(self.folder, runs.RunRecord)
         self._record = runs.read_record(self._workspace)
         if self._record.status is not runs.Status.DONE:
             raise RunError(f"{folder} is {self._record.status}, not done; finish it with: chatscene resume {folder}")
@@ -282,20 +282,17 @@ def run(
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
-    if program is not None:
-        text = _text_of(Path(program))
     simulation = _changed(settings.simulation, simulator=simulator)
     where = _folder(folder)
-    pipeline.run(
+    asked = runs.asked_run(
         text,
-        where,
+        program=None if program is None else _own(Path(program)),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=reading),
         map_name=str(map),
-        ego_name=str(ego),
-        jobs=jobs,
+        ego=str(ego),
         generator="chatscene" if program is None else "program",
-        progress=progress,
     )
+    pipeline.run(asked, where, jobs=jobs, progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=reading.library or ())
 
 
@@ -398,7 +395,7 @@ def resume(
         embedder=_names(embedder),
         language_model=_names(language_model),
     )
-    if runs.read_record(runs.Workspace(where)).command == "evaluate":
+    if runs.read_record(runs.Workspace(where), runs.Record).kind is runs.Kind.EVALUATION:
         from chatscene.studies.evaluation import carry_on
 
         return carry_on(runs.Workspace(where), jobs=jobs, progress=progress, repeated=repeated)
@@ -616,12 +613,11 @@ def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     return [one.folder if isinstance(one, Run) else Path(one) for one in every]
 
 
-def _text_of(program: Path) -> str:
-    """The text of a run of a program of one's own."""
+def _own(path: Path) -> runs.ProgramRecord:
+    """A program of the user's own."""
     from chatscene.search.generators.foreign import read_foreign
-    from chatscene.search.generators.own_program import text_of
 
-    own, *others = read_foreign(program)
+    own, *others = read_foreign(path)
     if others:
-        raise SettingsError(f"{program} holds {len(others) + 1} programs; run them one by one")
-    return text_of(own)
+        raise SettingsError(f"{path} holds {len(others) + 1} programs; run them one by one")
+    return runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source)

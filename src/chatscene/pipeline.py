@@ -13,9 +13,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from chatscene import runs
-from chatscene.ego.policy import load_ego, senses_of
+from chatscene.ego.policy import load_ego
 from chatscene.maps.drawing import routes_drawing
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import load_network
 from chatscene.report.animation import write_gif
 from chatscene.report.summary import Summary
 from chatscene.report.understood import Understood
@@ -27,7 +27,6 @@ from chatscene.runs.selection import selected
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
 from chatscene.search.generator import climb, load_generator, simulator_of
-from chatscene.search.sampler import load_sampler
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import routes_of
 
@@ -46,43 +45,15 @@ def understand(text: str, settings: Settings | None = None, *, generator: str = 
     return Understood(scenario=scenario, retrieval=written.retrieval, program=written.program)
 
 
-def run(
-    text: str,
-    folder: Path,
-    *,
-    settings: Settings | None = None,
-    map_name: str = "town",
-    ego_name: str = "sac",
-    jobs: int = 1,
-    generator: str = "chatscene",
-    progress: Progress = silent,
-) -> Summary:
-    """Steps 2 to 7 and the report, into a new run folder.
+def run(asked: runs.RunRecord, folder: Path, *, jobs: int = 1, progress: Progress = silent) -> Summary:
+    """Steps 2 to 7 and the report, into a new run folder, for what `chatscene.runs.asked_run` worked out.
 
     Raises:
         NothingFits: The library cannot serve the sentence; the folder says why.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
-    settings = settings or Settings()
-    maker = load_generator(generator)
-    maker.read(text, settings.retrieval)  # an empty text leaves no folder behind
-    map_path = resolve_map(map_name)
-    simulator = simulator_of(maker, map_path, settings)
-    senses = {ego_name: senses_of(load_ego(ego_name))}
-    load_sampler(settings.search.sampler)
     with runs.alone(folder):
-        kept = runs.create(
-            folder,
-            text=text,
-            settings=settings,
-            map_name=map_name,
-            map_path=map_path,
-            ego=ego_name,
-            generator=generator,
-            senses=senses,
-            simulator=simulator.identity,
-        )
-        return _carry_on(kept, jobs, progress)
+        return _carry_on(runs.create(folder, asked), jobs, progress)
 
 
 def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Summary:
@@ -92,7 +63,7 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated
         RunError: There is no run in the folder, it is damaged, another process is at work on it, or it names what must
             be repeated (`chatscene.runs.trust.follow`).
     """
-    kept = runs.open_run(folder, holds="run")
+    kept = runs.open_run(folder, runs.RunRecord)
     follow(repeated or Repeated(), egos_of=[kept], simulators_of=[kept], reading_of=[kept])
     with runs.alone(folder):
         return _carry_on(kept, jobs, progress)
@@ -109,17 +80,16 @@ def _carry_on(kept: runs.Workspace, jobs: int, progress: Progress) -> Summary:
 
 def search(kept: runs.Workspace, jobs: int, progress: Progress) -> None:
     """Steps 2 to 7 for a run folder, from where it stands."""
-    settings = runs.settings_of(runs.read_record(kept))
     done = runs.resume(kept, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(kept)
     if record.status is runs.Status.DONE:
         return
-    map_path, ego = map_of(record), load_ego(record.ego)
+    settings, map_path, ego = runs.settings_of(record), map_of(record), load_ego(record.ego)
     generator = load_generator(record.generator)
     simulator = simulator_of(generator, map_path, settings)
 
     progress("understanding the sentence", 0, 0)
-    scenario = generator.read(record.text, settings.retrieval)
+    scenario = runs.scenario_of(record, generator)
     runs.write_choice(kept, scenario)
     written = generator.write(scenario, settings.retrieval)
     runs.write_choice(kept, scenario, written)
@@ -127,15 +97,13 @@ def search(kept: runs.Workspace, jobs: int, progress: Progress) -> None:
     progress("checking that drives show what was read", 0, 0)
     written, _ = climb(generator, scenario, written, settings=settings.retrieval, simulator=simulator, ego=ego)
     runs.write_choice(kept, scenario, written)
-    program = written.program
 
-    wanted = settings.search.routes
-    routes = routes_of(simulator, program, wanted)
-    if len(routes) < wanted:
-        progress(f"map {record.map_name!r} has {len(routes)} of the {wanted} routes asked for", 0, 0)
+    routes = routes_of(simulator, written.program, settings.search.routes)
+    if len(routes) < settings.search.routes:
+        progress(f"map {record.map_name!r} has {len(routes)} of the {settings.search.routes} routes asked for", 0, 0)
     named = {f"{scenario.id}/{runs.route_id(number)}": route for number, route in routes.items()}
     runs.write_drawing(kept, routes_drawing(load_network(map_path), named))
 
-    work = Work.of(kept, scenario.slots, program, routes)
+    work = Work.of(kept, scenario.slots, written.program, routes)
     run_blocks(work, done, jobs=jobs, progress=progress)
     runs.finish(kept, selected=selected(kept, settings.search), expected=work.blocks())

@@ -13,7 +13,7 @@ import pytest
 
 from chatscene import runs
 from chatscene.simulate.confined.landlock import landlock_version
-from fake_run import as_by_an_older_version
+from fake_run import resealed
 from places import ROOT
 
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
@@ -118,7 +118,7 @@ def test_a_replay_of_changed_tracks_says_where_they_differ(
     x = table.column("x").to_numpy().copy()
     x[7] += 1e-9
     pq.write_table(table.set_column(table.column_names.index("x"), "x", pa.array(x)), path)
-    as_by_an_older_version(runs.Workspace(folder))
+    resealed(runs.Workspace(folder))
     scene = table.column("scene_id")[0].as_py()
     answer = chatscene("replay", str(folder), scene)
     assert answer.returncode == 1

@@ -21,7 +21,7 @@ pytest.importorskip("stable_baselines3", reason="the extra 'train' is not instal
 import torch
 from gymnasium import spaces
 
-from chatscene import pipeline
+from chatscene import pipeline, runs
 from chatscene.commands.finetune import finetune as command
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
@@ -208,7 +208,7 @@ def scenes(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small run on two routes."""
     folder = tmp_path_factory.mktemp("runs") / "bus-stop"
     text = "A pedestrian steps out from behind a bus stop on the right and freezes in front of us."
-    pipeline.run(text, folder, settings=Settings(search=SearchSettings(scenes=4, routes=2)))
+    pipeline.run(runs.asked_run(text, settings=Settings(search=SearchSettings(scenes=4, routes=2))), folder)
     return folder
 
 

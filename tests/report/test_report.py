@@ -6,7 +6,8 @@ import shlex
 import shutil
 import subprocess
 from collections.abc import Sequence
-from dataclasses import fields, replace
+from contextlib import suppress
+from dataclasses import asdict, fields, replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any, cast
@@ -20,7 +21,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
-from chatscene import pipeline
+from chatscene import runs
 from chatscene.commands import main as cli
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
@@ -32,10 +33,10 @@ from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, verdict
-from chatscene.report.summary import Summary
 from chatscene.report.tracks import extent, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
+    ProgramRecord,
     Status,
     create,
     metrics_of,
@@ -48,7 +49,7 @@ from chatscene.runs import (
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import contact_point
-from fake_run import PROGRAM, SCENARIO, TEXT, as_by_an_older_version, blocks, drawing, drive, finished, scene, started
+from fake_run import PROGRAM, SCENARIO, TEXT, asked, blocks, drawing, drive, finished, resealed, scene, started
 
 NASTY = """</script><script>alert(1)</script><img src=x onerror="alert(2)"> & 'quotes' "too" {{script}} <!--"""
 
@@ -156,14 +157,19 @@ def test_hostile_text_wherever_a_stranger_can_put_it_adds_no_element(
 ) -> None:
     run = finished(tmp_path / "run", count=1)
     record = read_record(run)
-    names = ("text", "map_name", "ego")
+    names = ("text", "map_name")
     scenes, ranges, programs = read_scenes(run), read_ranges(run), viewer.read_programs(run)
     explanation = viewer.read_explanation(run)
     episodes = list(viewer.read_episodes(run, [row["scene_id"] for row in scenes if row["status"] == "ran"]))
 
     def elements(addition: str) -> Elements:
         told = {name: getattr(record, name) + addition for name in names}
-        told |= {"status": status, "reason": f"why{addition}", "versions": _with(addition, dict(record.versions))}
+        told |= {
+            "egos": [record.ego + addition],
+            "status": status,
+            "reason": f"why{addition}",
+            "versions": _with(addition, dict(record.versions)),
+        }
         renamed = [replace(each, scene_id=each.scene_id + addition) for each in episodes]
         for name, value in {
             "read_record": record.model_copy(update=told),
@@ -209,7 +215,7 @@ def test_a_run_without_a_drawing_of_its_map_still_replays(tmp_path: Path) -> Non
     run = finished(tmp_path / "run", count=1)
     run.file("map.json").unlink()
     run.file("explanation.json").unlink()
-    as_by_an_older_version(run)
+    resealed(run)
     assert 'class="play-scene"' in _page(run.path)
     assert write_gif(run.path).stat().st_size > 0
 
@@ -249,10 +255,8 @@ def test_the_page_says_what_was_read_and_how_many_scenes_show_it(tmp_path: Path)
 
 
 def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> None:
-    run = create(
-        tmp_path / "run", text=f"## program mine\n{PROGRAM}", settings=Settings(), map_name="town", ego="sac",
-        generator="program",
-    )  # fmt: skip
+    mine = ProgramRecord(name="mine", source=PROGRAM)
+    run = create(tmp_path / "run", asked(text="", program=mine, generator="program", egos=["sac"]))
     page = _page(run.path)
     assert "<h1>mine</h1>" in page
     assert "chatscene run --program programs/mine.scenic --map town --ego sac" in page
@@ -266,10 +270,7 @@ def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> N
 def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
     assert "rule-based (what it sees was not recorded)" in _page(run.path)
-    record = read_record(run)
-    senses = {"rule-based": senses_of(load_ego("rule-based"))}
-    run.file("run.json").write_text(record.model_copy(update={"senses": senses}).model_dump_json())
-    as_by_an_older_version(run)
+    update(run, senses={"rule-based": senses_of(load_ego("rule-based"))})
     page = _page(run.path)
     said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 3 m/s² (0.375 of the pedal)"
     assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')
@@ -314,14 +315,13 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
     """What `chatscene run` would start with these words."""
     caught: dict[str, Any] = {}
 
-    def start(text: str, _folder: Path, **others: Any) -> Summary:
-        caught.update(text=text, **{name: others[name] for name in ("settings", "map_name", "ego_name")})
-        return Summary(
-            counts=dict.fromkeys(("ran", "collided", "rejected", "fill_in", "selected"), 0), seconds=0, ego=""
-        )
+    def ask(text: str, *, settings: Settings, map_name: str, ego: str, **_: Any) -> None:
+        caught.update(text=text, settings=asdict(settings), map_name=map_name, egos=[ego])
+        raise SystemExit
 
-    monkeypatch.setattr(pipeline, "run", start)
-    cli.main.main(words, standalone_mode=False)
+    monkeypatch.setattr(runs, "asked_run", ask)
+    with suppress(SystemExit):
+        cli.main.main(words, standalone_mode=False)
     return caught
 
 
@@ -342,10 +342,7 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
 ) -> None:
     first = _caught(["run", "it's a car", *_other(option), "--out", str(tmp_path / "x")], monkeypatch)
     assert first != _caught(["run", "it's a car", "--out", str(tmp_path / "x")], monkeypatch)
-    run = create(
-        tmp_path / "run", text=first["text"], settings=first["settings"], map_name=first["map_name"],
-        ego=first["ego_name"],
-    )  # fmt: skip
+    run = create(tmp_path / "run", asked(**first))
     words = shlex.split(command(read_record(run)))
     assert words[0] == "chatscene"
     assert _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch) == first
@@ -353,7 +350,7 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
 
 def test_what_the_command_cannot_say_stands_beside_it(tmp_path: Path) -> None:
     settings = Settings(search=SearchSettings(block=7, sampler="random"), simulation=SimulationSettings(dt=0.05))
-    run = create(tmp_path / "run", text="a car", settings=settings, map_name="town", ego="sac")
+    run = create(tmp_path / "run", asked(settings=asdict(settings)))
     assert "block 7, dt 0.05" in _page(run.path)
 
 

@@ -51,12 +51,12 @@ from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.replay import replay
 from chatscene.runs.tables import scene_of
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.studies.benchmark import benchmark
 from chatscene.studies.evaluation import evaluate
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange
-from fake_run import SCENARIO, TEXT, as_by_an_older_version, blocks, finished, selection, started
+from fake_run import SCENARIO, asked, blocks, finished, resealed, selection, started
 
 
 def command(*arguments: str) -> Result:
@@ -133,7 +133,6 @@ def test_every_bit_of_the_record_is_guarded(folder: Path) -> None:
 
 def test_a_bit_that_would_change_values_in_silence_is_noticed_even_where_no_digest_is_kept(folder: Path) -> None:
     run, path = Workspace(folder), folder / "scenes.parquet"
-    as_by_an_older_version(run)
     file = pq.ParquetFile(path)
     before = file.read()
     columns = [file.metadata.row_group(0).column(n) for n in range(before.num_columns)]
@@ -189,12 +188,11 @@ def test_the_name_of_an_added_file_tells_the_terminal_nothing(folder: Path) -> N
     assert "\x1b" not in answer.output
 
 
-def test_of_a_folder_of_an_older_version_nobody_can_tell(folder: Path) -> None:
-    as_by_an_older_version(Workspace(folder))
-    answer = command("check", str(folder))
-    assert answer.exit_code == 1
-    assert "older version" in answer.output
-    assert open_run(folder)
+def test_a_folder_of_before_the_first_release_is_refused_with_what_made_it(folder: Path) -> None:
+    resealed(Workspace(folder), schema_version=1, versions={"chatscene": "0.0.9"})
+    with pytest.raises(RunError, match=r"before 0\.1\.0 \(schema 1, .* chatscene that made it, 0\.0\.9"):
+        open_run(folder)
+    assert "before 0.1.0" in command("check", str(folder)).output
 
 
 def test_a_folder_without_a_run_cannot_be_checked(tmp_path: Path) -> None:
@@ -317,18 +315,6 @@ def test_the_record_of_a_running_run_that_was_changed_is_refused(tmp_path: Path)
         pipeline.resume(run.path)
 
 
-def test_a_run_of_an_older_version_goes_on_and_is_guarded_once_it_is_done(tmp_path: Path) -> None:
-    run, done = started(tmp_path / "run"), blocks(2)
-    as_by_an_older_version(run)
-    for block in done:
-        write_block(run, block)
-        part = run.part(SCENARIO, 0, block.number)
-        part.write_text(json.dumps(json.loads(part.read_text()) | {"tracks": "", "digest": ""}))
-    assert len(resume(run)[SCENARIO, 0]) == 2
-    finish(run, selected=selection(done), expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
-    assert check(run.path).whole
-
-
 # Two at once
 
 
@@ -344,7 +330,7 @@ def test_a_second_process_is_refused_until_the_first_is_gone_even_if_it_was_kill
             pipeline.resume(run.path)
         assert read_record(run).status is Status.RUNNING
         with pytest.raises(RunError, match="another chatscene"):
-            pipeline.run(TEXT, run.path)
+            pipeline.run(asked(), run.path)
     finally:
         os.kill(first.pid, signal.SIGKILL)
         first.wait()
@@ -363,7 +349,7 @@ def test_a_held_folder_holds_no_more_files_than_one_that_is_not(tmp_path: Path) 
 
 
 HELD: dict[str, Callable[[Path, Path], object]] = {
-    "run": lambda _, held: pipeline.run("A cyclist rides out from the left and stops in front of us.", held),
+    "run": lambda _, held: pipeline.run(asked(), held),
     "evaluate": lambda folder, held: evaluate([folder], held, egos=["rule-based"], progress=_silent),
     "benchmark": lambda _, held: benchmark(held, progress=_silent),
     "train": lambda _, held: train(held, TrainSettings(), progress=_silent),
@@ -413,11 +399,9 @@ def test_a_folder_that_cannot_be_locked_is_said_to_be_so(tmp_path: Path, monkeyp
 )
 def test_a_setting_out_of_range_is_named_with_its_range(tmp_path: Path, part: str, name: str, value: object) -> None:
     run = started(tmp_path / "run")
-    as_by_an_older_version(run)
-    path = run.file("run.json")
-    content = json.loads(path.read_text())
-    content["settings"][part][name] = value
-    path.write_text(json.dumps(content))
+    settings = read_record(run).settings
+    settings[part][name] = value
+    resealed(run, settings=settings)
     with pytest.raises(SettingsError, match=rf"{name} must be .*, not "):
         settings_of(read_record(run))
     answer = command("resume", str(run.path))
@@ -481,9 +465,9 @@ def test_an_explanation_is_checked_against_its_types(folder: Path, change: dict[
 def test_a_path_with_a_nul_is_one_message_of_our_own(tmp_path: Path) -> None:
     bad = tmp_path / "a\0b"
     with pytest.raises(RunError, match="NUL"):
-        pipeline.run("A cyclist rides out from the left and stops in front of us.", bad)
+        pipeline.run(asked(), bad)
     with pytest.raises(RunError, match="NUL"):
-        create(bad, text=TEXT, settings=Settings(), map_name="town", ego="sac")
+        create(bad, asked())
 
 
 def test_a_text_that_is_no_text_is_one_message_of_our_own(tmp_path: Path) -> None:
@@ -544,10 +528,10 @@ def _with(table: Any, name: str, values: list[Any]) -> Any:
 @pytest.mark.parametrize("case", FORGED)
 def test_tables_that_hold_something_else_are_one_message(tmp_path: Path, case: str) -> None:
     run = finished(tmp_path / "run")
-    as_by_an_older_version(run)  # somebody who forges a table can forge its digest, too
     name, change, message = FORGED[case]
     for path in sorted(run.path.glob(f"{name}/*.parquet")) or [run.file(name)]:
         _columns(path, change)
+    resealed(run)  # somebody who forges a table can forge its digest, too
     with pytest.raises(RunError, match=message):
         write_report(run.path)
 
@@ -555,8 +539,8 @@ def test_tables_that_hold_something_else_are_one_message(tmp_path: Path, case: s
 @pytest.mark.parametrize("points", [[[0.0, 1e308], [1.0, 2.0]], [[0.0, 0.0]], ["xy"], None])
 def test_a_drawing_that_nobody_can_draw_is_one_message(tmp_path: Path, points: object) -> None:
     run = finished(tmp_path / "run")
-    as_by_an_older_version(run)
     run.file("map.json").write_text(json.dumps({"lane_boundaries": [{"kind": "solid", "points": points}]}))
+    resealed(run)
     with pytest.raises(RunError, match=r"map\.json is no drawing of a map"):
         write_report(run.path)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +20,13 @@ from chatscene.errors import Diverged, RunError
 from chatscene.maps.network import resolve_map
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.replay import replay
+from chatscene.search.generator import Choice
 from chatscene.search.generators import retrieved
 from chatscene.search.generators.baselines.advsim import AdvSim
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Scenario
-from fake_run import as_by_an_older_version
+from fake_run import resealed
 
 QUANTIFIED = "A cyclist rides out at 18 km/h from the left and stops in front of us."
 SENTENCES = [
@@ -38,7 +40,7 @@ SENTENCES = [
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("replay") / "run"
     few = Settings(search=SearchSettings(scenes=2, block=1))
-    pipeline.run(QUANTIFIED, folder, settings=few, ego_name="rule-based")
+    pipeline.run(runs.asked_run(QUANTIFIED, settings=few, ego="rule-based"), folder)
     return folder
 
 
@@ -79,7 +81,7 @@ def test_the_program_of_a_run_is_joined_again_with_the_ranges_it_was_bound_to(wh
     assert scenario.slots.side == "left"
 
 
-def _stored(tmp_path: Path, told: dict[str, Any]) -> tuple[Scenario, runs.Choice | None]:
+def _stored(tmp_path: Path, told: dict[str, Any]) -> tuple[Scenario, Choice | None]:
     run = runs.Workspace(tmp_path)
     runs.write_explanation(run, told)
     return runs.read_choice(run)
@@ -100,8 +102,8 @@ def test_a_choice_that_was_stored_makes_the_same_program_again(tmp_path: Path, n
         scenario.parts,
     )
     assert again.slots == scenario.slots
-    ranges = {p.name: (p.low, p.high) for p in written.program.parameters}
-    assert Retrieved().join(again, choice.snippet_ids, choice.adversary, ranges, settings) == written.program
+    choice = replace(choice, ranges={p.name: (p.low, p.high) for p in written.program.parameters})
+    assert Retrieved().write_again(again, choice, settings) == written.program
 
 
 def test_a_program_without_a_retrieval_is_made_of_its_stored_scenario(tmp_path: Path) -> None:
@@ -116,7 +118,7 @@ def test_a_program_without_a_retrieval_is_made_of_its_stored_scenario(tmp_path: 
 def test_a_baseline_is_rebuilt_from_its_stored_scenario(tmp_path: Path) -> None:
     few = Settings(search=SearchSettings(scenes=1, block=1))
     text = AdvSim().texts(BaseScenario.RIGHT_TURN)[0]
-    pipeline.run(text, tmp_path / "run", settings=few, ego_name="rule-based", generator="advsim")
+    pipeline.run(runs.asked_run(text, settings=few, ego="rule-based", generator="advsim"), tmp_path / "run")
     assert replay(tmp_path / "run", _driven(tmp_path / "run")).identical
 
 
@@ -130,7 +132,7 @@ def _forge(folder: Path, name: str, change: dict[str, Any]) -> None:
 def test_a_stored_program_that_is_another_one_is_not_executed(folder: Path, tmp_path: Path) -> None:
     program = next(folder.glob("programs/*.scenic"))
     program.write_text(program.read_text() + f"\nopen({str(tmp_path / 'ran')!r}, 'w')\n")
-    as_by_an_older_version(runs.Workspace(folder))
+    resealed(runs.Workspace(folder))
     with pytest.raises(Diverged, match="now make another program"):
         replay(folder, _driven(folder))
     assert not (tmp_path / "ran").exists()
@@ -145,7 +147,7 @@ def test_a_stored_program_that_is_another_one_is_not_executed(folder: Path, tmp_
 )
 def test_other_snippets_than_those_of_the_program_diverge(folder: Path, chosen: dict[str, str]) -> None:
     _forge(folder, "explanation.json", {"chosen": chosen})
-    as_by_an_older_version(runs.Workspace(folder))
+    resealed(runs.Workspace(folder))
     with pytest.raises(Diverged, match="the library has changed"):
         rebuild(runs.Workspace(folder))
 
@@ -155,14 +157,14 @@ def test_ranges_beyond_those_of_a_snippet_diverge(folder: Path) -> None:
     table = pq.read_table(path)
     high = np.full(table.num_rows, 900.0)
     pq.write_table(table.set_column(table.column_names.index("high"), "high", pa.array(high)), path)
-    as_by_an_older_version(runs.Workspace(folder))
+    resealed(runs.Workspace(folder))
     with pytest.raises(Diverged, match=r"lies between .* not .* and 900"):
         rebuild(runs.Workspace(folder))
 
 
 def test_a_run_that_came_to_no_choice_cannot_be_rebuilt(folder: Path) -> None:
     _forge(folder, "explanation.json", {"chosen": {}})
-    as_by_an_older_version(runs.Workspace(folder))
+    resealed(runs.Workspace(folder))
     with pytest.raises(RunError, match="names no snippets"):
         rebuild(runs.Workspace(folder))
 
@@ -171,7 +173,7 @@ def _with_other_versions(folder: Path, **versions: str) -> None:
     run = runs.Workspace(folder)
     record = runs.read_record(run)
     _forge(folder, "run.json", {"versions": {**record.versions, **versions}})
-    as_by_an_older_version(run)
+    resealed(run)
 
 
 def test_a_replay_that_differs_names_every_version_that_does(folder: Path) -> None:
@@ -215,7 +217,7 @@ def test_what_a_run_was_made_with_and_nobody_knows_now_is_not_compared() -> None
 def test_a_run_is_not_replayed_on_a_map_that_was_changed_since(tmp_path: Path) -> None:
     town = tmp_path / "mine.xodr"
     town.write_bytes(resolve_map("town").read_bytes())
-    run = runs.create(tmp_path / "run", text="a car", settings=Settings(), map_name=str(town), map_path=town, ego="sac")
+    run = runs.create(tmp_path / "run", runs.asked_run("a car", map_name=str(town)))
     assert map_of(runs.read_record(run)) == town
     town.write_text(town.read_text() + "<!-- wider -->")
     with pytest.raises(RunError, match="is not the file that the run was made on"):

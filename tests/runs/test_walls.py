@@ -47,7 +47,6 @@ from chatscene.runs.parallel import spread
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import GENERATORS, load_generator, simulator_of
-from chatscene.search.generators.own_program import text_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.confined import nursery as nurseries
@@ -58,7 +57,7 @@ from chatscene.simulate.simulator import Simulator
 from chatscene.studies import evaluation
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import ScenicProgram
-from fake_run import TEXT, as_by_an_older_version, finished, started, understanding
+from fake_run import TEXT, asked, finished, resealed, started, understanding
 
 TOWN = resolve_map("town")
 CONTROL = "\x1b]0;owned\x07\x1b[2J"
@@ -77,6 +76,11 @@ def told(run: runs.Workspace, **changes: Any) -> runs.Workspace:
         record["settings"][part] |= changes.pop(part, {})
     write_sealed(path, record | changes)  # a digest keeps nobody from making another
     return run
+
+
+def as_evaluation(run: runs.Workspace, **changes: Any) -> runs.Workspace:
+    """A run whose record says that it is an evaluation."""
+    return told(run, kind="evaluation", scenes="kept", sources=[], **changes)
 
 
 @pytest.fixture
@@ -163,7 +167,7 @@ def test_who_read_the_sentence_need_not_be_named_where_it_is_not_read_again(
 
 
 def test_what_is_repeated_is_followed_and_must_be_what_the_record_names(tmp_path: Path) -> None:
-    run = told(finished(tmp_path / "run", count=1), retrieval={"library": "snippets"}, ego="mine:make")
+    run = told(finished(tmp_path / "run", count=1), retrieval={"library": "snippets"}, egos=["mine:make"])
     repeated = Repeated(library=("snippets",), ego=("mine:make",))
     follow(repeated, egos_of=[run], reading_of=[run])
     with pytest.raises(RunError, match=r"does not name the library 'other'; it names 'snippets'"):
@@ -231,7 +235,7 @@ def test_a_folders_classifier_changes_only_weights_of_the_encoder(tmp_path: Path
 
 
 def forged(tmp_path: Path, ego: str, digests: dict[str, str] | None = None) -> runs.Workspace:
-    return told(finished(tmp_path / "run", count=1), ego=ego, ego_digests=digests or {})
+    return told(finished(tmp_path / "run", count=1), egos=[ego], ego_digests=digests or {})
 
 
 @pytest.mark.parametrize("command", ["resume", "replay"])
@@ -247,7 +251,7 @@ def test_a_record_does_not_have_a_module_of_the_working_folder_imported(
 
 
 def test_an_evaluation_that_names_an_ego_is_followed_no_further(tmp_path: Path) -> None:
-    run = told(finished(tmp_path / "run", count=1), command="evaluate", ego="sac,sys:exit")
+    run = as_evaluation(finished(tmp_path / "run", count=1), egos=["sac", "sys:exit"])
     with pytest.raises(RunError, match=r"--ego sys:exit"):
         evaluation.carry_on(run, jobs=1, progress=silent)
 
@@ -272,7 +276,7 @@ def weights(path: Path) -> Path:
 
 def test_plain_weights_are_followed_while_they_are_those_of_the_record(tmp_path: Path) -> None:
     path = weights(tmp_path / "mine.npz")
-    run = runs.create(tmp_path / "run", text=TEXT, settings=Settings(), map_name="town", ego=str(path))
+    run = runs.create(tmp_path / "run", runs.asked_run(TEXT, ego=str(path)))
     follow(Repeated(), egos_of=[run])
     path.write_bytes(path.read_bytes() + b" ")
     with pytest.raises(RunError, match="SHA-256 differs"):
@@ -289,18 +293,17 @@ def test_a_record_of_an_evaluation_is_not_replayed_as_a_run(
     tmp_path: Path, canary: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    egos = "run.evil:x.npz,sac"
-    run = told(finished(tmp_path / "run", count=1), command="evaluate", ego=egos, ego_digests={"run.evil:x.npz": "0"})
+    evil = "run.evil:x.npz"
+    run = finished(tmp_path / "run", count=1)
+    with pytest.raises(RunError, match="holds a run, and this takes the folder of an evaluation"):
+        evaluation.carry_on(run, jobs=1, progress=silent)
+    as_evaluation(run, egos=[evil, "sac"], ego_digests={evil: "0"})
     (run.path / "evil.py").write_text(f"open({str(canary)!r}, 'w')\n")
     for command in ("replay", "resume"):
-        with pytest.raises(RunError, match="holds what `chatscene evaluate` leaves"):
+        with pytest.raises(RunError, match="holds an evaluation, and this takes the folder of a run"):
             FOLLOWERS[command](run.path)
-    with pytest.raises(RunError, match="holds what `chatscene run` leaves"):
-        evaluation.carry_on(told(run, command="run"), jobs=1, progress=silent)
     with pytest.raises(RunError, match="may run code of its own"):
-        follow(Repeated(), egos_of=[told(run, command="evaluate")])
-    with pytest.raises(EgoError, match="not of the form"):
-        load_ego(egos)
+        follow(Repeated(), egos_of=[run])
     assert not canary.exists()
 
 
@@ -309,7 +312,8 @@ def test_a_model_that_carries_code_is_not_followed_though_its_digest_is_right(su
     path = tmp_path / f"model{suffix}"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("model/code/__torch__.py", "")
-    run = runs.create(tmp_path / "run", text=TEXT, settings=Settings(), map_name="town", ego=str(path))
+    digests = runs.ego_digests([str(path)])
+    run = runs.create(tmp_path / "run", asked(egos=[str(path)], ego_digests=digests))
     assert runs.read_record(run).ego_digests
     with pytest.raises(RunError, match="may run code of its own"):
         follow(Repeated(), egos_of=[run])
@@ -407,10 +411,7 @@ def test_an_evaluation_drives_a_strangers_program_in_the_confined_process(
     run = finished(tmp_path / "run", program=FOREIGN)
     scenario = runs.read_explanation(run)["scenarios"][0]
     assert scenario["base"] is not None
-    own = Mock(program=Mock(scenario_id=scenario["scenario_id"], source=FOREIGN))
-    told(run, generator="program", text=text_of(own))
-    runs.write_explanation(run, {"text": text_of(own), "scenarios": [{**scenario, "text": text_of(own)}]})
-    as_by_an_older_version(run)
+    resealed(run, generator="program", text="", program={"name": scenario["scenario_id"], "source": FOREIGN})
     simulators: list[Simulator] = []
 
     def drive(_program: ScenicProgram, *_: Any, simulator: Simulator, **__: Any) -> None:
@@ -574,7 +575,7 @@ def test_descriptions_of_a_strangers_library_do_not_steer_the_terminal(command: 
 
 
 def test_an_error_message_does_not_steer_the_terminal(tmp_path: Path) -> None:
-    run = told(finished(tmp_path / "run", count=1), ego=f"{CONTROL}:x")
+    run = told(finished(tmp_path / "run", count=1), egos=[f"{CONTROL}:x"])
     done = CliRunner().invoke(main, ["resume", str(run.path)])
     assert done.exit_code == 1
     assert "\x1b" not in done.output
@@ -612,7 +613,7 @@ def test_a_link_in_a_run_folder_is_not_followed(name: str, tmp_path: Path) -> No
         pipeline.resume(run.path)
     runs.update(run, status=runs.Status.REFUSED)
     with pytest.raises(RunError, match=f"{name} is a link"):
-        runs.create(run.path, text=TEXT, settings=Settings(), map_name="town", ego="sac")
+        runs.create(run.path, asked())
     assert [*theirs.iterdir()] == [thesis]
 
 

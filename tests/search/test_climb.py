@@ -12,7 +12,7 @@ from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.pipeline import run
 from chatscene.program.check import Checked
-from chatscene.runs import open_run, read_explanation
+from chatscene.runs import asked_run, open_run, read_explanation
 from chatscene.runs.rebuild import rebuild
 from chatscene.search import generator as searching
 from chatscene.search.generator import TRIES, Written, climb, simulator_of
@@ -106,8 +106,7 @@ def test_what_was_tried_together_is_not_chosen_together_again() -> None:
 
 def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path) -> None:
     few = Settings(search=SearchSettings(scenes=2, block=2))
-    text = CYCLIST
-    run(text, tmp_path / "run", settings=few, ego_name="rule-based")
+    run(asked_run(CYCLIST, settings=few, ego="rule-based"), tmp_path / "run")
     kept = open_run(tmp_path / "run")
     assert read_explanation(kept)["scenarios"][0]["tried"]
     scenario, rebuilt = rebuild(kept)

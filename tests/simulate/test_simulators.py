@@ -10,6 +10,7 @@ from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
+from chatscene.runs.record import upgraded
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
 from chatscene.search.generator import load_generator, simulator_of
@@ -62,7 +63,8 @@ def test_a_simulator_that_cannot_be_confined_runs_no_stranger_s_program() -> Non
 def scripted(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("scripted") / "run"
     few = Settings(search=SearchSettings(scenes=2, block=2, keep=1), simulation=SCRIPTED)
-    pipeline.run("AdvSim: straight-obstacle", folder, settings=few, ego_name="rule-based", generator="advsim")
+    asked = runs.asked_run("AdvSim: straight-obstacle", settings=few, ego="rule-based", generator="advsim")
+    pipeline.run(asked, folder)
     return folder
 
 
@@ -88,5 +90,7 @@ def test_a_fine_tuning_takes_no_simulator_from_a_record_that_is_not_packaged(scr
 
 def test_a_record_without_a_simulator_is_of_the_default() -> None:
     folder = {"schema_version": 2, "status": "done", "text": "", "map_name": "town", "ego": "sac", "seed": 0}
-    record = runs.RunRecord.model_validate({**folder, "settings": {"simulation": {"dt": 0.1, "max_steps": 300}}})
+    record = runs.RunRecord.model_validate(
+        upgraded({**folder, "settings": {"simulation": {"dt": 0.1, "max_steps": 300}}})
+    )
     assert record.simulator.name == runs.settings_of(record).simulation.simulator == SimulationSettings().simulator

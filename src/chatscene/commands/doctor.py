@@ -102,12 +102,10 @@ def _walls() -> str:
 
 
 def _scene() -> str:
-    from chatscene import pipeline
+    from chatscene import pipeline, runs
 
+    few = Settings(search=SearchSettings(scenes=1, keep=1))
+    asked = runs.asked_run("A pedestrian suddenly crosses the road from the right.", settings=few)
     with tempfile.TemporaryDirectory() as folder:
-        report = pipeline.run(
-            "A pedestrian suddenly crosses the road from the right.",
-            Path(folder) / "run",
-            settings=Settings(search=SearchSettings(scenes=1, keep=1)),
-        )
+        report = pipeline.run(asked, Path(folder) / "run")
     return report.in_words()

@@ -208,9 +208,9 @@ def resume(
     """
     from chatscene import api, runs
 
-    record = runs.read_record(runs.Workspace(folder))
-    text = "" if record.generator == "program" else record.text
-    with _refusing(text, record.settings["retrieval"]["embedder"], as_json):
+    record = runs.read_record(runs.Workspace(folder), runs.Record)
+    text = record.text if isinstance(record, runs.RunRecord) else ""
+    with _refusing(text, record.code_named().get("embedder", ""), as_json):
         done = api.resume(
             folder,
             jobs=jobs or 1,

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from chatscene.ego.policy import in_words
-from chatscene.runs import RunRecord
+from chatscene.runs import MapRecord
 
 
-def egos_in_words(record: RunRecord) -> tuple[str, ...]:
+def egos_in_words(record: MapRecord) -> tuple[str, ...]:
     """Each ego of a run or an evaluation, with what it sees and how hard it brakes."""
     return tuple(f"{ego} {in_words(record.senses.get(ego, {}))}" for ego in record.egos)

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 Row = Mapping[str, Any]
 
-PROGRAM = "program"  # the generator that runs a user's own
 _BANNERS = {
     Status.RUNNING: "This run is not finished. What is shown is what was done so far.",
     Status.FAILED: "This run failed. What is shown is what was done before.",
@@ -35,17 +34,8 @@ _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", 
 def heading(record: RunRecord, explanation: Row) -> Markup:
     """The sentence, what was read in it, and how far the run came where it did not end well."""
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
-    own = record.generator == PROGRAM
-    return fill_section("heading", title(record), own, facts, _BANNERS.get(record.status), record.reason)
-
-
-def title(record: RunRecord) -> str:
-    """The sentence; of a program of the user's own, whose text is all of its code, its name."""
-    return _program_name(record) if record.generator == PROGRAM else record.text.strip()
-
-
-def _program_name(record: RunRecord) -> str:
-    return record.text.partition("\n")[0].removeprefix("## program ").strip()
+    own = record.program is not None
+    return fill_section("heading", record.title, own, facts, _BANNERS.get(record.status), record.reason)
 
 
 def facts_of(explanation: Row) -> list[tuple[str, object]]:
@@ -273,7 +263,7 @@ def provenance(record: RunRecord) -> Markup:
     seconds = record.timings.get("total")
     facts = {
         "Versions": versions,
-        "Seed": str(record.seed),
+        "Seed": str(record.settings["search"]["seed"]),
         "Map": record.map_name,
         "Ego": record.ego,
         "Time": "not recorded" if seconds is None else f"{seconds:.1f} s, until this page was written",
@@ -299,8 +289,8 @@ OPTIONS = {
 
 def command(record: RunRecord) -> str:
     """The command line that repeats a run, where it was started; of a program of one's own, in the run folder."""
-    if record.generator == PROGRAM:
-        words = ["chatscene", "run", "--program", f"programs/{quote(_program_name(record), safe='')}.scenic"]
+    if record.program is not None:
+        words = ["chatscene", "run", "--program", f"programs/{quote(record.program.name, safe='')}.scenic"]
     elif record.generator == "chatscene":
         words = ["chatscene", "run", record.text]
     else:

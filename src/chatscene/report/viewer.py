@@ -15,6 +15,7 @@ from chatscene.report.measures import in_words
 from chatscene.report.templates import asset, fill, fill_section
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
+    RunRecord,
     Workspace,
     criticality_of,
     metrics_of,
@@ -49,7 +50,7 @@ def write_report(folder: Path) -> Path:
     Raises:
         RunError: The folder is not a run, or cannot be read or written.
     """
-    run = open_run(folder)
+    run = open_run(folder, RunRecord)
     path = run.file("report.html")
     write_bytes(path, _page(run).encode())
     note(run, path)
@@ -81,7 +82,7 @@ def _page(run: Workspace) -> str:
     script = asset("viewer.js")
     return fill(
         "viewer.html",
-        title=sections.title(record),
+        title=record.title,
         policy=_policy(script),
         style=asset("viewer.css"),
         script=script,

@@ -2,7 +2,7 @@
 
 ::
 
-    run = create(folder, text=..., settings=..., map_name="town", ego="rule-based")
+    run = create(folder, asked_run("a pedestrian …", settings=...))
     write_explanation(run, explain(text, understood)); write_program(run, ...); write_drawing(run, ...)
     write_block(run, block)                     # for each block, as it is done
     rows = read_scenes(run)                     # to select from
@@ -17,6 +17,7 @@
 
 from __future__ import annotations
 
+from chatscene.runs.asked import asked_benchmark, asked_evaluation, asked_run, ego_digests, scenario_of
 from chatscene.runs.blocks import (
     done_blocks,
     drop_blocks,
@@ -33,8 +34,27 @@ from chatscene.runs.blocks import (
 )
 from chatscene.runs.checking import Condition, check
 from chatscene.runs.exclusive import alone
-from chatscene.runs.explanation import Choice, explain, read_choice, read_explanation, write_choice
-from chatscene.runs.record import SCHEMA_VERSION, RunRecord, SourceRecord, Status, settings_of
+from chatscene.runs.explanation import explain, read_choice, read_explanation, write_choice
+from chatscene.runs.record import (
+    SCHEMA_VERSION,
+    BenchmarkRecord,
+    Driven,
+    EvaluationRecord,
+    FinetuningRecord,
+    Kind,
+    LessonsRecord,
+    MapRecord,
+    ProgramRecord,
+    Record,
+    ReproductionRecord,
+    RunRecord,
+    SimulatorRecord,
+    SourceRecord,
+    Status,
+    TrainingRecord,
+    settings_from,
+    settings_of,
+)
 from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_id, route_index, scene_of
 from chatscene.runs.workspace import (
     Workspace,
@@ -47,6 +67,7 @@ from chatscene.runs.workspace import (
     read_programs,
     read_record,
     run_folders,
+    take_up,
     update,
     write_drawing,
     write_explanation,
@@ -55,19 +76,34 @@ from chatscene.runs.workspace import (
 
 __all__ = [
     "SCHEMA_VERSION",
-    "Choice",
+    "BenchmarkRecord",
     "Condition",
+    "Driven",
+    "EvaluationRecord",
+    "FinetuningRecord",
+    "Kind",
+    "LessonsRecord",
+    "MapRecord",
+    "ProgramRecord",
+    "Record",
+    "ReproductionRecord",
     "RunRecord",
+    "SimulatorRecord",
     "SourceRecord",
     "Status",
+    "TrainingRecord",
     "Workspace",
     "alone",
+    "asked_benchmark",
+    "asked_evaluation",
+    "asked_run",
     "changed_versions",
     "check",
     "create",
     "criticality_of",
     "done_blocks",
     "drop_blocks",
+    "ego_digests",
     "explain",
     "finish",
     "free_folder",
@@ -91,8 +127,11 @@ __all__ = [
     "route_id",
     "route_index",
     "run_folders",
+    "scenario_of",
     "scene_of",
+    "settings_from",
     "settings_of",
+    "take_up",
     "update",
     "write_block",
     "write_choice",

@@ -19,11 +19,10 @@ from chatscene.errors import RunError
 from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
 from chatscene.runs.digests import CHANGED, DRAWN, KEPT, MISSING, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.record import (
-    DIGESTS_SINCE,
     EventRow,
     Part,
     RangeRow,
-    RunRecord,
+    Record,
     SceneRow,
     SignalRow,
     Status,
@@ -187,7 +186,6 @@ def damaged_parts(run: Workspace) -> list[Damaged]:
 
 
 def _parts(run: Workspace) -> Iterator[Part | Damaged]:
-    sealed = read_record(run).schema_version >= DIGESTS_SINCE
     for path in sorted(run.file("parts").glob("*.json")):
         try:
             written = read_bytes(path)
@@ -197,11 +195,11 @@ def _parts(run: Workspace) -> Iterator[Part | Damaged]:
             yield Damaged(part=path, file=path, why=why)
             continue
         tracks = run.episodes(part.scenario_id, part.route, part.block)
-        if sealed and not is_sealed(written, part.digest):
+        if not is_sealed(written, part.digest):
             yield Damaged(part=path, file=path, why=CHANGED)
         elif not tracks.is_file():
             yield Damaged(part=path, file=tracks, why=MISSING)
-        elif sealed and digest_of(tracks) != part.tracks:
+        elif digest_of(tracks) != part.tracks:
             yield Damaged(part=path, file=tracks, why=CHANGED)
         else:
             yield part
@@ -225,8 +223,8 @@ def resume(
         what `chatscene.search.explore.explore` takes as ``done``.
     """
     sweep(run.path)
-    record = read_record(run)
-    if record.status is Status.DONE or _folded(run, record):
+    record = read_record(run, Record)
+    if record.status is Status.DONE or record.files:
         _drop_parts(run)
         update(run, status=Status.DONE)
         return {}
@@ -257,7 +255,7 @@ def finish(
     *,
     selected: Mapping[str, bool],
     expected: Iterable[tuple[str, int, int]],
-) -> RunRecord:
+) -> Record:
     """Fold the blocks into the tables and set the status to ``done``. Safe to call again after a kill.
 
     Args:
@@ -268,8 +266,8 @@ def finish(
     Raises:
         RunError: A block is missing, or the file system refuses; the blocks are still there then.
     """
-    record = read_record(run)
-    if record.status is not Status.DONE and not _folded(run, record):
+    record = read_record(run, Record)
+    if record.status is not Status.DONE and not record.files:
         parts = read_parts(run)
         _require(run, parts, list(expected))
         for name, fold in _TABLES.items():
@@ -292,13 +290,6 @@ def _require(run: Workspace, parts: Sequence[Part], expected: Sequence[tuple[str
             f"{scenario_id}/{route_id(route)}: files were removed or damaged while the run went on; run what is "
             f"missing with: chatscene resume {run.path}"
         )
-
-
-def _folded(run: Workspace, record: RunRecord) -> bool:
-    """Whether the tables are all there is, whatever became of the run afterwards."""
-    if record.schema_version >= DIGESTS_SINCE:
-        return bool(record.files)
-    return run.file("scenes.parquet").is_file() and not run.file("parts").exists()
 
 
 def _drop_parts(run: Workspace) -> None:
@@ -345,9 +336,9 @@ def read_ranges(run: Workspace) -> list[dict[str, Any]]:
 
 
 def _rows(run: Workspace, name: str, columns: Any, fold: Callable[[list[Part]], Table]) -> list[dict[str, Any]]:
-    record = read_record(run)
-    done = record.status is Status.DONE or _folded(run, record)
-    table: Table = read_table(run.file(name), columns) if done else fold(read_parts(run))
+    record = read_record(run, Record)
+    folded = record.status is Status.DONE or record.files
+    table: Table = read_table(run.file(name), columns) if folded else fold(read_parts(run))
     return table.to_pylist()
 
 

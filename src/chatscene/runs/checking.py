@@ -10,10 +10,8 @@ from typing import Any
 from chatscene.errors import RunError
 from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import CHANGED, MISSING, damage, is_drawn
-from chatscene.runs.record import DIGESTS_SINCE, RunRecord
-from chatscene.runs.workspace import Workspace, read_guarded
-
-RECORD = "run.json"
+from chatscene.runs.record import Record
+from chatscene.runs.workspace import RECORD, Workspace, read_guarded
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,9 +75,6 @@ def check(folder: Path) -> Condition:
         if not run.file(RECORD).is_file():
             raise
         return Condition(folder=folder, damaged={RECORD: str(error)}, unknown="its record cannot be read")
-    if record.schema_version < DIGESTS_SINCE:
-        unknown = "an older version of chatscene made it and kept no digests, so changes cannot be seen"
-        return Condition(folder=folder, damaged={}, unknown=unknown)
     damaged = {} if as_written else {RECORD: CHANGED}
     if not record.files:
         found = {one.file.relative_to(folder).as_posix(): one.why for one in damaged_parts(run)}
@@ -95,6 +90,6 @@ def check(folder: Path) -> Condition:
     )
 
 
-def _added(folder: Path, record: RunRecord) -> tuple[str, ...]:
+def _added(folder: Path, record: Record) -> tuple[str, ...]:
     names = (path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*")) if path.is_file())
     return tuple(name for name in names if name != RECORD and name not in record.files)

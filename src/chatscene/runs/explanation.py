@@ -6,7 +6,7 @@ What is read back is data: it is checked against its types, and none of it is ev
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
@@ -15,7 +15,7 @@ from chatscene.errors import RunError
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.record import first_problem
 from chatscene.runs.workspace import Workspace, read_record, write_program
-from chatscene.search.generator import Written
+from chatscene.search.generator import Choice, Written
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval
@@ -84,19 +84,6 @@ def _match(match: Match) -> dict[str, Any]:
 def _plain(value: object) -> object:
     """A slot as JSON: enumerations are text already, tuples become lists."""
     return [str(item) for item in value] if isinstance(value, tuple) else value
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Choice:
-    """Which snippets were joined.
-
-    Attributes:
-        snippet_ids: Behavior, geometry, spawn.
-        adversary: The kind of adversary.
-    """
-
-    snippet_ids: tuple[str, str, str]
-    adversary: AdversaryKind
 
 
 class _Told(BaseModel):

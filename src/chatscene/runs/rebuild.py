@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from chatscene.errors import Diverged, RunError, SnippetError
@@ -10,15 +11,14 @@ from chatscene.maps.network import resolve_map
 from chatscene.runs.blocks import read_ranges
 from chatscene.runs.digests import digest_of
 from chatscene.runs.explanation import read_choice
-from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.record import MapRecord, Record, settings_of
 from chatscene.runs.workspace import Workspace, changed_versions, read_programs, read_record
 from chatscene.search.generator import load_generator
-from chatscene.search.generators.retrieved import Retrieved
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 
 
-def map_of(record: RunRecord) -> Path:
+def map_of(record: MapRecord) -> Path:
     """The map that a run was made on.
 
     Raises:
@@ -47,14 +47,11 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
     generator = load_generator(record.generator)
     settings = settings_of(record).retrieval
     scenario, choice = read_choice(run)
+    if record.program is not None:
+        scenario = replace(scenario, text=record.program.source)
+    ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
     try:
-        if not isinstance(generator, Retrieved):
-            program = generator.write(scenario, settings).program
-        elif choice is None:
-            raise RunError(f"nothing was chosen in {run.path}: its explanation.json names no snippets")
-        else:
-            ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
-            program = generator.join(scenario, choice.snippet_ids, choice.adversary, ranges, settings)
+        program = generator.write_again(scenario, choice and replace(choice, ranges=ranges), settings)
     except SnippetError as error:
         raise Diverged(f"the library has changed since {run.path} was made: {error}; {_remedy(record)}") from error
     if read_programs(run).get(scenario.id) != program.source:
@@ -65,7 +62,7 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
     return scenario, program
 
 
-def _remedy(record: RunRecord) -> str:
+def _remedy(record: Record) -> str:
     return f"install the version of chatscene that run.json names{since(changed_versions(record))}"
 
 

@@ -1,22 +1,38 @@
-"""What `run.json` says, and what one finished block leaves until the tables are written."""
+"""What `run.json` says of each kind of folder, and what one finished block leaves until the tables are written."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from enum import StrEnum
-from typing import Any
+from typing import Any, ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.terms.simulator import SimulatorIdentity
 
-SCHEMA_VERSION = 2
-DIGESTS_SINCE = 2  # version of a folder that keeps a digest of every file, of `run.json` and of each part
+SCHEMA_VERSION = 3
+
+
+class Kind(StrEnum):
+    """What a folder holds."""
+
+    RUN = "run"
+    EVALUATION = "evaluation"
+    BENCHMARK = "benchmark"
+    REPRODUCTION = "reproduction"
+    FINETUNING = "finetuning"
+    TRAINING = "training"
+
+    def in_words(self) -> str:
+        """With its article."""
+        return f"{'an' if self is Kind.EVALUATION else 'a'} {self}"
 
 
 class Status(StrEnum):
-    """How far a run came."""
+    """How far the work came."""
 
     RUNNING = "running"  # or killed: a dead process cannot say so
     DONE = "done"
@@ -24,8 +40,27 @@ class Status(StrEnum):
     REFUSED = "refused"  # no program shows what was read in the sentence
 
 
+class Driven(StrEnum):
+    """Which scenes of a run an evaluation drives."""
+
+    KEPT = "kept"
+    EVERY = "every"  # that ran
+
+
 class _Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="ignore")
+
+
+class ProgramRecord(_Frozen):
+    """A program of the user's own.
+
+    Attributes:
+        name: What it is called.
+        source: All of its code.
+    """
+
+    name: str
+    source: str
 
 
 class SourceRecord(_Frozen):
@@ -61,65 +96,273 @@ class SimulatorRecord(_Frozen):
     version: str = ""
     physics: str = ""
 
+    @classmethod
+    def of(cls, identity: SimulatorIdentity) -> SimulatorRecord:
+        """What a simulator says it is."""
+        return cls(name=identity.name, version=identity.version, physics=identity.physics)
 
-class RunRecord(_Frozen):
-    """The content of `run.json`.
+
+class Record(_Frozen):
+    """What `run.json` says of any folder; there is a class for each kind, with what that kind has besides.
+
+    A field without a default is what was asked for, and whoever goes on in the folder must ask for the same again; a
+    field with one says what has become of it, or may be another the next time.
 
     Attributes:
-        schema_version: Of the whole folder; this chatscene writes and reads `SCHEMA_VERSION`.
-        status: How far the run came.
+        kind: What the folder holds.
+        schema_version: Of the whole folder.
+        status: How far the work came.
         reason: Why it failed or was refused; else empty.
-        text: The sentence.
-        map_name: The map as it was given.
-        map_digest: SHA-256 of its file; empty in the records of older versions.
-        ego: The ego as it was given; of an evaluation, the egos, comma between them.
-        ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
-        senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
-        generator: Who made the scenes.
-        simulator: What ran them.
-        command: What the folder holds: a ``run``, or an ``evaluate`` of egos on scenes of runs.
-        sources: Of an evaluation: the runs whose scenes were driven.
-        failures: Of an evaluation: why an ego was given up, by ego.
-        settings: All settings, resolved, as `Settings` nests them.
+        settings: All settings, resolved.
         versions: Of what the numbers depend on.
-        seed: What everything random derives from.
-        counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
-        timings: Seconds by phase, and whatever else differs between two equal runs (such as ``jobs``).
-        files: SHA-256 of every other file, by its path in the folder; empty until the run is finished.
+        timings: Seconds by phase, and whatever else differs between two equal runs.
+        files: SHA-256 of every other file, by its path in the folder; empty until the work is done.
         digest: SHA-256 of `run.json` itself, while this one is empty.
     """
 
-    schema_version: int
-    status: Status
+    kind: ClassVar[Kind]
+    schema_version: int = SCHEMA_VERSION
+    status: Status = Status.RUNNING
     reason: str = ""
-    text: str
-    map_name: str
-    map_digest: str = ""
-    ego: str
-    ego_digests: dict[str, str] = {}
-    senses: dict[str, dict[str, str]] = {}
-    generator: str = "chatscene"
-    simulator: SimulatorRecord = SimulatorRecord()
-    command: str = "run"
-    sources: list[SourceRecord] = []
-    failures: dict[str, str] = {}
-    settings: dict[str, dict[str, Any]]
+    settings: dict[str, Any]
     versions: dict[str, str] = {}
-    seed: int
-    counts: dict[str, int] = {}
     timings: dict[str, float] = {}
     files: dict[str, str] = {}
     digest: str = ""
 
+    @classmethod
+    def asked(cls) -> frozenset[str]:
+        """The fields that say what was asked for."""
+        return frozenset(name for name, field in cls.model_fields.items() if field.is_required())
+
+    def egos_named(self) -> dict[str, str]:
+        """The egos that are loaded where this is followed, each with the SHA-256 of its file; empty if it is none."""
+        return {}
+
+    def code_named(self) -> dict[str, str]:
+        """What else is loaded where this is followed, by the name of its option."""
+        return {}
+
+
+class MapRecord(Record):
+    """What has egos drive on a map.
+
+    Attributes:
+        map_name: The map as it was given.
+        map_digest: SHA-256 of its file; empty in the records of older versions.
+        egos: As they were given: the surrogate of a run, or those that are measured.
+        ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
+        senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
+        simulator: What runs the scenes.
+        counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
+    """
+
+    map_name: str
+    map_digest: str
+    egos: list[str]
+    ego_digests: dict[str, str]
+    senses: dict[str, dict[str, str]]
+    simulator: SimulatorRecord
+    counts: dict[str, int] = {}
+
+    def egos_named(self) -> dict[str, str]:
+        """Those that drive."""
+        return {ego: self.ego_digests.get(ego, "") for ego in self.egos}
+
+    def code_named(self) -> dict[str, str]:
+        """What its settings name."""
+        settings = settings_of(self)
+        reading = settings.retrieval
+        return {
+            "sampler": settings.search.sampler,
+            "simulator": settings.simulation.simulator,
+            "library": reading.library,
+            "embedder": reading.embedder,
+            "language_model": reading.language_model,
+        }
+
+
+class RunRecord(MapRecord):
+    """A run: one sentence, or one program, and the scenes searched with it.
+
+    Attributes:
+        text: The sentence; empty for a program of the user's own.
+        program: A program of the user's own; None for a sentence.
+        generator: Who makes the scenes.
+    """
+
+    kind = Kind.RUN
+    text: str
+    program: ProgramRecord | None
+    generator: str
+
     @property
-    def egos(self) -> tuple[str, ...]:
-        """Who drives: the surrogate of a run, or the egos of an evaluation."""
-        return egos_of(self.command, self.ego)
+    def ego(self) -> str:
+        """The surrogate."""
+        return self.egos[0]
+
+    @property
+    def title(self) -> str:
+        """The sentence, or the name of the program."""
+        return self.program.name if self.program else self.text.strip()
+
+    def code_named(self) -> dict[str, str]:
+        """What its settings name, and the generator."""
+        return super().code_named() | {"generator": self.generator}
 
 
-def egos_of(command: str, ego: str) -> tuple[str, ...]:
-    """The egos by name; of an evaluation there is a comma between them."""
-    return tuple(ego.split(",")) if command == "evaluate" else (ego,)
+class EvaluationRecord(MapRecord):
+    """An evaluation: egos on the scenes of runs.
+
+    Attributes:
+        scenes: Which of them.
+        sources: The runs.
+        failures: Why an ego was given up, by ego.
+    """
+
+    kind = Kind.EVALUATION
+    scenes: Driven
+    sources: list[SourceRecord]
+    failures: dict[str, str] = {}
+
+
+class BenchmarkRecord(MapRecord):
+    """A benchmark: a generator's runs for all base scenarios, and an evaluation of them.
+
+    Attributes:
+        generator: Who makes the scenes.
+        budget: How much it may try, by name.
+        surrogate: The ego that scenes are searched against.
+        refused: Scenarios that could not be searched with, and why, by text.
+    """
+
+    kind = Kind.BENCHMARK
+    generator: str
+    budget: str
+    surrogate: str
+    refused: dict[str, str] = {}
+
+    def egos_named(self) -> dict[str, str]:
+        """Those that are measured, and the surrogate."""
+        return {ego: self.ego_digests.get(ego, "") for ego in (self.surrogate, *self.egos)}
+
+    def code_named(self) -> dict[str, str]:
+        """What its settings name, and the generator."""
+        return super().code_named() | {"generator": self.generator}
+
+
+class ReproductionRecord(Record):
+    """A reproduction: benchmarks of all methods, fine-tunings, and the paper's tables of them.
+
+    Attributes:
+        tables: Which were asked for last.
+        preset: How often its fine-tunings learn, as asked for last; other ones lie beside.
+        choice: Who chooses their checkpoint, as asked for last; other ones lie beside.
+    """
+
+    kind = Kind.REPRODUCTION
+    tables: list[str] = []
+    preset: str = ""
+    choice: str = ""
+
+
+Numbers = dict[str, int | float]
+
+
+class LessonsRecord(_Frozen):
+    """Which scenes a fine-tuning has.
+
+    Attributes:
+        digest: Of their programs and all values.
+        train: How many are trained on.
+        choice: How many choose the checkpoint.
+        test: How many test it.
+    """
+
+    digest: str
+    train: int
+    choice: int
+    test: int
+
+
+class FinetuningRecord(Record):
+    """A fine-tuning of an ego on kept scenes.
+
+    Attributes:
+        ego_digests: SHA-256 of each ego that is a file, by the ego as the settings name it.
+        scenes: Which scenes.
+        sources: Absolute paths of the runs that they were read from last.
+        warm_up: What teaching the critics came to.
+        before: Figures of the start policy, by what was driven: ``train``, ``choice``, ``test``, ``ordinary``.
+        skipped: Why a kept scene could not be driven, by scene.
+        curve: One row per round that is done.
+        chosen: The row of the ego that was kept; empty until one is.
+        chosen_why: Why that one.
+        after: The figures of the chosen ego, as `before`.
+    """
+
+    kind = Kind.FINETUNING
+    ego_digests: dict[str, str]
+    scenes: LessonsRecord
+    sources: list[str] = []
+    warm_up: Numbers = {}
+    before: dict[str, Numbers] = {}
+    skipped: dict[str, str] = {}
+    curve: list[Numbers] = []
+    chosen: Numbers = {}
+    chosen_why: str = ""
+    after: dict[str, Numbers] = {}
+
+    def egos_named(self) -> dict[str, str]:
+        """Who is fine-tuned, and the teacher."""
+        named = [str(self.settings.get(name, "")) for name in ("ego", "teacher")]
+        return {ego: self.ego_digests.get(ego, "") for ego in named if ego}
+
+    def code_named(self) -> dict[str, str]:
+        """The simulator; none where it is that of the runs."""
+        return {"simulator": str(self.settings["simulator"])} if self.settings.get("simulator") else {}
+
+
+class TrainingRecord(Record):
+    """A training of an ego on ordinary drives.
+
+    Attributes:
+        map_digest: SHA-256 of the map's file.
+        simulator: What runs the drives.
+        steps: How long it is to be; it may go on for longer.
+        curve: One row per round that is done.
+    """
+
+    kind = Kind.TRAINING
+    map_digest: str
+    simulator: SimulatorRecord
+    steps: int = 0
+    curve: list[Numbers] = []
+
+    def code_named(self) -> dict[str, str]:
+        """The simulator."""
+        return {"simulator": self.simulator.name}
+
+
+RECORDS: dict[Kind, type[Record]] = {
+    of.kind: of
+    for of in (RunRecord, EvaluationRecord, BenchmarkRecord, ReproductionRecord, FinetuningRecord, TrainingRecord)
+}
+
+
+def upgraded(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The record of a run or an evaluation of schema 2 as schema 3 has it."""
+    ego, text = str(content.get("ego", "")), str(content.get("text", ""))
+    common = {"map_digest": "", "ego_digests": {}, "senses": {}, "simulator": {}, "generator": "chatscene", **content}
+    common["schema_version"] = SCHEMA_VERSION
+    if content.get("command") == "evaluate":
+        scenes = Driven.EVERY if text == "all scenes" else Driven.KEPT
+        return {**common, "kind": Kind.EVALUATION, "egos": ego.split(","), "scenes": scenes}
+    program = None
+    if content.get("generator") == "program":
+        name, _, source = text.removeprefix("## program ").partition("\n")
+        text, program = "", {"name": name, "source": source}
+    return {**common, "kind": Kind.RUN, "egos": [ego], "text": text, "program": program}
 
 
 class RangeRow(_Frozen):
@@ -211,21 +454,33 @@ def settings_to_json(settings: Settings) -> dict[str, dict[str, Any]]:
     return asdict(settings)
 
 
-def settings_of(record: RunRecord) -> Settings:
-    """The settings a run was started with, to continue it.
+def settings_of(record: MapRecord) -> Settings:
+    """The settings that work on a map was started with, to continue it.
 
     Raises:
         SettingsError: They name something this version does not know, or are out of range.
     """
     given = record.settings
+    return Settings(
+        search=settings_from(SearchSettings, given.get("search", {})),
+        simulation=settings_from(SimulationSettings, given.get("simulation", {})),
+        retrieval=settings_from(RetrievalSettings, given.get("retrieval", {})),
+    )
+
+
+S = TypeVar("S")
+
+
+def settings_from(kind: type[S], given: Mapping[str, Any]) -> S:
+    """Settings of some kind as a record has them.
+
+    Raises:
+        SettingsError: They name something this version does not know, or are out of range.
+    """
     try:
-        return Settings(
-            search=SearchSettings(**given.get("search", {})),
-            simulation=SimulationSettings(**given.get("simulation", {})),
-            retrieval=RetrievalSettings(**given.get("retrieval", {})),
-        )
+        return kind(**given)
     except TypeError as error:
-        raise SettingsError(f"the run's settings are not those of this version of chatscene: {error}") from error
+        raise SettingsError(f"the settings in run.json are not those of this version of chatscene: {error}") from error
 
 
 def first_problem(error: ValidationError) -> str:

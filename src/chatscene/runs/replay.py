@@ -12,7 +12,7 @@ import numpy as np
 from chatscene.ego.policy import load_ego
 from chatscene.runs.blocks import read_episode, read_scenes
 from chatscene.runs.rebuild import map_of, rebuild, since
-from chatscene.runs.record import settings_of
+from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import changed_versions, open_run, read_record
@@ -64,7 +64,7 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
             (`chatscene.runs.trust.follow`).
     """
-    run = open_run(folder, holds="run")
+    run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     record = read_record(run)
     stored = read_episode(run, scene_id)

@@ -88,9 +88,9 @@ def follow(
     """
     named = [
         *(one for run in egos_of for one in _egos(run)),
-        *(one for run in simulators_of for one in _settings(run, _SIMULATING)),
-        *(one for run in reading_of for one in _settings(run, _READING)),
-        *(one for run in joining_of for one in _settings(run, _JOINING)),
+        *(one for run in simulators_of for one in _code(run, _SIMULATING)),
+        *(one for run in reading_of for one in _code(run, _READING)),
+        *(one for run in joining_of for one in _code(run, _JOINING)),
     ]
     said: dict[str, tuple[str, ...]] = asdict(repeated)
     for one in named:
@@ -112,10 +112,9 @@ def _words(option: str, joint: str = " ") -> str:
 
 
 def _egos(run: runs.Workspace) -> Iterator[_Named]:
-    record = runs.read_record(run)
-    for ego in record.egos:
-        path, kept = Path(ego), record.ego_digests.get(ego)
-        if kept is not None and path.is_file() and digest_of(path) != kept:
+    for ego, kept in runs.read_record(run, runs.Record).egos_named().items():
+        path = Path(ego)
+        if kept and path.is_file() and digest_of(path) != kept:
             raise RunError(f"the ego {ego} is not the file that {run.path} was made with (its SHA-256 differs)")
         packaged = ego in EGOS.built_in
         plain = packaged or is_plain(path)
@@ -123,15 +122,9 @@ def _egos(run: runs.Workspace) -> Iterator[_Named]:
         yield _Named(run=run, option="ego", value=ego, doubt="" if packaged or (plain and kept) else doubt)
 
 
-def _settings(run: runs.Workspace, options: Sequence[str]) -> Iterator[_Named]:
-    record = runs.read_record(run)
-    settings = runs.settings_of(record)
-    named = asdict(settings.retrieval) | {
-        "generator": record.generator,
-        "sampler": settings.search.sampler,
-        "simulator": settings.simulation.simulator,
-    }
-    for option in options:
+def _code(run: runs.Workspace, options: Sequence[str]) -> Iterator[_Named]:
+    named = runs.read_record(run, runs.Record).code_named()
+    for option in (option for option in options if option in named):
         value, kind = named[option], _PROGRAMS.get(option)
         packaged = value in kind.built_in if kind else value == _PACKAGED[option]
         if value or not packaged:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 from contextlib import contextmanager
+from pathlib import Path
 
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.runs.digests import digests
+from chatscene.runs.exclusive import alone
 from chatscene.runs.progress import Progress
-from chatscene.runs.record import Status
-from chatscene.runs.workspace import Workspace, update
+from chatscene.runs.record import Record, Status
+from chatscene.runs.workspace import Workspace, take_up, update
 
 
 @contextmanager
@@ -39,3 +42,29 @@ def working(run: Workspace, progress: Progress) -> Generator[Progress]:
         update(run, status=Status.FAILED, reason=str(error))
         raise
     clock()
+
+
+@contextmanager
+def going_on(
+    folder: Path, asked: Record, progress: Progress, *, leaves: Iterable[str]
+) -> Generator[tuple[Workspace, Progress]]:
+    """Work on a folder from where it stands, new or not, and end it.
+
+    Args:
+        folder: Which.
+        asked: What is asked for.
+        progress: Told what is done.
+        leaves: Patterns of the files that the work leaves, of which digests are kept when it is done.
+
+    Yields:
+        The folder, and what to tell of progress.
+
+    Raises:
+        RunError: The folder holds something else, or another process works on it.
+    """
+    with alone(folder):
+        run = take_up(folder, asked)
+        update(run, status=Status.RUNNING, files={})  # what is done may change now: no digest holds meanwhile
+        with working(run, progress) as tell:
+            yield run, tell
+        update(run, status=Status.DONE, files=digests(folder, leaves))

@@ -8,12 +8,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar, overload
 from urllib.parse import quote, unquote
 
 from pydantic import BaseModel, Field, ValidationError
 
-from chatscene.ego.policy import FILES
 from chatscene.errors import RunError
 from chatscene.runs.atomic import (
     is_leftover,
@@ -27,18 +26,15 @@ from chatscene.runs.atomic import (
 )
 from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
 from chatscene.runs.record import (
-    DIGESTS_SINCE,
+    RECORDS,
     SCHEMA_VERSION,
+    Kind,
+    Record,
     RunRecord,
-    SimulatorRecord,
-    SourceRecord,
     Status,
-    egos_of,
     first_problem,
-    settings_to_json,
+    upgraded,
 )
-from chatscene.settings import Settings
-from chatscene.terms.simulator import SimulatorIdentity
 
 FARTHEST = 1e6  # [m] from the map's origin: no road is longer, and what draws must end
 _Metres = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
@@ -63,7 +59,10 @@ class _Drawing(BaseModel):
     routes: dict[str, _Points] = {}
 
 
-_OF_A_REFUSED_RUN = ("explanation.json", "report.html", "run.json")
+RECORD = "run.json"
+_OF_A_REFUSED_RUN = ("explanation.json", "report.html", RECORD)
+_RECORDS_OF_0_1 = ("benchmark.json", "finetune.json", "reproduce.json", "train.json")
+_UPGRADED = 2  # the oldest schema that is read
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,32 +92,12 @@ def _stem(scenario_id: str, route: int, block: int) -> str:
     return f"{quote(scenario_id, safe='')}-route-{route:02d}-block-{block:02d}"
 
 
-def create(
-    folder: Path,
-    *,
-    text: str,
-    settings: Settings,
-    map_name: str,
-    ego: str,
-    map_path: Path | None = None,
-    generator: str = "chatscene",
-    sources: Sequence[SourceRecord] = (),
-    senses: Mapping[str, dict[str, str]] | None = None,
-    simulator: SimulatorIdentity | None = None,
-) -> Workspace:
-    """Start a run in a new or empty folder, or in place of one that was refused, with status ``running``.
+def create(folder: Path, record: Record) -> Workspace:
+    """Start work in a new or empty folder, or in place of a run that was refused.
 
     Args:
         folder: Made if it is not there.
-        text: The sentence.
-        settings: All settings, resolved.
-        map_name: The map as the user named it.
-        map_path: Its file, of which a digest is kept.
-        ego: The ego as the user named it; of an evaluation, the egos, comma between them.
-        generator: Who makes the scenes.
-        sources: The runs whose scenes are driven, for an evaluation.
-        senses: What each ego sees and brakes with, by ego.
-        simulator: What runs the scenes; None for the one that the settings name, of no known version.
+        record: What is asked for, with status ``running``.
 
     Raises:
         RunError: The folder holds something, or cannot be written.
@@ -133,48 +112,71 @@ def create(
         for path in refused:
             path.unlink()
     sweep(folder)
-    command = "evaluate" if sources else "run"
-    named = egos_of(command, ego)
-    _write_record(
-        run,
-        RunRecord(
-            schema_version=SCHEMA_VERSION,
-            status=Status.RUNNING,
-            text=text,
-            map_name=map_name,
-            map_digest=digest_of(map_path) if map_path else "",
-            ego=ego,
-            ego_digests={name: digest_of(Path(name)) for name in named if Path(name).suffix in FILES},
-            senses=dict(senses or {}),
-            generator=generator,
-            simulator=SimulatorRecord(name=simulator.name, version=simulator.version, physics=simulator.physics)
-            if simulator
-            else SimulatorRecord(name=settings.simulation.simulator),
-            command=command,
-            sources=list(sources),
-            settings=settings_to_json(settings),
-            versions=_versions(),
-            seed=settings.search.seed,
-        ),
-    )
+    _write_record(run, record.model_copy(update={"versions": _versions()}))
     return run
+
+
+def take_up(folder: Path, record: Record) -> Workspace:
+    """Start work in a new or empty folder, or go on in one where the same was asked for.
+
+    What may be another the next time is from now on what `record` says.
+
+    Raises:
+        RunError: The folder holds something else, or what was asked for with other settings; or it is damaged.
+    """
+    run = Workspace(folder)
+    if not run.file(RECORD).exists():
+        return create(folder, record)
+    before = read_record(open_run(folder, type(record)), type(record))
+    asked = record.asked()
+    then, now = (one.model_dump(mode="json", include=set(asked)) for one in (before, record))
+    if (other := _first_difference(then, now)) is not None:
+        name, was, is_now = other
+        raise RunError(
+            f"{folder} holds {before.kind.in_words()} with other settings: {name} was {was!r} and is now {is_now!r}; "
+            "say the same again, or choose another folder with --out"
+        )
+    update(run, **{name: getattr(record, name) for name in record.model_fields_set - asked})
+    return run
+
+
+def _first_difference(then: Any, now: Any, name: str = "") -> tuple[str, Any, Any] | None:
+    """Where two JSON values first differ, by its path; None if nowhere."""
+    if not (isinstance(then, dict) and isinstance(now, dict)):
+        return None if then == now else (name, then, now)
+    names: dict[str, None] = dict.fromkeys((*then, *now))
+    found = (_first_difference(then.get(n), now.get(n), f"{name}.{n}" if name else n) for n in names)
+    return next((difference for difference in found if difference is not None), None)
 
 
 def _of_a_refused_run(run: Workspace) -> list[Path]:
     """What a refused run left, which was never searched with, its record last; nothing if the run was not refused."""
-    if not run.file("run.json").exists() or read_record(run).status is not Status.REFUSED:
+    if not run.file(RECORD).exists() or read_record(run, Record).status is not Status.REFUSED:
         return []
     named = [run.file(name) for name in _OF_A_REFUSED_RUN]
     return [*run.file("programs").glob("*.scenic"), *(path for path in named if path.exists())]
 
 
 def _occupied(run: Workspace) -> str:
-    if run.file("run.json").exists() and read_record(run).status is not Status.REFUSED:
+    if run.file(RECORD).exists() and (record := read_record(run, Record)).status is not Status.REFUSED:
         return (
-            f"{run.path} already holds a run; continue it with: chatscene resume {run.path}, "
+            f"{run.path} already holds {record.kind.in_words()}; continue it with: chatscene resume {run.path}, "
             "or choose another folder with --out"
         )
+    if (older := _of_an_older_version(run)) is not None:
+        return older
     return f"{run.path} is not empty; choose a new or empty folder with --out"
+
+
+def _of_an_older_version(run: Workspace) -> str | None:
+    """What to say of a folder whose kind had no `run.json` in version 0.1; None if it is no such folder."""
+    name = next((name for name in _RECORDS_OF_0_1 if run.file(name).is_file()), None)
+    if name is None:
+        return None
+    return (
+        f"{run.path} was made by chatscene 0.1, which kept {name} in it and no run.json; go on with it by that version "
+        "(pip install chatscene==0.1.0), or start again in another folder with --out"
+    )
 
 
 def _refuse_links(folder: Path) -> None:
@@ -194,24 +196,23 @@ def free_folder(parent: Path, text: str) -> Path:
     return next(folder for folder in taken if not folder.exists())
 
 
-def open_run(folder: Path, *, holds: str = "") -> Workspace:
-    """Open a run that is there, and check that this version can read it and that it is whole.
+def open_run(folder: Path, of: type[Record] = Record) -> Workspace:
+    """Open a folder that is there, and check that this version can read it and that it is whole.
 
     Args:
-        folder: Its folder.
-        holds: What it must hold, ``run`` or ``evaluate``; empty for either.
+        folder: Its path.
+        of: The record that it must have; of any kind if none is named.
 
     Raises:
-        RunError: There is no run in the folder, its `run.json` is broken, a newer version wrote it, or a file was
-            changed, damaged or removed after it was written.
+        RunError: There is no record in the folder, or it is of another kind, broken, or of a version that this one does
+            not read; or a file was changed, damaged or removed after it was written.
     """
     run = Workspace(folder)
     record, as_written = read_guarded(run)
     _refuse_links(folder)
-    if holds and record.command != holds:
-        raise RunError(f"{folder} holds what `chatscene {record.command}` leaves, not what `chatscene {holds}` does")
+    _require(run, record, of)
     if not as_written:
-        raise RunError(f"{run.file('run.json')} was changed or damaged after it was written; {_REMEDY}")
+        raise RunError(f"{run.file(RECORD)} was changed or damaged after it was written; {_REMEDY}")
     wrong = list(damage(folder, {name: told for name, told in record.files.items() if not is_drawn(name)}))
     if wrong:
         name, how = wrong[0]
@@ -223,50 +224,89 @@ def open_run(folder: Path, *, holds: str = "") -> Workspace:
 _REMEDY = "put back what was there, or run it again into another folder"
 
 
+def _require(run: Workspace, record: Record, of: type[Record]) -> None:
+    if not isinstance(record, of):
+        wanted = next(kind for kind, known in RECORDS.items() if known is of)
+        raise RunError(f"{run.path} holds {record.kind.in_words()}, and this takes the folder of {wanted.in_words()}")
+
+
 def note(run: Workspace, *drawn: Path) -> None:
     """Keep the digests of files that were drawn from a finished run; of an unfinished one, none are kept."""
-    record = read_record(run)
-    if record.files:
+    if files := read_record(run, Record).files:
         added = {path.relative_to(run.path).as_posix(): digest_of(path) for path in drawn}
-        _write_record(run, record.model_copy(update={"files": dict(sorted((record.files | added).items()))}))
+        update(run, files=dict(sorted((files | added).items())))
 
 
-def read_record(run: Workspace) -> RunRecord:
+R = TypeVar("R", bound=Record)
+
+
+@overload
+def read_record(run: Workspace) -> RunRecord: ...
+@overload
+def read_record(run: Workspace, of: type[R]) -> R: ...
+def read_record(run: Workspace, of: type[Record] = RunRecord) -> Record:
     """What `run.json` says now.
 
+    Args:
+        run: Which folder.
+        of: The record that it must have; `Record` for any.
+
     Raises:
-        RunError: It is missing, broken, or newer than this version.
+        RunError: It is missing, broken, of another kind, or of a version that this one does not read.
     """
-    return read_guarded(run)[0]
+    record, _ = read_guarded(run)
+    _require(run, record, of)
+    return record
 
 
-def read_guarded(run: Workspace) -> tuple[RunRecord, bool]:
+def read_guarded(run: Workspace) -> tuple[Record, bool]:
     """What `run.json` says now, and whether it is, to the byte, as it was written.
 
-    It is read once, since another process may write it anew meanwhile. Of a run of an older version nobody can tell.
+    It is read once, since another process may write it anew meanwhile.
 
     Raises:
-        RunError: It is missing, broken, or newer than this version.
+        RunError: It is missing, broken, or of a version that this one does not read.
     """
-    path = run.file("run.json")
+    path = run.file(RECORD)
     if not path.is_file():
         raise RunError(
-            f"{run.path} is not a run folder: it has no run.json; "
+            _of_an_older_version(run)
+            or f"{run.path} is not a run folder: it has no run.json; "
             "give the folder that `chatscene run` named, or start one with: chatscene run TEXT"
         )
     written = read_bytes(path)
     content = json_of(path, written)
+    as_written = is_sealed(written, content.get("digest"))
+    content = _readable(run, content)
+    try:
+        return RECORDS[Kind(content.get("kind", ""))].model_validate(content), as_written
+    except ValidationError as error:
+        raise RunError(f"{path} is not the record of a run: {first_problem(error)}") from error
+    except ValueError as error:
+        raise RunError(f"{path} is not the record of a run: kind: {error}") from error
+
+
+def _readable(run: Workspace, content: dict[str, Any]) -> dict[str, Any]:
+    """A record as this version has it.
+
+    Raises:
+        RunError: It is too old or too new for that.
+    """
     found = content.get("schema_version")
     if isinstance(found, int) and found > SCHEMA_VERSION:
         raise RunError(
             f"{run.path} was written by a newer chatscene (schema {found}, this one reads {SCHEMA_VERSION}); "
             "upgrade with: pip install --upgrade chatscene"
         )
-    try:
-        record = RunRecord.model_validate(content)
-    except ValidationError as error:
-        raise RunError(f"{path} is not the record of a run: {first_problem(error)}") from error
-    return record, record.schema_version < DIGESTS_SINCE or is_sealed(written, record.digest)
+    if found == _UPGRADED:
+        return upgraded(content)
+    if isinstance(found, int) and found < _UPGRADED:
+        made_by = (content.get("versions") or {}).get("chatscene", "that run.json names")
+        raise RunError(
+            f"{run.path} was written by a chatscene of before 0.1.0 (schema {found}, this one reads {_UPGRADED} and "
+            f"{SCHEMA_VERSION}); read it with the chatscene that made it, {made_by}, or run it again"
+        )
+    return content
 
 
 def update(
@@ -274,35 +314,25 @@ def update(
     *,
     status: Status | None = None,
     reason: str = "",
-    counts: Mapping[str, int] | None = None,
     timings: Mapping[str, float] | None = None,
-    failures: Mapping[str, str] | None = None,
-    files: Mapping[str, str] | None = None,
-) -> RunRecord:
+    **found: Any,
+) -> Record:
     """Rewrite `run.json` in one step.
 
     Args:
-        run: Which run.
+        run: Which folder.
         status: The new status; None leaves it. A status replaces the reason as well.
         reason: Why it failed or was refused.
-        counts: New counts; None leaves them.
-        timings: Added to those that stand there, key by key, so that a resumed run keeps its first part.
-        failures: Why egos were given up; None leaves them.
-        files: The digest of every file, now that the run is finished; None leaves them.
+        timings: Added to those that stand there, key by key, so that work that is resumed keeps its first part.
+        found: Other fields of the record, by name; the rest is left as it is.
     """
-    record = read_record(run)
-    changes: dict[str, Any] = {}
+    record = read_record(run, Record)
+    changes = dict(found)
     if status is not None:
         changes |= {"status": status, "reason": reason}
-    if counts is not None:
-        changes["counts"] = dict(counts)
     if timings is not None:
         changes["timings"] = _added(record.timings, timings)
-    if failures is not None:
-        changes["failures"] = dict(failures)
-    if files is not None:
-        changes |= {"files": dict(files), "schema_version": SCHEMA_VERSION}
-    changed = record.model_copy(update=changes)
+    changed = type(record).model_validate({**record.model_dump(), **changes})
     _write_record(run, changed)
     return changed
 
@@ -311,8 +341,10 @@ def _added(before: Mapping[str, float], more: Mapping[str, float]) -> dict[str, 
     return dict(before) | {name: round(before.get(name, 0.0) + seconds, 3) for name, seconds in more.items()}
 
 
-def _write_record(run: Workspace, record: RunRecord) -> None:
-    write_sealed(run.file("run.json"), record.model_dump(mode="json", exclude={"digest"}))
+def _write_record(run: Workspace, record: Record) -> None:
+    content = record.model_dump(mode="json", exclude={"digest"})
+    last = {name: content.pop(name) for name in ("settings", "versions", "timings", "files")}
+    write_sealed(run.file(RECORD), {"schema_version": SCHEMA_VERSION, "kind": record.kind, **content, **last})
 
 
 def write_program(run: Workspace, scenario_id: str, source: str) -> Path:
@@ -354,8 +386,8 @@ def run_folders(sources: Sequence[Path]) -> list[Path]:
     """
     folders: list[Path] = []
     for source in sources:
-        below = sorted(path.parent for path in source.rglob("run.json")) if source.is_dir() else []
-        searches = [path for path in below if read_record(Workspace(path)).command == "run"]
+        below = sorted(path.parent for path in source.rglob(RECORD)) if source.is_dir() else []
+        searches = [path for path in below if read_record(Workspace(path), Record).kind is Kind.RUN]
         if not searches:
             raise RunError(f"there is no run in {source}; give the folder that `chatscene run` named")
         folders += searches
@@ -394,7 +426,7 @@ def _versions() -> dict[str, str]:
     }
 
 
-def changed_versions(record: RunRecord) -> dict[str, tuple[str, str]]:
+def changed_versions(record: Record) -> dict[str, tuple[str, str]]:
     """What a run was made with and this process has otherwise: by name, the version then and now."""
     now = _versions()
     then = {name: version for name, version in record.versions.items() if name in now}

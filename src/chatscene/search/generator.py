@@ -7,8 +7,8 @@ for all, so that generators can be compared.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
@@ -20,6 +20,7 @@ from chatscene.search.explore import Block
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator, load_simulator
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -39,6 +40,33 @@ class Written:
 
     program: ScenicProgram
     retrieval: Retrieval | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """What was retrieved for a scenario, as far as its program depends on it.
+
+    Attributes:
+        snippet_ids: Behavior, geometry, spawn.
+        adversary: The kind of adversary.
+        ranges: What each parameter was bound to, by name.
+    """
+
+    snippet_ids: tuple[str, str, str]
+    adversary: AdversaryKind
+    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
+
+    @classmethod
+    def of(cls, written: Written) -> Choice | None:
+        """The choice behind a program; None if it was not retrieved."""
+        if written.retrieval is None:
+            return None
+        behavior, geometry, spawn = (snippet.id for snippet in written.retrieval.snippets)
+        return cls(
+            snippet_ids=(behavior, geometry, spawn),
+            adversary=written.retrieval.adversary,
+            ranges={one.name: (one.low, one.high) for one in written.program.parameters},
+        )
 
 
 class Generator(Protocol):
@@ -71,6 +99,20 @@ class Generator(Protocol):
 
         Raises:
             NothingFits: It cannot make one.
+        """
+        ...
+
+    def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:
+        """The program of a scenario that `write` made once: no text is read for it, and nothing retrieved.
+
+        Args:
+            scenario: As it was then.
+            choice: What was retrieved for it then; None if nothing was.
+            settings: As they were then.
+
+        Raises:
+            SnippetError: What was chosen is not there any more.
+            RunError: It is a retrieval's, and nothing was.
         """
         ...
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene import runs
-from chatscene.ego.policy import load_ego, senses_of
-from chatscene.errors import ChatSceneError, EgoError, RunError, SettingsError
+from chatscene.ego.policy import load_ego
+from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.measure.drive import Ran, drive
 from chatscene.measure.score import average_displacement
 from chatscene.measure.tables import (
@@ -30,10 +30,11 @@ from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.working import working
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import Settings, SimulationSettings
-from chatscene.simulate.simulator import Simulator, load_simulator
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Scenario
@@ -104,9 +105,6 @@ def evaluate(
     """
     if not egos or len(set(egos)) != len(egos):
         raise SettingsError(f"name each ego once, and at least one: {', '.join(egos) or 'none given'}")
-    if odd := [ego for ego in egos if "," in ego]:
-        raise SettingsError(f"the name of the ego {odd[0]!r} holds a comma, which parts egos here; rename the file")
-    senses = {ego: senses_of(load_ego(ego)) for ego in egos}
     found = [runs.open_run(path) for path in runs.run_folders(sources)]
     repeated = repeated or Repeated()
     follow(repeated, simulators_of=() if simulator else found, joining_of=found)
@@ -126,20 +124,12 @@ def evaluate(
                 f"{twin.folder} and {source.folder} hold scenes of one and the same sentence, which the tables cannot "
                 "tell apart; evaluate them one by one"
             )
-    map_path = map_of(records[0])
+    map_of(records[0])  # it must still be the file that they were made on
     settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator)[-1])
+    scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
+    asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
-        kept = runs.create(
-            folder,
-            text="all scenes" if every_scene else "kept scenes",
-            settings=settings,
-            map_name=records[0].map_name,
-            map_path=map_path,
-            ego=",".join(egos),
-            sources=told,
-            senses=senses,
-            simulator=load_simulator(map_path, settings.simulation).identity,
-        )
+        kept = runs.create(folder, asked)
         return _carry_on(
             kept, jobs, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
         )
@@ -175,34 +165,30 @@ def carry_on(run: runs.Workspace, *, jobs: int, progress: Progress, repeated: Re
             must be repeated (`chatscene.runs.trust.follow`).
     """
     with runs.alone(run.path):
-        return _carry_on(runs.open_run(run.path, holds="evaluate"), jobs, progress, repeated or Repeated())
+        return _carry_on(runs.open_run(run.path, runs.EvaluationRecord), jobs, progress, repeated or Repeated())
 
 
 def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
-    sources = [runs.Workspace(Path(source.folder)) for source in runs.read_record(run).sources]
+    record = runs.read_record(run, runs.EvaluationRecord)
+    sources = [runs.Workspace(Path(source.folder)) for source in record.sources]
     follow(repeated, egos_of=[run], simulators_of=[run], joining_of=sources)
-    runs.resume(run, told=lambda said: progress(said, 0, 0))
-    record = runs.read_record(run)
     failures = dict(record.failures)
-    if record.status is not runs.Status.DONE:
-        try:
+    with working(run, progress) as tell:
+        runs.resume(run, told=lambda said: tell(said, 0, 0))
+        if runs.read_record(run, runs.Record).status is not runs.Status.DONE:
             tasks = _tasks(run, record)
-            failures |= _drive_all(run, record, tasks, failures, jobs, progress)
+            failures |= _drive_all(run, record, tasks, failures, jobs, tell)
             every = [(t.source.scenario_id, t.route, t.number) for t in tasks if t.ego not in failures]
             runs.finish(run, selected=_fill_ins(record), expected=every)
-        except ChatSceneError as error:
-            runs.update(run, status=runs.Status.FAILED, reason=str(error))
-            raise
-    runs.update(run, timings={"total": time.monotonic() - began})
-    progress("computing the tables", 0, 0)
-    tables = tabulate(run)
-    write_tables(run.file("tables"), tables)
-    runs.note(run, *run.file("tables").iterdir())
+        tell("computing the tables", 0, 0)
+        tables = tabulate(run)
+        write_tables(run.file("tables"), tables)
+        runs.note(run, *run.file("tables").iterdir())
     return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
 
 
-def _tasks(run: runs.Workspace, record: runs.RunRecord) -> list[_Task]:
+def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
     """Every ego that did not fail on every route with scenes of every source.
 
     Raises:
@@ -221,7 +207,7 @@ def _tasks(run: runs.Workspace, record: runs.RunRecord) -> list[_Task]:
 
 def _drive_all(
     run: runs.Workspace,
-    record: runs.RunRecord,
+    record: runs.EvaluationRecord,
     tasks: Sequence[_Task],
     failed: dict[str, str],
     jobs: int,
@@ -242,10 +228,10 @@ def _drive_all(
     return failures
 
 
-def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, dict[str, object]]]:
+def _kept(source: runs.SourceRecord, record: runs.EvaluationRecord) -> list[tuple[int, dict[str, object]]]:
     """The rows of a source that are to be driven, each with its route."""
     rows = runs.read_scenes(runs.Workspace(Path(source.folder)))
-    every = record.text == "all scenes"
+    every = record.scenes is runs.Driven.EVERY
     return [
         (runs.route_index(row["route_id"]), row)
         for row in rows
@@ -254,14 +240,14 @@ def _kept(source: runs.SourceRecord, record: runs.RunRecord) -> list[tuple[int, 
     ]
 
 
-def _fill_ins(record: runs.RunRecord) -> dict[str, bool]:
+def _fill_ins(record: runs.EvaluationRecord) -> dict[str, bool]:
     return {str(row["scene_id"]): bool(row["fill_in"]) for source in record.sources for _, row in _kept(source, record)}
 
 
 class _Evaluator:
     """Does tasks in one process, and keeps what was compiled and loaded."""
 
-    def __init__(self, record: runs.RunRecord) -> None:
+    def __init__(self, record: runs.EvaluationRecord) -> None:
         self._record = record
         self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
         self._simulators: dict[tuple[str, Settings], Simulator] = {}
@@ -313,9 +299,8 @@ class _Evaluator:
 
 def tabulate(run: runs.Workspace) -> dict[str, ResultTable]:
     """The tables of a finished evaluation, by name."""
-    record = runs.read_record(run)
-    drives = read_drives(run, record)
-    displacements = read_displacements(run, record)
+    drives = read_drives(run)
+    displacements = read_displacements(run)
     tables: dict[str, ResultTable] = {}
     for mode in Mode:
         suffix = "" if mode is Mode.PAPER else f"-{mode}"
@@ -325,14 +310,14 @@ def tabulate(run: runs.Workspace) -> dict[str, ResultTable]:
     tables["collision-rate-by-ego"] = ego_table(drives, Mode.PAPER, which="collision_rate")
     tables["avoidability"] = avoidability_table(drives)
     tables["fault"] = fault_table(drives)
-    egos = [f"{ego}." for ego in egos_in_words(record)]
+    egos = [f"{ego}." for ego in egos_in_words(runs.read_record(run, runs.EvaluationRecord))]
     return {name: replace(table, notes=(*table.notes, *egos)) for name, table in tables.items()}
 
 
-def read_drives(run: runs.Workspace, record: runs.RunRecord) -> list[Drive]:
+def read_drives(run: runs.Workspace) -> list[Drive]:
     """Every drive of an evaluation that was not rejected."""
+    record = runs.read_record(run, runs.EvaluationRecord)
     sources = {source.scenario_id: source for source in record.sources}
-    egos = record.egos
     drives: list[Drive] = []
     for row in runs.read_scenes(run):
         source = sources[row["scenario_id"]]
@@ -344,21 +329,21 @@ def read_drives(run: runs.Workspace, record: runs.RunRecord) -> list[Drive]:
                     scenario_id=row["scenario_id"],
                     route=runs.route_index(row["route_id"]),
                     scene_id=row["scene_id"],
-                    ego=egos[row["block"]],
+                    ego=record.egos[row["block"]],
                     measurements=runs.measurements_of(row),
                     fill_in=row["fill_in"],
                     avoidable=row["avoidable"],
                     fault=row["fault"],
-                    by_selection=source.kept_for == egos[row["block"]],
+                    by_selection=source.kept_for == record.egos[row["block"]],
                 )
             )
     return drives
 
 
-def read_displacements(run: runs.Workspace, record: runs.RunRecord) -> list[Displacement]:
+def read_displacements(run: runs.Workspace) -> list[Displacement]:
     """The ADE of each scenario, route and ego of which at least two scenes were driven."""
+    record = runs.read_record(run, runs.EvaluationRecord)
     sources = {source.scenario_id: source for source in record.sources}
-    egos = record.egos
     groups: dict[tuple[str, str, int], list[str]] = {}
     for row in runs.read_scenes(run):
         if row["status"] == "ran":
@@ -374,7 +359,7 @@ def read_displacements(run: runs.Workspace, record: runs.RunRecord) -> list[Disp
                     base_scenario=BaseScenario(source.base),
                     scenario_id=scenario_id,
                     route=route,
-                    ego=egos[number],
+                    ego=record.egos[number],
                     value=average_displacement(tracks),
                 )
             )

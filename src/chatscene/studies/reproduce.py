@@ -161,9 +161,11 @@ def reproduce(
         )
         clock.spent(f"generation, {method}", began)
         run = runs.open_run(done.evaluated.folder)
-        drives += read_drives(run, runs.read_record(run))
-        displacements += read_displacements(run, runs.read_record(run))
-        seen = tuple(f"{ego}." for ego in egos_in_words(runs.read_record(run)))  # the same egos each time
+        drives += read_drives(run)
+        displacements += read_displacements(run)
+        seen = tuple(
+            f"{ego}." for ego in egos_in_words(runs.read_record(run, runs.EvaluationRecord))
+        )  # the same egos each time
     found = {
         "table1": generation_table(drives, displacements, Mode.PAPER),
         "table2": diagnostic_table(drives, Mode.PAPER),
@@ -292,4 +294,4 @@ def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress
         first = lessons.settings.train_routes
         done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
     run = runs.open_run(done.folder)
-    return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run, runs.read_record(run))]
+    return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run)]

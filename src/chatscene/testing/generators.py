@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.search.explore import Block, outcomes
-from chatscene.search.generator import Generator, load_generator, simulator_of
+from chatscene.search.generator import Choice, Generator, load_generator, simulator_of
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario
@@ -37,8 +37,11 @@ def check_generator(generator: str | Callable[[], Generator], *, text: str = "")
         text = text or next(iter(texts), "")
     require(text != "", "it has a text, or is given one to be checked with")
     scenario = made.read(text, reading)
-    first, second = (made.write(scenario, reading).program for _ in range(2))
-    require(first == second, "the same text gives the same program")
+    written, second = (made.write(scenario, reading) for _ in range(2))
+    first = written.program
+    require(first == second.program, "the same text gives the same program")
+    again = made.write_again(scenario, Choice.of(written), reading)
+    require(again == first, "what was chosen once gives the same program again")
     require(first.parameters != (), "a program has parameters to search")
     simulator = simulator_of(made, resolve_map("town"), _SETTINGS)
     ego = load_ego("rule-based")

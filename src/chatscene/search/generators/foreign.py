@@ -108,7 +108,7 @@ def _made(name: str, source: str) -> tuple[ScenicProgram, str]:
 
 
 def _slug(name: str) -> str:
-    return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60] or "foreign"
+    return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60].strip("-") or "foreign"
 
 
 def _adversary_behavior(name: str, source: str) -> str:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.search.explore import Block, explore
-from chatscene.search.generator import Written
-from chatscene.search.generators.foreign import ForeignProgram, foreign_program
+from chatscene.search.generator import Choice, Written
+from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
@@ -15,13 +15,7 @@ from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescripti
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
-_NAMED = "## program "  # how the text of such a run begins
 _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spawn="as programmed")
-
-
-def text_of(own: ForeignProgram) -> str:
-    """A program as the text of a run: its name, and all of its code."""
-    return f"{_NAMED}{own.program.scenario_id}\n{own.program.source}"
 
 
 class OwnProgram:
@@ -34,12 +28,17 @@ class OwnProgram:
         return ()
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:  # noqa: ARG002 - nothing is retrieved
-        """The scenario of a program; nothing was said, so nothing is held against it."""
-        return Scenario(id=_program(text).scenario_id, text=text, base=None, parts=_PARTS, slots=Slots())
+        """The scenario of a program, whose text is its code; nothing was said, so nothing is held against it."""
+        program = foreign_program("program", text)
+        return Scenario(id=program.scenario_id, text=text, base=None, parts=_PARTS, slots=Slots())
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
         """The program itself."""
-        return Written(program=_program(scenario.text), retrieval=None)
+        return Written(program=foreign_program(scenario.id, scenario.text), retrieval=None)
+
+    def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
+        """The program itself."""
+        return foreign_program(scenario.id, scenario.text)
 
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
         """Never: whoever wrote the program is a stranger."""
@@ -58,10 +57,3 @@ class OwnProgram:
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
-
-
-def _program(text: str) -> ScenicProgram:
-    if not text.startswith(_NAMED):
-        return foreign_program("program", text)
-    name, _, source = text.removeprefix(_NAMED).partition("\n")
-    return foreign_program(name, source)

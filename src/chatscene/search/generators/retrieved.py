@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 
 from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import RunError
 from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import decide
 from chatscene.library.bind import narrowed
@@ -17,10 +18,9 @@ from chatscene.program.assemble import assemble
 from chatscene.read.canonical import canonical
 from chatscene.read.reading import read
 from chatscene.search.explore import Block, explore
-from chatscene.search.generator import Written
+from chatscene.search.generator import Choice, Written
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -47,29 +47,13 @@ class Retrieved:
         retrieval, triple = choose(scenario, settings, tried)
         return Written(program=assemble(scenario, triple, retrieval.adversary), retrieval=retrieval)
 
-    def join(
-        self,
-        scenario: Scenario,
-        snippet_ids: tuple[str, str, str],
-        adversary: AdversaryKind,
-        ranges: Mapping[str, tuple[float, float]],
-        settings: RetrievalSettings,
-    ) -> ScenicProgram:
-        """Step 4 alone, for a choice that was made before: the sentence is not read, and nothing is retrieved.
-
-        Args:
-            scenario: What was understood then.
-            snippet_ids: Behavior, geometry, spawn.
-            adversary: The kind of adversary.
-            ranges: What each parameter was bound to, by name.
-            settings: Which library.
-
-        Raises:
-            SnippetError: The library has no such snippet, or one that cannot be bound so.
-        """
+    def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:
+        """Step 4 alone: the snippets that were chosen are joined again."""
+        if choice is None:
+            raise RunError(f"nothing was chosen for {scenario.id}: its explanation.json names no snippets")
         library = library_with(settings.library)
-        behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in snippet_ids)
-        return assemble(scenario, narrowed((behavior, geometry, spawn), ranges), adversary)
+        behavior, geometry, spawn = (library.get(snippet_id) for snippet_id in choice.snippet_ids)
+        return assemble(scenario, narrowed((behavior, geometry, spawn), choice.ranges), choice.adversary)
 
     def is_trusted(self, settings: RetrievalSettings) -> bool:
         """If all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""

@@ -17,7 +17,7 @@ from chatscene.errors import SettingsError
 from chatscene.library.load import load_library
 from chatscene.program.assemble import assemble
 from chatscene.search.explore import Block, explore
-from chatscene.search.generator import Written
+from chatscene.search.generator import Choice, Written
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.actors import AdversaryKind
@@ -157,6 +157,10 @@ class Baseline:
         # Its parts are no choice of a retrieval, so that none of them is blamed and replaced.
         program = replace(assemble(scenario, triple, nominal.adversary), snippet_ids=())
         return Written(program=program, retrieval=None)
+
+    def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
+        """The same as before: it depends on the base scenario alone."""
+        return self.write(scenario, settings).program
 
     def _snippet(self, nominal: Nominal) -> Snippet:
         body, parameters = self.behavior(nominal)

@@ -1,0 +1,116 @@
+"""The record that a new folder begins with: what a user asks for by name, worked out.
+
+Whatever is named is loaded here, so that what does not exist is told before there is a folder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from chatscene.ego.policy import FILES, load_ego, senses_of
+from chatscene.maps.network import resolve_map
+from chatscene.runs.digests import digest_of
+from chatscene.runs.record import (
+    BenchmarkRecord,
+    Driven,
+    EvaluationRecord,
+    ProgramRecord,
+    RunRecord,
+    SimulatorRecord,
+    SourceRecord,
+    settings_of,
+)
+from chatscene.search.generator import Generator, load_generator, simulator_of
+from chatscene.search.sampler import load_sampler
+from chatscene.settings import Settings
+from chatscene.simulate.simulator import load_simulator
+from chatscene.terms.scenario import Scenario
+
+
+def asked_run(
+    text: str = "",
+    *,
+    program: ProgramRecord | None = None,
+    settings: Settings | None = None,
+    map_name: str = "town",
+    ego: str = "sac",
+    generator: str = "chatscene",
+) -> RunRecord:
+    """A run of a sentence, or of a program of the user's own.
+
+    Raises:
+        ChatSceneError: Something that is named is not there, or the sentence is none.
+    """
+    settings = settings or Settings()
+    maker = load_generator(generator)
+    load_sampler(settings.search.sampler)
+    record = RunRecord(
+        text=text,
+        program=program,
+        generator=generator,
+        egos=[ego],
+        **_on_a_map(map_name, [ego], settings, maker),
+    )
+    scenario_of(record, maker)
+    return record
+
+
+def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
+    """What a run's generator reads in its sentence; a program of the user's own goes by the name that it was given."""
+    reading = settings_of(record).retrieval
+    if record.program is None:
+        return generator.read(record.text, reading)
+    return replace(generator.read(record.program.source, reading), id=record.program.name)
+
+
+def asked_evaluation(
+    sources: Iterable[SourceRecord], *, scenes: Driven, egos: Iterable[str], settings: Settings, map_name: str
+) -> EvaluationRecord:
+    """An evaluation of egos on the scenes of runs.
+
+    Raises:
+        ChatSceneError: Something that is named is not there.
+    """
+    named = list(egos)
+    return EvaluationRecord(scenes=scenes, sources=list(sources), egos=named, **_on_a_map(map_name, named, settings))
+
+
+def asked_benchmark(
+    generator: str, budget: str, *, egos: Iterable[str], surrogate: str, settings: Settings, map_name: str
+) -> BenchmarkRecord:
+    """A benchmark of a generator, by the name of its budget.
+
+    Raises:
+        ChatSceneError: Something that is named is not there.
+    """
+    maker, named = load_generator(generator), list(egos)
+    load_sampler(settings.search.sampler)
+    return BenchmarkRecord(
+        generator=generator,
+        budget=budget,
+        egos=named,
+        surrogate=surrogate,
+        **_on_a_map(map_name, [surrogate, *named], settings, maker),
+    )
+
+
+def _on_a_map(map_name: str, egos: list[str], settings: Settings, generator: Generator | None = None) -> dict[str, Any]:
+    """What drives and where; in the simulator that the generator has its programs run in, if there is one."""
+    path = resolve_map(map_name)
+    simulator = simulator_of(generator, path, settings) if generator else load_simulator(path, settings.simulation)
+    return {
+        "map_name": map_name,
+        "map_digest": digest_of(path),
+        "senses": {ego: senses_of(load_ego(ego)) for ego in egos},
+        "ego_digests": ego_digests(egos),
+        "simulator": SimulatorRecord.of(simulator.identity),
+        "settings": asdict(settings),
+    }
+
+
+def ego_digests(egos: Iterable[str]) -> dict[str, str]:
+    """The SHA-256 of each ego that is a file."""
+    return {ego: digest_of(Path(ego)) for ego in egos if Path(ego).suffix in FILES}
