@@ -42,19 +42,13 @@ from chatscene.terms.scenario import (
     grouped,
     includes,
 )
+from chatscene.terms.slots import SLOTS, slots_of
 from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
-OF_COMPONENT: dict[Component, tuple[str, ...]] = {
-    Component.BEHAVIOR: ("actions", "position", "control"),
-    Component.GEOMETRY: ("maneuver", "place", "control", "lanes", "two_way"),
-    Component.SPAWN: ("side", "position", "place", "occluder", "leader", "blocker", "distance", "group"),
-}
-PLACED = {name for component in (Component.GEOMETRY, Component.SPAWN) for name in OF_COMPONENT[component]}
 CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
 UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
 UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
 UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
-ADDED = ("occluder", "leader", "blocker", "control", "group", "distance", "lanes")
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
 # Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
 # classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
@@ -146,7 +140,7 @@ def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
     kind, triple = found
     slots, beliefs, outright = replace(slots, adversary=kind), frame.beliefs, frame.outright
     for component, snippet in zip(Component, triple, strict=True):
-        for name in OF_COMPONENT[component]:
+        for name in slots_of(component):
             said, value = getattr(slots, name), getattr(snippet.slots, name)
             if name == "actions" and frame.plain:
                 continue
@@ -310,10 +304,9 @@ class _Shelf:
         hasty = {action for action in Action if action.row.hasty}
         # (N, N) whether the second does what the first does, and that in haste.
         self.hastier = np.array([[bool(b > a) and b - a <= hasty for b in does] for a in does], bool)
-        names = {slot for slots in OF_COMPONENT.values() for slot in slots} - {"actions"}
         self.values: dict[str, list[Any]] = {}
         self.codes: dict[str, NDArray[np.intp]] = {}
-        for name in sorted(names):
+        for name in sorted(name for name, slot in SLOTS.items() if slot.of):
             values = list(dict.fromkeys(_does(s, name) for s in snippets))
             self.values[name] = values
             self.codes[name] = np.array([values.index(_does(s, name)) for s in snippets])
@@ -350,7 +343,7 @@ class _Shelf:
     def likelihood(self, maybe: Alternatives) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
         total = np.zeros(len(self.snippets))
-        for name in OF_COMPONENT[self.component]:
+        for name in slots_of(self.component):
             table = [
                 sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value))
                     for wanted, p in maybe[name])
@@ -363,7 +356,7 @@ class _Shelf:
         """(N,) mean agreement with what was said, and facts contradicted by what was said or heard."""
         parts: list[Scores] = []
         conflicts = np.zeros(len(self.snippets))
-        for name in OF_COMPONENT[self.component]:
+        for name in slots_of(self.component):
             if name == "actions":
                 against = self._opposes(said.actions, beliefs)
                 if said.actions:
@@ -418,7 +411,7 @@ Alternatives = dict[str, list[tuple[Any, float]]]  # of each slot, values with h
 def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
     """What may have been said: as was believed, but for facts that were decided otherwise, which are sure."""
     found: Alternatives = {}
-    for name in PLACED:
+    for name in (*slots_of(Component.GEOMETRY), *slots_of(Component.SPAWN)):
         classes, decided = beliefs.slots.get(name, {}), getattr(slots, name)
         likeliest = max(classes, key=lambda value: classes[value], default=decided)
         found[name] = list(classes.items()) if classes and decided == likeliest else [(decided, 1.0)]
@@ -429,7 +422,7 @@ def _free(name: str, value: object) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
     if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
         return 1.0
-    return UNASKED if name in ADDED else UNASKED_VALUE
+    return UNASKED if SLOTS[name].added else UNASKED_VALUE
 
 
 def _does(snippet: Snippet, name: str) -> Any:
@@ -444,7 +437,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
     """The facts that a snippet contradicts, in words."""
     found: list[str] = []
     said = asked.slots
-    for slot in OF_COMPONENT[component]:
+    for slot in slots_of(component):
         wanted, does = getattr(said, slot), _does(snippet, slot)
         if slot == "actions":
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from chatscene.library.load import Library
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import Component, Maneuver, Place, Slots, includes
+from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
@@ -24,17 +25,6 @@ ARMS = {
     "trafficFromRight": ("trafficFromLeft", Maneuver.LEFT_TURN),
     "oncomingTraffic": (None, Maneuver.LEFT_TURN),
 }
-FACTS = (
-    "side",
-    "position",
-    "occluder",
-    "maneuver",
-    "place",
-    "control",
-    "leader",
-    "blocker",
-    "group",
-)  # slots that two parts may both speak of
 Mask = NDArray[np.bool_]
 
 
@@ -49,7 +39,7 @@ def agree(one: object, other: object) -> bool:
 
 def contradiction(one: Slots, other: Slots) -> str | None:
     """The first slot on which two sets of facts disagree, in words."""
-    for slot in FACTS:
+    for slot in (name for name, row in SLOTS.items() if row.shared):
         a, b = getattr(one, slot), getattr(other, slot)
         if not agree(a, b):
             return f"{slot}: {a} against {b}"

@@ -24,10 +24,10 @@ from numpy.typing import NDArray
 from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
 from chatscene.models.encoders.embedding import MiniLM
-from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Frame
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
+from chatscene.terms.scenario import Slots
+from chatscene.terms.slots import SLOTS
 
 NAME = "slot_classifier.npz"
 PACKAGED = Path(__file__).parent / NAME
@@ -35,22 +35,7 @@ BEHAVIOR = "behavior"  # the head over the behaviors' ids
 SCOPE = "scope"  # the head that tells what a library of driving scenarios can serve at all
 NOT_SAID = ""  # the class of a slot that the sentence leaves open
 
-# The values of each slot that has one, as texts; the first class says that nothing was said.
-VALUES: dict[str, tuple[str, ...]] = {
-    "adversary": tuple(AdversaryKind),
-    "side": tuple(Side),
-    "position": tuple(Position),
-    "occluder": tuple(Occluder),
-    "maneuver": tuple(Maneuver),
-    "place": tuple(Place),
-    "control": tuple(Control),
-    "leader": ("True",),
-    "blocker": ("True",),
-    "distance": tuple(Distance),
-    "group": ("True",),
-    "lanes": ("1", "2", "3"),
-    "two_way": ("True", "False"),
-}
+VALUES = {name: tuple(map(str, slot.values)) for name, slot in SLOTS.items()}  # as texts, the names of classes
 HEADS = (*VALUES, "actions", BEHAVIOR, SCOPE)
 TRUSTED = (*VALUES, "actions")  # of which the patterns know something
 
@@ -171,11 +156,7 @@ def as_value(slot: str, name: str) -> Any:
     """The value of a slot from the name of its class."""
     if name == NOT_SAID:
         return None
-    kinds: dict[str, Any] = {
-        "adversary": AdversaryKind, "side": Side, "position": Position, "occluder": Occluder, "maneuver": Maneuver,
-        "place": Place, "control": Control, "distance": Distance, "lanes": int,
-    }  # fmt: skip
-    return kinds[slot](name) if slot in kinds else name == "True"
+    return next(value for value in SLOTS[slot].values if str(value) == name)
 
 
 def classes_of(head: str, behaviors: Sequence[str]) -> tuple[str, ...]:

@@ -21,10 +21,9 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.description import Rendered, Style
 from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, includes
+from chatscene.terms.slots import SLOTS
 
-LEAVABLE = (
-    "side", "position", "occluder", "maneuver", "place", "control", "leader", "distance", "group", "lanes", "two_way",
-)  # fmt: skip
+LEAVABLE = tuple(name for name in SLOTS if name not in ("adversary", "blocker"))  # a blocker is what is gone around
 
 
 def render(

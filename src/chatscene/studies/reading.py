@@ -22,7 +22,7 @@ from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, Se
 from chatscene.files.bounded import parse_json
 from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
-from chatscene.interpret.retrieve import OF_COMPONENT, retrieve
+from chatscene.interpret.retrieve import retrieve
 from chatscene.library.bind import distances
 from chatscene.library.load import Library, library_with
 from chatscene.maps.network import resolve_map
@@ -39,12 +39,12 @@ from chatscene.terms.acts import BRINGS, TURNS, Action
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import Component, Maneuver, Position, Scenario, Side, Slots, includes
+from chatscene.terms.slots import SLOTS, slots_of
 from chatscene.terms.snippet import Snippet
 
 HELD_OUT = "held-out"
 STAGES = ("encoder only", "+ lexical", "+ slots", "+ contracts")
 LEXICAL_SHARE = 0.3  # of shared words against the cosine, in the ablation
-BROUGHT = ("occluder", "leader", "blocker", "group")  # what stands or drives about if nobody asked for it
 _OPPOSITES = (
     (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN),
     (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
@@ -149,12 +149,12 @@ def serves(snippet: Snippet, said: Slots, component: Component) -> bool:
     does = snippet.slots
     if component is Component.BEHAVIOR:
         return essential(said) == essential(replace(does, position=does.position or said.position))
-    for name in OF_COMPONENT[component]:
+    for name in slots_of(component):
         wanted, given = getattr(said, name), getattr(does, name)
         if name == "place" and component is Component.SPAWN:
             continue
         if wanted is None or wanted is False:
-            if name in BROUGHT and given:
+            if SLOTS[name].about and given:
                 return False
         elif name == "distance" and given is None and wanted in distances(snippet):
             continue
