@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -33,6 +35,10 @@ TRIPLE = (
         ("The car ahead brakes when we are fifteen metres away.", Measure.TRIGGER, 15.0),
         ("A woman steps out at a distance of 25 meters from the right.", Measure.DISTANCE, 25.0),
         ("A cyclist 60 feet ahead swerves.", Measure.DISTANCE, 18.288),
+        ("A pedestrian crosses from the left at 1.5 m/s.", Measure.SPEED, 1.5),
+        ("A pedestrian crosses from the left at 1,5 m/s.", Measure.SPEED, 1.5),
+        ("A car cuts in 12.5 m ahead.", Measure.DISTANCE, 12.5),
+        ("A truck 1,200 m ahead brakes.", Measure.DISTANCE, 1200.0),
     ],
 )
 def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value: float) -> None:
@@ -45,6 +51,14 @@ def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value
 )
 def test_other_numbers_are_no_quantity_of_the_adversary(text: str) -> None:
     assert hear(text).quantities == ()
+
+
+@given(st.decimals(min_value="0.1", max_value=99, places=2))
+def test_a_number_is_read_whole_wherever_its_point_stands(number: Decimal) -> None:
+    frame = hear(f"We turn right. A pedestrian crosses from the left at {number} m/s, and then stops.")
+    assert [q.value for q in frame.quantities] == [pytest.approx(float(number))]
+    assert not [one for one in frame.unused if one.why is Why.NUMBER]
+    assert frame.clauses.ego == "we turn right"
 
 
 def said(measure: Measure, value: float) -> Quantity:

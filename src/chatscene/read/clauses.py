@@ -8,7 +8,7 @@ from chatscene.read import lexicon as words
 from chatscene.terms.frame import Clauses
 
 _SENTENCE = re.compile(
-    r"[;.!?:]+|\b(?:when|while|whilst|but|because|until)\b|\bas\b(?! if)|,"
+    r"(?!(?<=\d)[.,:]\d)[;.!?:,]+|\b(?:when|while|whilst|but|because|until)\b|\bas\b(?! if)"  # "1.5" is one number
     r"|\band (?=(?:an?|another|some|someone|we|i|the (?!ego\b))\b)"  # somebody else enters
 )
 _OPENING = re.compile(r"(?:from|on|to|at|in|behind|ahead|beside)\b")

@@ -19,7 +19,9 @@ _NUMBERS = {
     "half a": 0.5, "one": 1, "a": 1,
 }  # fmt: skip
 
-_NUMBER = r"(?P<number>\d+(?:\.\d+)?|" + "|".join(sorted(_NUMBERS, key=len, reverse=True)) + ")"
+_NUMBER = (
+    r"(?P<number>(?<![\d.,])\d+(?:,\d{3}(?!\d))*(?:[.,]\d+)?|" + "|".join(sorted(_NUMBERS, key=len, reverse=True)) + ")"
+)
 _LENGTH = r"(?P<unit>m|metre|meter|yard|yd|foot|feet|ft|car length)s?"
 _SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)(?! ?(?:²|\^?2))"  # m/s² is no speed
 _TIME = r"(?P<unit>second|sec|s)s?"
@@ -58,6 +60,11 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
         match = pattern.search(text)
         if match and measure not in found and not (measure is Measure.DISTANCE and Measure.TRIGGER in found):
             number = _NUMBERS.get(match["number"])
-            value = (float(match["number"]) if number is None else number) * _UNITS[match["unit"]]
+            value = (_number(match["number"]) if number is None else number) * _UNITS[match["unit"]]
             found[measure] = Quantity(measure=measure, value=round(value, 3), said=match[0])
     return tuple(found.values())
+
+
+def _number(figures: str) -> float:
+    """A number in figures: "1.5", "1,5" as much of the world writes it, "1,200" as a thousand and more."""
+    return float(re.sub(r",(?=\d{3}(?!\d))", "", figures).replace(",", "."))
