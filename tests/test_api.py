@@ -21,6 +21,7 @@ from chatscene.commands.finetune import finetune
 from chatscene.commands.proposal import describe
 from chatscene.errors import NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report
+from chatscene.studies.evaluation import Evaluated
 from fake_run import SCENARIO, finished, started
 
 BRAKES = "A delivery van ahead of us brakes hard on a straight road."
@@ -165,7 +166,7 @@ def test_egos_are_measured_on_the_kept_scenes(simulated: chatscene.Run, tmp_path
     evaluated = chatscene.evaluate(simulated, tmp_path / "e", ego="idm")
     assert "avoidability" in evaluated.tables
     again = chatscene.resume(tmp_path / "e")
-    assert not isinstance(again, chatscene.Run)
+    assert isinstance(again, Evaluated)
     assert again.tables == evaluated.tables
 
 

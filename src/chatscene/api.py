@@ -7,8 +7,9 @@ A folder may be left out: a new one is made in the system's temporary folder the
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,7 +32,9 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
+    from chatscene.studies.reproduce import Reproduced
 
 Name = str | Path
 Names = Name | Sequence[Name]
@@ -253,7 +256,7 @@ def run(
 
     Args:
         text: The sentence.
-        folder: Run folder, new or empty.
+        folder: Run folder, new or empty, or one to go on in.
         program: File of a Scenic program of one's own, in place of the sentence.
         map: Packaged ``town``, or an ``.xodr`` file.
         ego: An ego by name, file or ``package.module:factory``.
@@ -366,12 +369,12 @@ def resume(
     embedder: Names = (),
     language_model: Names = (),
     progress: Progress = silent,
-) -> Run | Evaluated:
+) -> Run | Evaluated | Benchmarked | Reproduced | Finetuned | Trained:
     """Go on with what was killed or failed; the result is that of an uninterrupted one.
 
     Args:
-        folder: Folder of a run or an evaluation.
-        jobs: Processes; any number gives the same files.
+        folder: Folder of a run, an evaluation, a benchmark, a reproduction, a fine-tuning or a training.
+        jobs: Processes; any number gives the same files. A fine-tuning and a training are one.
         ego: Egos again that the folder names and that may run code of their own: that its files say so is not enough.
         generator: Generator again, if it names one that is none of ours.
         sampler: Sampler again, if it names one that is none of ours.
@@ -395,12 +398,23 @@ def resume(
         embedder=_names(embedder),
         language_model=_names(language_model),
     )
-    if runs.read_record(runs.Workspace(where), runs.Record).kind is runs.Kind.EVALUATION:
-        from chatscene.studies.evaluation import carry_on
+    kind = runs.read_record(runs.Workspace(where), runs.Record).kind
+    go_on: Callable[..., Any] = import_module(_RESUMES[kind]).resume
+    done = go_on(where, jobs=jobs, progress=progress, repeated=repeated)
+    if kind is runs.Kind.RUN:
+        return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
+    return done
 
-        return carry_on(runs.Workspace(where), jobs=jobs, progress=progress, repeated=repeated)
-    pipeline.resume(where, jobs=jobs, progress=progress, repeated=repeated)
-    return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
+
+_RESUMES = {
+    runs.Kind.RUN: "chatscene.pipeline",
+    runs.Kind.EVALUATION: "chatscene.studies.evaluation",
+    runs.Kind.BENCHMARK: "chatscene.studies.benchmark",
+    runs.Kind.REPRODUCTION: "chatscene.studies.reproduce",
+    runs.Kind.FINETUNING: "chatscene.learn.finetune",
+    runs.Kind.TRAINING: "chatscene.learn.train",
+}
+"""Whose `resume` goes on with each kind of folder; loaded when it does."""
 
 
 def replay(
@@ -447,7 +461,7 @@ def evaluate(
 
     Args:
         scenes: Runs, or folders with runs somewhere below.
-        folder: Folder of the evaluation, new or empty.
+        folder: Folder of the evaluation, new or empty, or one to go on in.
         ego: Egos by name, file or ``package.module:factory``; the paper's three if none is given.
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.

@@ -46,14 +46,14 @@ def understand(text: str, settings: Settings | None = None, *, generator: str = 
 
 
 def run(asked: runs.RunRecord, folder: Path, *, jobs: int = 1, progress: Progress = silent) -> Summary:
-    """Steps 2 to 7 and the report, into a new run folder, for what `chatscene.runs.asked_run` worked out.
+    """Steps 2 to 7 and the report, for what `chatscene.runs.asked_run` worked out, into a new folder or on in its own.
 
     Raises:
         NothingFits: The library cannot serve the sentence; the folder says why.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     with runs.alone(folder):
-        return _carry_on(runs.create(folder, asked), jobs, progress)
+        return _carry_on(runs.take_up(folder, asked), jobs, progress)
 
 
 def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Summary:

@@ -11,7 +11,7 @@ SELECTIONS = ("shown", "worst", "last")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
-def _check(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
+def check_settings(settings: object, limits: Mapping[str, tuple[float, float]]) -> None:
     """Hold every field to its kind and every number to its range; a run's record is as good as what a user typed.
 
     Raises:
@@ -62,7 +62,7 @@ class SearchSettings:
 
     def __post_init__(self) -> None:
         many = (1, 1_000_000)
-        _check(
+        check_settings(
             self,
             {
                 "scenes": many,
@@ -92,7 +92,7 @@ class SimulationSettings:
     simulator: str = "embedded"
 
     def __post_init__(self) -> None:
-        _check(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})
+        check_settings(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,7 +114,7 @@ class RetrievalSettings:
     language_model: str = OFFLINE
 
     def __post_init__(self) -> None:
-        _check(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0)})
+        check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,7 +4,6 @@ where an uncut one does.
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,7 @@ pytest.importorskip("stable_baselines3", reason="the extra 'train' is not instal
 import torch
 from gymnasium import spaces
 
-from chatscene import pipeline, runs
+from chatscene import api, pipeline, runs
 from chatscene.commands.finetune import finetune as command
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import EgoPolicy, load_ego
@@ -29,7 +28,7 @@ from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.learn import finetune as finetuning
 from chatscene.learn.env import DrivingEnv
-from chatscene.learn.finetune import PRESETS, FinetuneSettings, choose, finetune
+from chatscene.learn.finetune import PRESETS, Finetuned, FinetuneSettings, choose, finetune
 from chatscene.learn.finetune import pupil as learning
 from chatscene.learn.finetune.buffer import SplitBuffer
 from chatscene.learn.finetune.learner import Learner, Schedule
@@ -321,7 +320,11 @@ class TestWhole:
         with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
             patch.setattr(kind, "learn", killed)
             finetune(tmp_path / "cut", [scenes], settings, progress=silent)
-        resumed = finetune(tmp_path / "cut", [scenes], settings, progress=silent)
+        record = runs.read_record(runs.Workspace(tmp_path / "cut"), runs.FinetuningRecord)
+        assert (record.status, len(record.curve)) == (runs.Status.RUNNING, 2)
+        resumed = api.resume(tmp_path / "cut")
+        assert isinstance(resumed, Finetuned)
+        assert runs.check(tmp_path / "cut").whole
         assert [{**r, "seconds": 0} for r in resumed.curve] == [{**r, "seconds": 0} for r in whole.curve]
         paths = [tmp_path / name / "checkpoints" / "policy-0006.npz" for name in ("whole", "cut")]
         networks = [load_network(path)[0] for path in paths]
@@ -345,9 +348,7 @@ class TestWhole:
 
         with pytest.raises(RunError, match="other settings"):
             finetune(tmp_path / "whole", [scenes], replace(settings, seed=4), progress=silent)
-        path = tmp_path / "cut" / "finetune.json"
-        record = json.loads(path.read_text())
-        path.write_text(json.dumps({name: value for name, value in record.items() if name not in ("chosen", "after")}))
+        runs.update(runs.Workspace(tmp_path / "cut"), chosen={}, after={}, files={})  # as if it was cut there
         (tmp_path / "cut" / "state-0006.pt").write_bytes(b"not a state")
         with pytest.raises(RunError, match="cannot read"):
             finetune(tmp_path / "cut", [scenes], settings, progress=silent)

@@ -12,12 +12,13 @@ import pytest
 
 pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
 
+from chatscene import api, runs
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn import env as driving_env
 from chatscene.learn import train as training
-from chatscene.learn.train import TrainSettings, train
+from chatscene.learn.train import Trained, TrainSettings, train
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.simulate.simulator import Simulator
@@ -81,7 +82,9 @@ class TestEveryAlgorithm:
         with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
             patch.setattr(training._Learner, "learn", killed)  # pyright: ignore[reportPrivateUsage]
             train(tmp_path / "cut", settings(algorithm, steps=120), progress=silent)
-        resumed = train(tmp_path / "cut", settings(algorithm, steps=120), progress=silent)
+        resumed = api.resume(tmp_path / "cut")
+        assert isinstance(resumed, Trained)
+        assert runs.check(tmp_path / "cut").whole
         figures = [[{**row, "seconds": 0.0} for row in trained.curve] for trained in (whole, resumed)]
         assert figures[0] == figures[1]
 
@@ -167,13 +170,16 @@ def test_another_training_in_the_folder_is_not_continued(tmp_path: Path) -> None
         train(tmp_path / "t", settings("ppo", steps=40, seed=4), progress=silent)
     (tmp_path / "x").mkdir()
     (tmp_path / "x" / "letter.txt").write_text("dear all")
-    with pytest.raises(RunError, match="holds no training"):
+    with pytest.raises(RunError, match="is not empty"):
         train(tmp_path / "x", settings("ppo", steps=40), progress=silent)
 
 
 def test_a_damaged_checkpoint_is_said_to_be_one(tmp_path: Path) -> None:
     train(tmp_path / "t", settings("ppo", steps=40), progress=silent)
     (tmp_path / "t" / "checkpoint.pt").write_bytes(b"not a checkpoint")
+    with pytest.raises(RunError, match=r"checkpoint\.pt is damaged"):
+        train(tmp_path / "t", settings("ppo", steps=80), progress=silent)
+    runs.update(runs.Workspace(tmp_path / "t"), files={})  # of an unfinished training there are no digests
     with pytest.raises(RunError, match="cannot read"):
         train(tmp_path / "t", settings("ppo", steps=80), progress=silent)
 

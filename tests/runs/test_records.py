@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from chatscene import runs
+from chatscene import api, runs
 from chatscene.errors import RunError
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.rebuild import rebuild
@@ -83,6 +83,37 @@ def test_who_asks_for_something_else_is_told_the_first_difference_then_and_now(t
     settings["search"]["scenes"] = 7
     with pytest.raises(RunError, match=r"settings\.search\.scenes was 50 and is now 7"):
         runs.take_up(tmp_path / "run", asked(settings=settings))
+
+
+@pytest.mark.parametrize("name", ["benchmark.json", "finetune.json", "reproduce.json", "train.json"])
+def test_a_folder_that_had_another_record_in_0_1_is_refused_with_the_version_that_goes_on(
+    name: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_text("{}")
+    words = rf"made by chatscene 0\.1, which kept {name} in it .*pip install chatscene==0\.1\.0"
+    for use in (api.resume, runs.check):
+        with pytest.raises(RunError, match=words):
+            use(tmp_path)
+    with pytest.raises(RunError, match=words):
+        runs.take_up(tmp_path, asked())
+
+
+def test_a_folder_of_one_kind_is_not_gone_on_with_as_another(tmp_path: Path) -> None:
+    training = runs.TrainingRecord(settings={"seed": 1}, map_digest="", simulator=runs.SimulatorRecord(), steps=5)
+    folder = runs.create(tmp_path / "t", training).path
+    with pytest.raises(RunError, match="holds a training, and this takes the folder of a run"):
+        runs.take_up(folder, asked())
+    with pytest.raises(RunError, match="holds a training, and this takes the folder of a run"):
+        runs.open_run(folder, runs.RunRecord)
+
+
+def test_what_may_be_another_the_next_time_is_what_was_asked_for_last(tmp_path: Path) -> None:
+    training = runs.TrainingRecord(settings={"seed": 1}, map_digest="", simulator=runs.SimulatorRecord(), steps=5)
+    run = runs.create(tmp_path / "t", training)
+    runs.update(run, curve=[{"steps": 5.0}])
+    runs.take_up(run.path, training.model_copy(update={"steps": 9}))
+    record = runs.read_record(run, runs.TrainingRecord)
+    assert (record.steps, record.curve) == (9, [{"steps": 5.0}])
 
 
 PROGRAM_OF_A_USER = """model chatscene.world.model

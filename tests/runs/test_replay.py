@@ -56,7 +56,7 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object) -> None:
         raise AssertionError("a stored run is read, not its sentence")
 
-    for name in ("read", "retrieve", "load_embedder"):
+    for name in ("read", "choose"):
         monkeypatch.setattr(retrieved, name, refuse)
 
 

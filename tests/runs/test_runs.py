@@ -36,6 +36,7 @@ from chatscene.runs import (
     read_scenes,
     resume,
     settings_of,
+    take_up,
     update,
     write_block,
 )
@@ -278,8 +279,11 @@ def test_a_new_run_never_writes_into_a_folder_that_holds_something(tmp_path: Pat
     (tmp_path / "thesis.tex").write_text("precious")
     with pytest.raises(RunError, match="not empty"):
         started(tmp_path)
-    with pytest.raises(RunError, match=r"already holds a run.*chatscene resume"):
-        started(started(tmp_path / "run").path)
+    run = started(tmp_path / "run")
+    with pytest.raises(RunError, match="not empty"):
+        started(run.path)
+    with pytest.raises(RunError, match=r"holds a run with other settings.*by: chatscene resume"):
+        take_up(run.path, asked(text="another"))
 
 
 def test_a_new_run_may_start_where_one_was_killed_before_it_began(tmp_path: Path) -> None:

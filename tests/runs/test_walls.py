@@ -11,7 +11,7 @@ import sys
 import types
 import zipfile
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import asdict, replace
 from operator import itemgetter
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from chatscene import pipeline, runs
+from chatscene import api, pipeline, runs
 from chatscene.commands.main import main
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
@@ -44,6 +44,7 @@ from chatscene.runs import replay as replaying
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
 from chatscene.runs.parallel import spread
+from chatscene.runs.record import RECORDS
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated, follow
 from chatscene.search.generator import GENERATORS, load_generator, simulator_of
@@ -55,6 +56,7 @@ from chatscene.simulate.confined.nursery import Confined
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import Simulator
 from chatscene.studies import evaluation
+from chatscene.studies.reproduce import METHODS
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import ScenicProgram
 from fake_run import TEXT, asked, finished, resealed, started, understanding
@@ -109,6 +111,59 @@ FOLLOWERS: dict[str, Callable[[Path], object]] = {
 
 
 # Libraries, and plug-ins that are not packaged
+
+
+SETTINGS = asdict(Settings())
+ON_A_MAP: dict[str, Any] = {
+    "settings": SETTINGS, "map_name": "town", "map_digest": "", "simulator": {}, "senses": {}, "ego_digests": {},
+}  # fmt: skip
+BENCHMARK = ON_A_MAP | {"egos": ["idm"], "surrogate": "idm", "generator": "chatscene", "budget": "small"}
+LESSONS = {"digest": "", "train": 1, "choice": 1, "test": 1}
+FINETUNING = {"settings": {"ego": "sac"}, "ego_digests": {}, "scenes": LESSONS}
+TRAINING = {"settings": {}, "map_digest": "", "simulator": {}}
+
+
+def other(part: str, **named: str) -> dict[str, Any]:
+    return {"settings": SETTINGS | {part: SETTINGS[part] | named}}
+
+
+@pytest.mark.parametrize(
+    ("kind", "record", "named"),
+    [
+        ("benchmark", BENCHMARK | {"egos": ["sys:exit"]}, "--ego sys:exit"),
+        ("benchmark", BENCHMARK | {"surrogate": "sys:exit"}, "--ego sys:exit"),
+        ("benchmark", BENCHMARK | {"generator": "sys:exit"}, "--generator sys:exit"),
+        ("benchmark", BENCHMARK | other("search", sampler="sys:exit"), "--sampler sys:exit"),
+        ("benchmark", BENCHMARK | other("simulation", simulator="sys:exit"), "--simulator sys:exit"),
+        ("benchmark", BENCHMARK | other("retrieval", library="snippets"), "--library snippets"),
+        ("benchmark", BENCHMARK | other("retrieval", language_model="gguf:x"), "--language-model gguf:x"),
+        ("finetuning", FINETUNING | {"settings": {"ego": "sys:exit"}}, "--ego sys:exit"),
+        ("finetuning", FINETUNING | {"settings": {"ego": "sac", "teacher": "sys:exit"}}, "--ego sys:exit"),
+        ("finetuning", FINETUNING | {"settings": {"ego": "sac", "simulator": "sys:exit"}}, "--simulator sys:exit"),
+        ("training", TRAINING | {"settings": {"simulator": "sys:exit"}}, "--simulator sys:exit"),
+    ],
+)
+def test_whatever_kind_of_folder_names_what_is_not_packaged_is_not_gone_on_with(
+    kind: str, record: dict[str, Any], named: str, tmp_path: Path
+) -> None:
+    run = runs.create(tmp_path / "x", RECORDS[runs.Kind(kind)].model_validate(record))
+    done = CliRunner().invoke(main, ["resume", str(run.path)])
+    assert done.exit_code == 1, done.output
+    assert f"say so: {named}" in done.output
+    again = CliRunner().invoke(main, ["resume", str(run.path), *named.split()])
+    assert "say so" not in again.output
+
+
+def test_a_reproduction_names_nothing_and_what_lies_in_it_must_be_what_it_asks_for(tmp_path: Path) -> None:
+    settings = {"budget": "small", "avoidable_only": False, "seed": 0}
+    told = {"settings": settings, "tables": ["table1"], "preset": "paper", "choice": "paper"}
+    run = runs.create(tmp_path / "r", runs.ReproductionRecord.model_validate(told))
+    inner = BENCHMARK | {"generator": "sys:exit"}
+    runs.create(run.file("generation") / METHODS[0], runs.BenchmarkRecord.model_validate(inner))
+    with pytest.raises(RunError, match="a benchmark with other settings"):
+        api.resume(run.path)
+    with pytest.raises(RunError, match="does not name the ego 'sac'; it names none"):
+        api.resume(run.path, ego="sac")
 
 
 def naming(run: runs.Workspace, option: str, value: str) -> runs.Workspace:
@@ -253,7 +308,7 @@ def test_a_record_does_not_have_a_module_of_the_working_folder_imported(
 def test_an_evaluation_that_names_an_ego_is_followed_no_further(tmp_path: Path) -> None:
     run = as_evaluation(finished(tmp_path / "run", count=1), egos=["sac", "sys:exit"])
     with pytest.raises(RunError, match=r"--ego sys:exit"):
-        evaluation.carry_on(run, jobs=1, progress=silent)
+        evaluation.resume(run.path)
 
 
 def test_replay_does_not_end_well_because_a_record_says_sys_exit(tmp_path: Path) -> None:
@@ -296,7 +351,7 @@ def test_a_record_of_an_evaluation_is_not_replayed_as_a_run(
     evil = "run.evil:x.npz"
     run = finished(tmp_path / "run", count=1)
     with pytest.raises(RunError, match="holds a run, and this takes the folder of an evaluation"):
-        evaluation.carry_on(run, jobs=1, progress=silent)
+        evaluation.resume(run.path)
     as_evaluation(run, egos=[evil, "sac"], ego_digests={evil: "0"})
     (run.path / "evil.py").write_text(f"open({str(canary)!r}, 'w')\n")
     for command in ("replay", "resume"):

@@ -15,7 +15,7 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from chatscene import pipeline, runs
+from chatscene import api, pipeline, runs
 from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.measure import ordinary
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
@@ -23,9 +23,9 @@ from chatscene.program.ordinary import Course, ordinary_program, ordinary_querie
 from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings
 from chatscene.studies import benchmark as benchmarks
-from chatscene.studies.benchmark import Budget, benchmark
+from chatscene.studies.benchmark import Benchmarked, Budget, benchmark
 from chatscene.studies.driving import drive
-from chatscene.studies.evaluation import carry_on, evaluate, read_drives
+from chatscene.studies.evaluation import evaluate, read_drives, resume
 from chatscene.terms.scenario import BaseScenario
 
 TEXTS = (
@@ -111,7 +111,7 @@ def test_an_evaluation_that_was_cut_ends_like_one_that_was_not(searched: Path, t
     cut_run = runs.open_run(tmp_path / "cut")
     assert runs.read_record(cut_run, runs.EvaluationRecord).status is runs.Status.RUNNING
     assert len(runs.done_blocks(cut_run)) == 3
-    carry_on(cut_run, jobs=1, progress=silent)
+    resume(cut_run.path)
     assert content(tmp_path / "cut") == content(tmp_path / "whole")
 
 
@@ -213,10 +213,19 @@ def test_a_benchmark_is_the_same_at_one_and_two_jobs_and_after_a_cut(
     run("two", 2)
     with pytest.raises(KeyboardInterrupt):
         run("cut", 1, cut)
-    run("cut", 1)
+    assert len(runs.run_folders([tmp_path / "cut"])) == 3
+    resumed = api.resume(tmp_path / "cut")
+    assert isinstance(resumed, Benchmarked)
+    assert resumed.counts == one.counts
     tables = [content(tmp_path / name / "evaluation") for name in ("one", "two", "cut")]
     assert tables[0] == tables[1] == tables[2]
     assert {path.name for path in (tmp_path / "one" / "scenes").iterdir()} == {base.value for base in BaseScenario}
+
+    assert runs.check(tmp_path / "two").whole
+    (tmp_path / "two" / "scenes" / "lane-changing" / "0" / "events.parquet").unlink()
+    shutil.rmtree(tmp_path / "two" / "scenes" / "right-turn")
+    missing = runs.check(tmp_path / "two").missing
+    assert missing == ("scenes/right-turn/0/run.json", "scenes/lane-changing/0/events.parquet")
 
 
 @pytest.mark.usefixtures("tiny")

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from chatscene.errors import SettingsError
+from chatscene import api, runs
+from chatscene.errors import RunError, SettingsError
 from chatscene.learn import finetune as finetuning
 from chatscene.learn.finetune import FinetuneSettings
 from chatscene.measure import drive as driving
@@ -17,7 +18,7 @@ from chatscene.report.figures import two_curves
 from chatscene.settings import SearchSettings
 from chatscene.studies import benchmark as benchmarks
 from chatscene.studies import reproduce as reproducing
-from chatscene.studies.reproduce import BEFORE, BUDGETS, METHODS, TABLES, Budget, reproduce
+from chatscene.studies.reproduce import BEFORE, BUDGETS, METHODS, TABLES, Budget, Reproduced, reproduce
 from chatscene.terms.results import Cell, ResultTable
 from chatscene.terms.scenario import BaseScenario
 
@@ -97,8 +98,12 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
     assert all((tmp_path / "r" / figure).is_file() for figure in figures)
     # Every scene and every ego is there: a second call only reads.
     monkeypatch.setattr(driving, "drive", None)
-    again = reproduce(tmp_path / "r", TABLES, budget="tiny", progress=silent)
+    again = api.resume(tmp_path / "r")
+    assert isinstance(again, Reproduced)
     assert again.tables == done.tables
+    assert runs.check(tmp_path / "r").whole
+    with pytest.raises(RunError, match=r"settings\.seed was 0 and is now 1"):
+        reproduce(tmp_path / "r", TABLES, budget="tiny", seed=1, progress=silent)
 
 
 def test_what_cannot_be_reproduced_is_said_before_anything_is_run(tmp_path: Path) -> None:

@@ -75,8 +75,14 @@ def finetune(
         seed=seed,
         progress=progress(),
     )
+    say_finetuned(tuned, as_json)
+
+
+def say_finetuned(tuned: Finetuned, as_json: bool) -> None:
+    """Say what a fine-tuning came to."""
     if as_json:
-        say(json.dumps({"folder": str(out), "chosen": tuned.chosen, "before": tuned.before, "after": tuned.after}))
+        told = {"folder": str(tuned.folder), "chosen": tuned.chosen, "before": tuned.before, "after": tuned.after}
+        say(json.dumps(told))
         return
     console().print(_before_and_after(tuned))
     for row in tuned.curve:
@@ -88,8 +94,9 @@ def finetune(
             )
     say(f"kept: {tuned.reason}")
     if tuned.skipped:
-        say(f"{len(tuned.skipped)} scenes could not be driven; finetune.json says why")
-    say(f"the ego is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
+        say(f"{len(tuned.skipped)} scenes could not be driven; run.json says why")
+    policy = tuned.folder / "policy.npz"
+    say(f"the ego is in {policy}; drive with it: --ego {policy}")
 
 
 def _before_and_after(tuned: Finetuned) -> Table:

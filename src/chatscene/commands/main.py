@@ -9,14 +9,14 @@ import json
 import os
 import shlex
 import sys
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from chatscene.commands.finetune import finetune
+from chatscene.commands.finetune import finetune, say_finetuned
 from chatscene.commands.library import (
     EGO_AGAIN,
     EMBEDDER_AGAIN,
@@ -34,12 +34,14 @@ from chatscene.commands.library import (
     say,
 )
 from chatscene.commands.proposal import COMMANDS, describe
-from chatscene.commands.reproduce import reproduce
+from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
 
 if TYPE_CHECKING:
     from chatscene.api import Run
+    from chatscene.learn.train import Trained
+    from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
 
 MAP = click.option(
@@ -198,12 +200,13 @@ def resume(
     language_model: tuple[str, ...],
     as_json: bool,
 ) -> None:
-    """Continue the run or evaluation in DIR after it was killed or failed; the result is that of an uninterrupted one.
+    """Continue the work in DIR after it was killed or failed; the result is that of an uninterrupted one.
 
-    Trainings and benchmarks are continued by giving their own command again.
+    DIR is what run, evaluate, benchmark, reproduce, finetune or train left.
 
     \b
     chatscene resume runs/cyclist
+    chatscene resume runs/benchmark --jobs 2
     chatscene resume runs/my-stack --ego mypackage.stack:make_ego
     """
     from chatscene import api, runs
@@ -223,10 +226,15 @@ def resume(
             language_model=language_model,
             progress=progress(),
         )
-    if isinstance(done, api.Run):
-        _say_done(done, as_json)
-    else:
-        _say_evaluated(done, as_json)
+    say_any: dict[runs.Kind, Callable[[Any, bool], None]] = {
+        runs.Kind.RUN: _say_done,
+        runs.Kind.EVALUATION: _say_evaluated,
+        runs.Kind.BENCHMARK: _say_benchmarked,
+        runs.Kind.REPRODUCTION: say_reproduced,
+        runs.Kind.FINETUNING: say_finetuned,
+        runs.Kind.TRAINING: _say_trained,
+    }
+    say_any[record.kind](done, as_json)
 
 
 @main.command()
@@ -330,9 +338,7 @@ def benchmark(
         jobs=jobs,
         progress=progress(),
     )
-    for text, reason in outcome.refused.items():
-        say(f"refused: {text!r}: {reason}", err=True)
-    _say_evaluated(outcome.evaluated, as_json)
+    _say_benchmarked(outcome, as_json)
 
 
 @main.command()
@@ -412,13 +418,7 @@ def train(
         simulator=simulator,
         progress=progress(),
     )
-    say(" steps  completion  collisions  mean speed")
-    for row in trained.curve:
-        say(
-            f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
-            + ("  kept" if row == trained.best else "")
-        )
-    say(f"the best is in {out / 'policy.npz'}; drive with it: --ego {out / 'policy.npz'}")
+    _say_trained(trained, as_json=False)
 
 
 @main.command()
@@ -458,7 +458,9 @@ def replay(
 @click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @JSON
 def check(folders: tuple[Path, ...], as_json: bool) -> None:
-    """Say which files of the runs or evaluations in DIR... are damaged or missing, and which were added since.
+    """Say which files of the folders DIR... are damaged or missing, and which were added since.
+
+    DIR is what run, evaluate, benchmark, reproduce, finetune or train left; the folders in it are checked as well.
 
     Every file of a finished folder is compared with the digest that run.json keeps of it, and run.json with its own.
     Exit status 0: all that was written is there and unchanged; 1: it is not, or nobody can tell.
@@ -638,6 +640,26 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
         say(f"EgoError: {reason}; the other egos' results stand", err=True)
     if evaluated.failures:
         sys.exit(1)
+
+
+def _say_benchmarked(benchmarked: Benchmarked, as_json: bool) -> None:
+    for text, reason in benchmarked.refused.items():
+        say(f"refused: {text!r}: {reason}", err=True)
+    _say_evaluated(benchmarked.evaluated, as_json)
+
+
+def _say_trained(trained: Trained, as_json: bool) -> None:
+    if as_json:
+        say(json.dumps({"folder": str(trained.folder), "best": trained.best}))
+        return
+    say(" steps  completion  collisions  mean speed")
+    for row in trained.curve:
+        say(
+            f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
+            + ("  kept" if row == trained.best else "")
+        )
+    policy = trained.folder / "policy.npz"
+    say(f"the best is in {policy}; drive with it: --ego {policy}")
 
 
 def _say_done(run: Run, as_json: bool) -> None:

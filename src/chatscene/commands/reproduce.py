@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from chatscene.commands.library import JSON, progress, say
+
+if TYPE_CHECKING:
+    from chatscene.studies.reproduce import Reproduced
 
 ALL = "all"
 
@@ -47,7 +51,6 @@ def reproduce(
     chatscene reproduce all --out runs/tables
     chatscene reproduce table1 table2 --budget paper --jobs 2 --out runs/tables-paper
     """
-    from chatscene.report.tables import as_text
     from chatscene.studies.reproduce import TABLES
     from chatscene.studies.reproduce import reproduce as make
 
@@ -62,6 +65,13 @@ def reproduce(
         jobs=jobs,
         progress=progress(),
     )
+    say_reproduced(done, as_json)
+
+
+def say_reproduced(done: Reproduced, as_json: bool) -> None:
+    """Say what a reproduction came to."""
+    from chatscene.report.tables import as_text
+
     if as_json:
         say(json.dumps({"folder": str(done.folder), "tables": sorted(done.tables), "seconds": done.seconds}))
         return

@@ -13,27 +13,32 @@ from __future__ import annotations
 import io
 import pickle
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from chatscene import runs
 from chatscene.ego.network import Network, NetworkEgo, layers_of
 from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
-from chatscene.runs import alone
-from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
-from chatscene.settings import SimulationSettings
+from chatscene.runs.atomic import write_bytes
+from chatscene.runs.digests import digest_of
+from chatscene.runs.progress import Progress, silent
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.working import going_on
+from chatscene.settings import SimulationSettings, check_settings
 from chatscene.simulate.simulator import load_simulator
 
 if TYPE_CHECKING:
     from stable_baselines3.common.base_class import BaseAlgorithm
 
 HIDDEN = (256, 256)
+LEAVES = ("policy.npz", "checkpoint.pt", "tensorboard/*")
 EVALUATION_SEED = 10_000  # far from any seed a training draws with
 ALGORITHMS: dict[str, dict[str, Any]] = {
     "sac": {
@@ -98,6 +103,7 @@ class TrainSettings:
     simulator: str = SimulationSettings().simulator
 
     def __post_init__(self) -> None:
+        check_settings(self, {})
         if self.algorithm not in ALGORITHMS:
             raise SettingsError(no_such("algorithm", self.algorithm, ALGORITHMS))
         if not 0 < self.round <= self.steps:
@@ -127,11 +133,11 @@ class Trained:
     """
 
     folder: Path
-    curve: tuple[dict[str, float], ...]
-    best: dict[str, float]
+    curve: tuple[Row, ...]
+    best: Row
 
 
-Progress = Callable[[str, int, int], None]
+Row = dict[str, int | float]  # of a curve
 
 
 def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Trained:
@@ -141,26 +147,59 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
         MissingExtra: Stable-Baselines3 is not installed.
         RunError: The folder holds another training, or something else, or cannot be written.
     """
-    with alone(folder):
-        curve = _open_folder(folder, settings)
-        learner = _Learner(folder, settings)
-        if curve:
-            learner.restore()
-        for number in range(len(curve), settings.rounds):
-            progress("training, steps", number * settings.round, settings.steps)
-            began = time.monotonic()
-            learner.learn(number)
-            seconds = time.monotonic() - began
-            network = learner.network()
-            result = evaluate_network(network, settings)
-            row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
-            if not curve or _worth(row) > max(map(_worth, curve)):
-                write_bytes(folder / "policy.npz", network.stored(_about(settings, row)))
-            learner.keep()
-            curve.append(row)  # last: a row says that everything before it is on disk
-            write_json(folder / "train.json", {"settings": asdict(settings), "curve": curve})
-        progress("training, steps", settings.steps, settings.steps)
-        return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
+    simulator = load_simulator(resolve_map(settings.map_name), settings.simulation)
+    asked = runs.TrainingRecord(
+        settings={name: value for name, value in asdict(settings).items() if name != "steps"},
+        steps=settings.steps,
+        map_digest=digest_of(resolve_map(settings.map_name)),
+        simulator=runs.SimulatorRecord.of(simulator.identity),
+    )
+    with going_on(folder, asked, progress, leaves=LEAVES) as (work, tell):
+        curve = runs.read_record(work, runs.TrainingRecord).curve
+        if len(curve) < settings.rounds:
+            _rounds(work, settings, curve, tell)
+        tell("training, steps", settings.steps, settings.steps)
+    return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
+
+
+def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Trained:  # noqa: ARG001
+    """Go on with a training that was killed or failed.
+
+    Args:
+        folder: Which.
+        jobs: Nothing: it is one process, however many there may be.
+        progress: Told what is done.
+        repeated: What the record names and the user as well.
+
+    Raises:
+        RunError: There is none in the folder, or it names what must be repeated (`chatscene.runs.trust.follow`).
+    """
+    work = runs.open_run(folder, runs.TrainingRecord)
+    follow(repeated or Repeated(), simulators_of=[work])
+    record = runs.read_record(work, runs.TrainingRecord)
+    settings = runs.settings_from(TrainSettings, {**record.settings, "steps": record.steps})
+    return train(folder, settings, progress=progress)
+
+
+def _rounds(work: runs.Workspace, settings: TrainSettings, curve: list[Row], progress: Progress) -> None:
+    """Do the rounds that are not done, and add a row to the curve for each."""
+    learner = _Learner(work.path, settings)
+    if curve:
+        learner.restore()
+    for number in range(len(curve), settings.rounds):
+        progress("training, steps", number * settings.round, settings.steps)
+        began = time.monotonic()
+        learner.learn(number)
+        seconds = time.monotonic() - began
+        network = learner.network()
+        result = evaluate_network(network, settings)
+        row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
+        if not curve or _worth(row) > max(map(_worth, curve)):
+            write_bytes(work.file("policy.npz"), network.stored(_about(settings, row)))
+        learner.keep()
+        curve.append(row)  # last: a row says that everything before it is on disk
+        runs.update(work, curve=curve)
+    learner.close()
 
 
 def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = EVALUATION_SEED) -> OrdinaryResult:
@@ -178,23 +217,6 @@ def _worth(row: Mapping[str, float]) -> float:
 
 def _about(settings: TrainSettings, row: Mapping[str, float]) -> dict[str, str | float]:
     return {**asdict(settings), **{f"evaluation_{name}": value for name, value in row.items()}}
-
-
-def _open_folder(folder: Path, settings: TrainSettings) -> list[dict[str, float]]:
-    """The rounds done so far."""
-    record = folder / "train.json"
-    if record.is_file():
-        content = read_json(record)
-        before = asdict(TrainSettings()) | content.get("settings", {})
-        if before | {"steps": settings.steps} != asdict(settings):  # it may go on for longer
-            raise RunError(f"{folder} holds a training with other settings; choose another folder with --out")
-        return list(content["curve"])
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-        if any(folder.iterdir()):
-            raise RunError(f"{folder} is not empty and holds no training; choose another folder with --out")
-    write_json(record, {"settings": asdict(settings), "curve": []})
-    return []
 
 
 _BUFFER_ARRAYS = ("observations", "next_observations", "actions", "rewards", "dones", "timeouts")
@@ -244,7 +266,8 @@ class _Learner:
             **ALGORITHMS[settings.algorithm],
             **more,
         )
-        self.model.set_logger(configure(str(folder / "tensorboard"), ["tensorboard"]))
+        self._logger = configure(str(folder / "tensorboard"), ["tensorboard"])
+        self.model.set_logger(self._logger)
 
     def learn(self, number: int) -> None:
         """Learn for one round."""
@@ -253,6 +276,10 @@ class _Learner:
         self.model._last_obs = None  # pyright: ignore[reportPrivateUsage] - the last drive ended with its round
         self.model.learn(self._settings.round, reset_num_timesteps=False)
         self._env.close()
+
+    def close(self) -> None:
+        """Write the learning curves to their end."""
+        self._logger.close()
 
     def network(self) -> Network:
         """The policy as it is, deterministic."""

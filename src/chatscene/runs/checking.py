@@ -11,7 +11,7 @@ from chatscene.errors import RunError
 from chatscene.runs.blocks import damaged_parts
 from chatscene.runs.digests import CHANGED, MISSING, damage, is_drawn
 from chatscene.runs.record import Record
-from chatscene.runs.workspace import RECORD, Workspace, read_guarded
+from chatscene.runs.workspace import RECORD, Workspace, inside, read_guarded
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,13 +61,30 @@ _REMADE = "; chatscene resume makes it again"
 
 
 def check(folder: Path) -> Condition:
-    """Compare every file of a run folder with what is known of it.
+    """Compare every file of a folder with what is known of it; the folders in it with a record of their own as well.
 
-    Of a finished run that is a digest of each file; of an unfinished one, what its finished blocks say of themselves.
+    Of finished work that is a digest of each file; of an unfinished run, what its finished blocks say of themselves.
 
     Raises:
-        RunError: There is no run in the folder, or a newer version wrote it.
+        RunError: There is no record in the folder.
     """
+    own = _check(folder)
+    inner = {name: check(folder / name) for name in inside(folder)}
+    damaged = dict(own.damaged)
+    for name, one in inner.items():
+        damaged |= {f"{name}/{file}": why for file, why in one.damaged.items()}
+    added = [file for file in own.added if not any(Path(file).is_relative_to(name) for name in inner)]
+    return Condition(
+        folder=folder,
+        damaged=damaged,
+        missing=(*own.missing, *(f"{name}/{file}" for name, one in inner.items() for file in one.missing)),
+        added=(*added, *(f"{name}/{file}" for name, one in inner.items() for file in one.added)),
+        unknown=next((one.unknown for one in (own, *inner.values()) if one.unknown), ""),
+    )
+
+
+def _check(folder: Path) -> Condition:
+    """The condition of a folder but for those in it."""
     run = Workspace(folder)
     try:
         record, as_written = read_guarded(run)
@@ -76,16 +93,18 @@ def check(folder: Path) -> Condition:
             raise
         return Condition(folder=folder, damaged={RECORD: str(error)}, unknown="its record cannot be read")
     damaged = {} if as_written else {RECORD: CHANGED}
+    gone = tuple(f"{name}/{RECORD}" for name in record.inside if not (folder / name / RECORD).is_file())
     if not record.files:
         found = {one.file.relative_to(folder).as_posix(): one.why for one in damaged_parts(run)}
         damaged |= {name: why for name, why in found.items() if why != MISSING}
-        return Condition(folder=folder, damaged=damaged, missing=tuple(name for name in found if name not in damaged))
+        missing = (*gone, *(name for name in found if name not in damaged))
+        return Condition(folder=folder, damaged=damaged, missing=missing)
     wrong = dict(damage(folder, record.files))
     damaged |= {name: CHANGED + (_REMADE if is_drawn(name) else "") for name, how in wrong.items() if how == "damaged"}
     return Condition(
         folder=folder,
         damaged=damaged,
-        missing=tuple(name for name, how in wrong.items() if how == "missing"),
+        missing=(*gone, *(name for name, how in wrong.items() if how == "missing")),
         added=_added(folder, record),
     )
 

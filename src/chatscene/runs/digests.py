@@ -17,7 +17,7 @@ from chatscene.runs.atomic import write_bytes
 
 _TABLES = tuple(f"{name}.parquet" for name in ("scenes", "events", "signals", "ranges"))
 KEPT = ("explanation.json", "map.json", *_TABLES, "episodes/*.parquet", "programs/*.scenic")
-DRAWN = ("report.html", "*.gif", "tables/*")
+DRAWN = ("report.html", "*.gif", "tables/*", "figures/*")
 
 CHANGED, MISSING = "it is not what was written", "it is missing"
 

@@ -116,7 +116,8 @@ class Record(_Frozen):
         settings: All settings, resolved.
         versions: Of what the numbers depend on.
         timings: Seconds by phase, and whatever else differs between two equal runs.
-        files: SHA-256 of every other file, by its path in the folder; empty until the work is done.
+        files: SHA-256 of every other file that the work left, by its path in the folder; empty until it is done.
+        inside: The folders in it that have a `run.json` of their own, by path; empty until the work is done.
         digest: SHA-256 of `run.json` itself, while this one is empty.
     """
 
@@ -128,6 +129,7 @@ class Record(_Frozen):
     versions: dict[str, str] = {}
     timings: dict[str, float] = {}
     files: dict[str, str] = {}
+    inside: list[str] = []
     digest: str = ""
 
     @classmethod
@@ -341,7 +343,7 @@ class TrainingRecord(Record):
 
     def code_named(self) -> dict[str, str]:
         """The simulator."""
-        return {"simulator": self.simulator.name}
+        return {"simulator": str(self.settings.get("simulator", SimulationSettings().simulator))}
 
 
 RECORDS: dict[Kind, type[Record]] = {

@@ -12,7 +12,7 @@ from chatscene.runs.digests import digests
 from chatscene.runs.exclusive import alone
 from chatscene.runs.progress import Progress
 from chatscene.runs.record import Record, Status
-from chatscene.runs.workspace import Workspace, take_up, update
+from chatscene.runs.workspace import Workspace, inside, take_up, update
 
 
 @contextmanager
@@ -67,4 +67,4 @@ def going_on(
         update(run, status=Status.RUNNING, files={})  # what is done may change now: no digest holds meanwhile
         with working(run, progress) as tell:
             yield run, tell
-        update(run, status=Status.DONE, files=digests(folder, leaves))
+        update(run, status=Status.DONE, files=digests(folder, leaves), inside=inside(folder))

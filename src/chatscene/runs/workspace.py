@@ -92,12 +92,41 @@ def _stem(scenario_id: str, route: int, block: int) -> str:
     return f"{quote(scenario_id, safe='')}-route-{route:02d}-block-{block:02d}"
 
 
-def create(folder: Path, record: Record) -> Workspace:
-    """Start work in a new or empty folder, or in place of a run that was refused.
+def take_up(folder: Path, asked: Record) -> Workspace:
+    """Start work in a new or empty folder, or go on in one where the same was asked for.
+
+    A run that was refused, and so was never searched with, makes way for another. What may be another the next time is
+    from now on what `asked` says.
 
     Args:
         folder: Made if it is not there.
-        record: What is asked for, with status ``running``.
+        asked: What is asked for.
+
+    Raises:
+        RunError: The folder holds something else, or what was asked for with other settings; or it is damaged, or
+            cannot be written.
+    """
+    run = Workspace(folder)
+    if not run.file(RECORD).exists():
+        return create(folder, asked)
+    before = read_record(run, Record)
+    other = _other(before, asked)
+    if other is None:
+        open_run(folder)
+        update(run, **{name: getattr(asked, name) for name in asked.model_fields_set - asked.asked()})
+        return run
+    if before.status is Status.REFUSED:
+        return create(folder, asked)
+    _require(run, before, type(asked))
+    name, then, now = other
+    raise RunError(
+        f"{folder} holds {before.kind.in_words()} with other settings: {name} was {then!r} and is now {now!r}; go on "
+        f"with what it holds by: chatscene resume {folder}, or choose another folder with --out"
+    )
+
+
+def create(folder: Path, asked: Record) -> Workspace:
+    """Start work in a new or empty folder, or in place of a run that was refused.
 
     Raises:
         RunError: The folder holds something, or cannot be written.
@@ -108,36 +137,21 @@ def create(folder: Path, record: Record) -> Workspace:
         _refuse_links(folder)
         refused = _of_a_refused_run(run)
         if not all(path in refused or path.is_dir() or is_leftover(path) for path in folder.rglob("*")):
-            raise RunError(_occupied(run))
+            raise RunError(
+                _of_an_older_version(run) or f"{folder} is not empty; choose a new or empty folder with --out"
+            )
         for path in refused:
             path.unlink()
     sweep(folder)
-    _write_record(run, record.model_copy(update={"versions": _versions()}))
+    _write_record(run, asked.model_copy(update={"versions": _versions()}))
     return run
 
 
-def take_up(folder: Path, record: Record) -> Workspace:
-    """Start work in a new or empty folder, or go on in one where the same was asked for.
-
-    What may be another the next time is from now on what `record` says.
-
-    Raises:
-        RunError: The folder holds something else, or what was asked for with other settings; or it is damaged.
-    """
-    run = Workspace(folder)
-    if not run.file(RECORD).exists():
-        return create(folder, record)
-    before = read_record(open_run(folder, type(record)), type(record))
-    asked = record.asked()
-    then, now = (one.model_dump(mode="json", include=set(asked)) for one in (before, record))
-    if (other := _first_difference(then, now)) is not None:
-        name, was, is_now = other
-        raise RunError(
-            f"{folder} holds {before.kind.in_words()} with other settings: {name} was {was!r} and is now {is_now!r}; "
-            "say the same again, or choose another folder with --out"
-        )
-    update(run, **{name: getattr(record, name) for name in record.model_fields_set - asked})
-    return run
+def _other(before: Record, asked: Record) -> tuple[str, Any, Any] | None:
+    """The first of what was asked for that is asked for otherwise now: its name, then and now."""
+    fields = set(asked.asked())
+    then, now = (one.model_dump(mode="json", include=fields) for one in (before, asked))
+    return _first_difference(then, now)
 
 
 def _first_difference(then: Any, now: Any, name: str = "") -> tuple[str, Any, Any] | None:
@@ -155,17 +169,6 @@ def _of_a_refused_run(run: Workspace) -> list[Path]:
         return []
     named = [run.file(name) for name in _OF_A_REFUSED_RUN]
     return [*run.file("programs").glob("*.scenic"), *(path for path in named if path.exists())]
-
-
-def _occupied(run: Workspace) -> str:
-    if run.file(RECORD).exists() and (record := read_record(run, Record)).status is not Status.REFUSED:
-        return (
-            f"{run.path} already holds {record.kind.in_words()}; continue it with: chatscene resume {run.path}, "
-            "or choose another folder with --out"
-        )
-    if (older := _of_an_older_version(run)) is not None:
-        return older
-    return f"{run.path} is not empty; choose a new or empty folder with --out"
 
 
 def _of_an_older_version(run: Workspace) -> str | None:
@@ -394,6 +397,15 @@ def run_folders(sources: Sequence[Path]) -> list[Path]:
     if not folders:
         raise RunError("no run is named; give the folder that `chatscene run` named")
     return list(dict.fromkeys(path.resolve() for path in folders))
+
+
+def inside(folder: Path) -> list[str]:
+    """The folders in a folder that have a `run.json` of their own, by path, sorted; none that is in one of these."""
+    names: list[str] = []
+    for path in sorted(path.parent.relative_to(folder) for path in folder.rglob(RECORD) if path.parent != folder):
+        if not any(path.is_relative_to(name) for name in names):
+            names.append(path.as_posix())
+    return names
 
 
 def write_drawing(run: Workspace, drawing: Mapping[str, Any]) -> None:

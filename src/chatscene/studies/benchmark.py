@@ -23,7 +23,7 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on, working
 from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
-from chatscene.studies.evaluation import EGOS, Evaluated, carry_on, evaluate
+from chatscene.studies.evaluation import EGOS, Evaluated, evaluate
 from chatscene.terms.scenario import BaseScenario
 
 
@@ -118,25 +118,22 @@ def benchmark(
         counts = _counts(found)
         runs.update(work, refused=refused, counts=counts, timings={"search": time.monotonic() - began})
 
-        where = folder / "evaluation"
-        repeated = Repeated(ego=tuple(egos), generator=(generator,), simulator=(simulator,))
-        if (where / "run.json").exists():
-            evaluated = carry_on(runs.open_run(where), jobs=jobs, progress=tell, repeated=repeated)
-        else:
-            repeated = replace(repeated, ego=())
-            evaluated = evaluate(found, where, egos=egos, jobs=jobs, progress=tell, repeated=repeated)
+        repeated = Repeated(generator=(generator,), simulator=(simulator,))
+        evaluated = evaluate(found, folder / "evaluation", egos=egos, jobs=jobs, progress=tell, repeated=repeated)
         record = runs.update(work, timings={"evaluation": evaluated.seconds})
     return Benchmarked(folder=folder, evaluated=evaluated, refused=refused, counts=counts, seconds=record.timings)
 
 
-def resume(folder: Path, *, jobs: int = 1, progress: Progress, repeated: Repeated) -> Benchmarked:
+def resume(
+    folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None
+) -> Benchmarked:
     """Go on with a benchmark that was killed or failed.
 
     Raises:
         RunError: There is none in the folder, or it names what must be repeated (`chatscene.runs.trust.follow`).
     """
     work = runs.open_run(folder, runs.BenchmarkRecord)
-    follow(repeated, egos_of=[work], simulators_of=[work], reading_of=[work])
+    follow(repeated or Repeated(), egos_of=[work], simulators_of=[work], reading_of=[work])
     record = runs.read_record(work, runs.BenchmarkRecord)
     settings = runs.settings_of(record)
     return benchmark(

@@ -27,7 +27,7 @@ from chatscene.measure.tables import (
 from chatscene.report.egos import egos_in_words
 from chatscene.report.tables import write_tables
 from chatscene.runs.parallel import spread
-from chatscene.runs.progress import Progress
+from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
@@ -84,7 +84,7 @@ def evaluate(
     progress: Progress,
     repeated: Repeated | None = None,
 ) -> Evaluated:
-    """Drive the kept scenes of runs with egos, into a new folder.
+    """Drive the kept scenes of runs with egos, into a new folder, or on in one where the same was cut.
 
     Args:
         sources: Run folders, finished; or folders with run folders somewhere below.
@@ -129,7 +129,7 @@ def evaluate(
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
-        kept = runs.create(folder, asked)
+        kept = runs.take_up(folder, asked)
         return _carry_on(
             kept, jobs, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
         )
@@ -157,15 +157,15 @@ def _source(run: runs.Workspace, record: runs.RunRecord, first_route: int, *, ke
     )
 
 
-def carry_on(run: runs.Workspace, *, jobs: int, progress: Progress, repeated: Repeated | None = None) -> Evaluated:
-    """Do what is left of an evaluation.
+def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Evaluated:
+    """Go on with an evaluation that was killed or failed.
 
     Raises:
         RunError: It is damaged, or one of its sources is; another process is at work on it; or one of them names what
             must be repeated (`chatscene.runs.trust.follow`).
     """
-    with runs.alone(run.path):
-        return _carry_on(runs.open_run(run.path, runs.EvaluationRecord), jobs, progress, repeated or Repeated())
+    with runs.alone(folder):
+        return _carry_on(runs.open_run(folder, runs.EvaluationRecord), jobs, progress, repeated or Repeated())
 
 
 def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:

@@ -9,8 +9,9 @@ method and base scenario (``egos``), and per base scenario all of these egos on 
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from statistics import fmean
 
@@ -23,12 +24,12 @@ from chatscene.report.beside_paper import beside_paper
 from chatscene.report.egos import egos_in_words
 from chatscene.report.figures import two_curves
 from chatscene.report.tables import write_tables
-from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
-from chatscene.runs.trust import Repeated
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.working import going_on
 from chatscene.studies.benchmark import benchmark
-from chatscene.studies.evaluation import carry_on, evaluate, read_displacements, read_drives
+from chatscene.studies.evaluation import evaluate, read_displacements, read_drives
 from chatscene.terms.metrics import Measurements, Mode
 from chatscene.terms.results import Cell, Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario
@@ -36,6 +37,7 @@ from chatscene.terms.scenario import BaseScenario
 METHODS = ("learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory", "chatscene")
 TABLES = ("table1", "table2", "table3", "table4", "table5")
 SURROGATE = "sac"
+LEAVES = ("tables/*", "figures/*", "finetuning/*/figures/*")  # besides the folders in it
 BEFORE = "before"  # the surrogate as it was, in table 3
 
 
@@ -78,6 +80,15 @@ class Reproduced:
     folder: Path
     tables: dict[str, ResultTable]
     seconds: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Common:
+    """What all tables of a folder have in common."""
+
+    budget: str
+    avoidable_only: bool
+    seed: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,30 +153,51 @@ def reproduce(
         raise SettingsError(no_such("budget", budget, BUDGETS))
     if preset not in PRESETS:
         raise SettingsError(no_such("preset", preset, PRESETS))
-    chosen, clock = BUDGETS[budget], _Clock(folder / "reproduce.json")
+    chosen = BUDGETS[budget]
     settings = replace(chosen.finetune, **PRESETS[preset], ego=SURROGATE, choice=choice, seed=seed)
+    asked = runs.ReproductionRecord(
+        settings=asdict(_Common(budget=budget, avoidable_only=avoidable_only, seed=seed)),
+        tables=list(tables),
+        preset=preset,
+        choice=choice,
+    )
+    with going_on(folder, asked, progress, leaves=LEAVES) as (work, tell):
+        done = _made(work, chosen, tables, settings, f"{preset}-{choice}", avoidable_only, jobs, tell)
+        write_tables(folder / "tables", done)
+    return Reproduced(folder=folder, tables=done, seconds=runs.read_record(work, runs.ReproductionRecord).timings)
+
+
+def _made(
+    work: runs.Workspace,
+    budget: Budget,
+    tables: Sequence[str],
+    settings: FinetuneSettings,
+    taught: str,
+    avoidable_only: bool,
+    jobs: int,
+    progress: Progress,
+) -> dict[str, ResultTable]:
+    """The tables, each with the paper's rows; what they need is made first."""
     drives: list[Drive] = []
     displacements: list[Displacement] = []
     seen: tuple[str, ...] = ()
     for method in METHODS:
-        began = time.monotonic()
-        done = benchmark(
-            folder / "generation" / method,
-            generator=method,
-            budget=chosen.benchmark,
-            surrogate=SURROGATE,
-            avoidable_only=avoidable_only,
-            seed=seed,
-            jobs=jobs,
-            progress=lambda what, count, total, method=method: progress(f"{method}: {what}", count, total),
-        )
-        clock.spent(f"generation, {method}", began)
+        with _timed(work, f"generation, {method}"):
+            done = benchmark(
+                work.file("generation") / method,
+                generator=method,
+                budget=budget.benchmark,
+                surrogate=SURROGATE,
+                avoidable_only=avoidable_only,
+                seed=settings.seed,
+                jobs=jobs,
+                progress=lambda what, count, total, method=method: progress(f"{method}: {what}", count, total),
+            )
         run = runs.open_run(done.evaluated.folder)
         drives += read_drives(run)
         displacements += read_displacements(run)
-        seen = tuple(
-            f"{ego}." for ego in egos_in_words(runs.read_record(run, runs.EvaluationRecord))
-        )  # the same egos each time
+        record = runs.read_record(run, runs.EvaluationRecord)
+        seen = tuple(f"{ego}." for ego in egos_in_words(record))  # the same egos each time
     found = {
         "table1": generation_table(drives, displacements, Mode.PAPER),
         "table2": diagnostic_table(drives, Mode.PAPER),
@@ -173,30 +205,43 @@ def reproduce(
         "table5": ego_table(drives, Mode.PAPER, which="overall_score"),
     }
     if "table3" in tables:
-        lessons = _Lessons(folder, folder / "finetuning" / f"{preset}-{choice}", chosen.bases, settings)
-        found["table3"] = _finetuned(lessons, jobs, clock, progress)
+        lessons = _Lessons(work.path, work.file("finetuning") / taught, budget.bases, settings)
+        found["table3"] = _finetuned(lessons, work, jobs, progress)
     progress("drawing the search", 0, 0)
-    curves = {method: _searched(folder / "generation" / method / "scenes") for method in METHODS}
+    curves = {method: _searched(work.file("generation") / method / "scenes") for method in METHODS}
     x = "share of the simulations"
-    two_curves(folder / "figures" / "search.svg", curves, x=x, second="overall score")
+    two_curves(work.file("figures") / "search.svg", curves, x=x, second="overall score")
     made = {name: beside_paper(found[name], name) for name in TABLES if name in tables}
     made["avoidability"] = avoidability_table(drives)
-    made = {name: replace(table, notes=(*table.notes, *seen)) for name, table in made.items()}
-    write_tables(folder / "tables", made)
-    return Reproduced(folder=folder, tables=made, seconds=clock.seconds)
+    return {name: replace(table, notes=(*table.notes, *seen)) for name, table in made.items()}
 
 
-class _Clock:
-    """Wall times by part, kept in a file, added up over calls."""
+@contextmanager
+def _timed(work: runs.Workspace, part: str) -> Generator[None]:
+    """Write down what a part takes."""
+    began = time.monotonic()
+    yield
+    runs.update(work, timings={part: time.monotonic() - began})
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self.seconds: dict[str, float] = read_json(path)["seconds"] if path.is_file() else {}
 
-    def spent(self, part: str, began: float) -> None:
-        """Add what has passed since `began`."""
-        self.seconds[part] = round(self.seconds.get(part, 0.0) + time.monotonic() - began, 1)
-        write_json(self._path, {"seconds": self.seconds})
+def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Reproduced:
+    """Go on with a reproduction that was killed or failed.
+
+    Raises:
+        RunError: There is none in the folder.
+    """
+    work = runs.open_run(folder, runs.ReproductionRecord)
+    follow(repeated or Repeated(), egos_of=[work])
+    record = runs.read_record(work, runs.ReproductionRecord)
+    return reproduce(
+        folder,
+        record.tables,
+        preset=record.preset,
+        choice=record.choice,
+        **asdict(runs.settings_from(_Common, record.settings)),
+        jobs=jobs,
+        progress=progress,
+    )
 
 
 def _searched(scenes: Path) -> list[tuple[float, float, float]]:
@@ -223,18 +268,16 @@ def _searched(scenes: Path) -> list[tuple[float, float, float]]:
 # Table 3
 
 
-def _finetuned(lessons: _Lessons, jobs: int, clock: _Clock, progress: Progress) -> ResultTable:
+def _finetuned(lessons: _Lessons, work: runs.Workspace, jobs: int, progress: Progress) -> ResultTable:
     """The surrogate, and what it became on each method's scenes of the training routes, on all methods' others."""
-    began = time.monotonic()
     tasks = [(method, base) for base in lessons.bases for method in METHODS]
-    for count, _ in enumerate(spread(_Tutor, lessons, tasks, jobs=jobs), 1):
-        progress("fine-tuning", count, len(tasks))
-    clock.spent(f"fine-tuning, {lessons.where.name}", began)
+    with _timed(work, f"fine-tuning, {lessons.where.name}"):
+        for count, _ in enumerate(spread(_Tutor, lessons, tasks, jobs=jobs), 1):
+            progress("fine-tuning", count, len(tasks))
     curves = {method: _learned([lessons.ego(method, base) for base in lessons.bases]) for method in METHODS}
     two_curves(lessons.where / "figures" / "finetuning.svg", curves, x="episodes", second="completion")
-    began = time.monotonic()
-    drives = [drive for base in lessons.bases for drive in _tested(lessons, base, jobs, progress)]
-    clock.spent(f"testing, {lessons.where.name}", began)
+    with _timed(work, f"testing, {lessons.where.name}"):
+        drives = [drive for base in lessons.bases for drive in _tested(lessons, base, jobs, progress)]
     collided = ego_table(drives, Mode.PAPER, which="collision_rate")
     scored = ego_table(drives, Mode.PAPER, which="overall_score")
     completed = ego_table(drives, Mode.PAPER, which="completion")
@@ -270,7 +313,7 @@ def _learned(egos: Sequence[Path]) -> list[tuple[float, float, float]]:
     """Over the checkpoints of a method: episodes, collision rate and completion where they are chosen; means of all."""
     checkpoints: dict[float, list[dict[str, float]]] = {}
     for ego in egos:
-        for row in read_json(ego / "finetune.json")["curve"]:
+        for row in runs.read_record(runs.Workspace(ego), runs.FinetuningRecord).curve:
             if "collision_rate" in row:
                 checkpoints.setdefault(float(row["episode"]), []).append(row)
     return [
@@ -287,11 +330,8 @@ def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress
     """The egos of a base scenario on all methods' scenes, on the routes that none of them trained on."""
     egos = {SURROGATE: BEFORE} | {str(lessons.ego(method, base) / "policy.npz"): method for method in METHODS}
     where = lessons.where / "tested" / base
-    if (where / "run.json").exists():
-        done = carry_on(runs.open_run(where), jobs=jobs, progress=progress, repeated=Repeated(ego=tuple(egos)))
-    else:
-        sources = [lessons.scenes(method, base) for method in METHODS]
-        first = lessons.settings.train_routes
-        done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
+    sources = [lessons.scenes(method, base) for method in METHODS]
+    first = lessons.settings.train_routes
+    done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
     run = runs.open_run(done.folder)
     return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run)]

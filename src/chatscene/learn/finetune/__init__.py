@@ -11,22 +11,24 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from chatscene import runs
 from chatscene.ego.network import NetworkEgo
 from chatscene.ego.policy import EGOS, EgoPolicy, load_ego
 from chatscene.errors import EgoError, MissingExtra, RunError
-from chatscene.learn.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, Lessons, judge, kept_scenes, split
+from chatscene.learn.finetune.scenes import CHOICE, TEST, TRAIN, KeptScene, judge, kept_scenes, split
 from chatscene.learn.finetune.settings import PRESETS, FinetuneSettings
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import drive_ordinary
 from chatscene.program.ordinary import ordinary_courses
-from chatscene.runs import alone
-from chatscene.runs.atomic import read_json, write_bytes, write_json, writing
-from chatscene.runs.progress import Progress
+from chatscene.runs.atomic import write_bytes
+from chatscene.runs.progress import Progress, silent
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.working import going_on
 from chatscene.simulate.simulator import Simulator, load_simulator
 
 if TYPE_CHECKING:
@@ -38,12 +40,13 @@ __all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
 LEAST_COMPLETION = 0.3  # of a checkpoint that may be chosen (paper)
 ORDINARY = "ordinary"
 ORDINARY_SEED = 20_000  # of the traffic: neither a training's nor that of its evaluations
-Row = dict[str, Any]  # a row of the curve: numbers by name
+LEAVES = ("policy.npz", "checkpoints/*.npz", "state-*.pt")
+Row = dict[str, int | float]  # a row of the curve: numbers by name
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Finetuned:
-    """What a fine-tuning came to; `finetune.json` in its folder holds the same.
+    """What a fine-tuning came to; `run.json` in its folder holds the same.
 
     Attributes:
         folder: Where everything is; `policy.npz` is the chosen ego, which ``--ego`` takes.
@@ -85,9 +88,10 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
         from chatscene.learn.finetune.pupil import Pupil
     except ImportError as error:
         raise MissingExtra("fine-tuning needs Stable-Baselines3", extra="train") from error
+    settings = replace(settings, ego=_file(settings.ego), teacher=_file(settings.teacher))
     if settings.teacher:
-        start = _ego(settings.ego)
-        learner_of = partial(Pupil, _ego(settings.teacher))
+        start = load_ego(settings.ego)
+        learner_of = partial(Pupil, load_ego(settings.teacher))
     else:
         start = _start(settings.ego)
         learner_of = partial(Learner, start)
@@ -99,31 +103,66 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
         train_routes=settings.train_routes,
         validation_routes=settings.validation_routes,
     )
-    with alone(folder):
-        record = _open_folder(folder, settings, lessons, parts)
+    asked = runs.FinetuningRecord(
+        settings=asdict(settings),
+        ego_digests=runs.ego_digests((settings.ego, settings.teacher)),
+        scenes=runs.LessonsRecord(digest=lessons.digest, **{name: len(part) for name, part in parts.items()}),
+        sources=[str(source.resolve()) for source in sources],
+    )
+    with going_on(folder, asked, progress, leaves=LEAVES) as (work, tell):
         simulator = load_simulator(resolve_map(lessons.map_name), lessons.simulation)
-        judging = _Judging(parts, simulator, progress)
-        if "before" not in record:
-            record["before"], record["skipped"] = judging.all(start, "driving before")
-            _write(folder, record)
+        judging = _Judging(parts, simulator, tell)
+        if not _told(work).before:
+            before, skipped = judging.all(start, "driving before")
+            runs.update(work, before=before, skipped=skipped)
         schedule = Schedule(
-            scenes=_drivable(parts[TRAIN], record["skipped"]),
+            scenes=_drivable(parts[TRAIN], _told(work).skipped),
             ordinary=ordinary_courses(simulator) if settings.ordinary_share else (),
             share=settings.ordinary_share,
             seed=settings.seed,
         )
-        if "chosen" not in record:
+        if not _told(work).chosen:
             learner = learner_of(settings, schedule, lessons.map_name, lessons.simulation)
-            _rounds(folder, record, learner, judging, settings, progress)
-            chosen, record["reason"] = choose(record["curve"])
-            write_bytes(folder / "policy.npz", _checkpoint(folder, chosen).read_bytes())
-            record["chosen"] = chosen
-            _write(folder, record)
-        if "after" not in record:
-            record["after"], _ = judging.all(_ego(str(folder)), "driving after")
-            _write(folder, record)
-        names = ("chosen", "reason", "before", "after", "skipped")
-        return Finetuned(folder=folder, curve=tuple(record["curve"]), **{name: record[name] for name in names})
+            chosen, why = choose(_rounds(work, learner, judging, settings, tell))
+            write_bytes(work.file("policy.npz"), _checkpoint(work, chosen).read_bytes())
+            runs.update(work, chosen=chosen, chosen_why=why)
+        if not _told(work).after:
+            after, _ = judging.all(load_ego(str(work.file("policy.npz"))), "driving after")
+            runs.update(work, after=after)
+    record = _told(work)
+    return Finetuned(
+        folder=folder,
+        curve=tuple(record.curve),
+        chosen=record.chosen,
+        reason=record.chosen_why,
+        before=record.before,
+        after=record.after,
+        skipped=record.skipped,
+    )
+
+
+def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Finetuned:  # noqa: ARG001
+    """Go on with a fine-tuning that was killed or failed.
+
+    Args:
+        folder: Which.
+        jobs: Nothing: it is one process, however many there may be.
+        progress: Told what is done.
+        repeated: What the record names and the user as well.
+
+    Raises:
+        RunError: There is none in the folder, its scenes are not there any more, or it names what must be repeated
+            (`chatscene.runs.trust.follow`).
+    """
+    work = runs.open_run(folder, runs.FinetuningRecord)
+    follow(repeated or Repeated(), egos_of=[work], simulators_of=[work])
+    record = _told(work)
+    settings = runs.settings_from(FinetuneSettings, record.settings)
+    return finetune(folder, [Path(source) for source in record.sources], settings, progress=progress)
+
+
+def _told(work: runs.Workspace) -> runs.FinetuningRecord:
+    return runs.read_record(work, runs.FinetuningRecord)
 
 
 def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
@@ -150,21 +189,16 @@ def choose(curve: Sequence[Mapping[str, Any]]) -> tuple[Row, str]:
 
 
 def _rounds(
-    folder: Path,
-    record: Row,
-    learner: Learner | Pupil,
-    judging: _Judging,
-    settings: FinetuneSettings,
-    progress: Progress,
-) -> None:
-    """Do the rounds that are not done."""
-    curve: list[Row] = record["curve"]
+    work: runs.Workspace, learner: Learner | Pupil, judging: _Judging, settings: FinetuneSettings, progress: Progress
+) -> list[Row]:
+    """Do the rounds that are not done; the curve of all."""
+    curve = _told(work).curve
     ends = settings.ends()
     if curve:
-        learner.restore(_state(folder, curve[-1]))
+        learner.restore(_state(work, curve[-1]))
     else:
         progress("teaching the critics", 0, 0)
-        record["warm_up"] = learner.warm_up()
+        runs.update(work, warm_up=learner.warm_up())
     for number in range(len(curve), len(ends)):
         begin, end = ends[number - 1] if number else 0, ends[number]
         progress("fine-tuning, episodes", begin, settings.episodes)
@@ -181,13 +215,14 @@ def _rounds(
             ego = learner.ego()
             row |= judging.choice(ego)
             about = {"observation": ego.observation, "pedals": ego.pedals, "algorithm": ego.name}
-            write_bytes(_checkpoint(folder, row), ego.network.stored({**asdict(settings), **about, "episode": end}))
-        learner.keep(_state(folder, row))
+            write_bytes(_checkpoint(work, row), ego.network.stored({**asdict(settings), **about, "episode": end}))
+        learner.keep(_state(work, row))
         curve.append(row)  # last: a row says that everything before it is on disk
-        _write(folder, record)
+        runs.update(work, curve=curve)
         if number:
-            _state(folder, curve[-2]).unlink(missing_ok=True)
+            _state(work, curve[-2]).unlink(missing_ok=True)
     progress("fine-tuning, episodes", settings.episodes, settings.episodes)
+    return curve
 
 
 class _Judging:
@@ -227,9 +262,9 @@ class _Judging:
         return figures, rejected
 
 
-def _ego(name: str) -> EgoPolicy:
-    """An ego by its name, its file or its folder."""
-    return load_ego(str(Path(name) / "policy.npz" if Path(name).is_dir() else Path(name)))
+def _file(name: str) -> str:
+    """The file of an ego that is named by its folder; any other name is itself."""
+    return str(Path(name) / "policy.npz") if name and Path(name).is_dir() else name
 
 
 def _start(name: str) -> NetworkEgo:
@@ -238,7 +273,7 @@ def _start(name: str) -> NetworkEgo:
     Raises:
         EgoError: It cannot be loaded, or is no SAC.
     """
-    ego = _ego(name)
+    ego = load_ego(name)
     if not isinstance(ego, NetworkEgo):
         raise EgoError(f"{name} is no network that could be trained on; give `sac` or the file of an SAC policy")
     if ego.every != 1:
@@ -261,36 +296,11 @@ def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[
     return left
 
 
-def _open_folder(
-    folder: Path, settings: FinetuneSettings, lessons: Lessons, parts: Mapping[str, Sequence[KeptScene]]
-) -> Row:
-    """The record of what was done so far."""
-    path = folder / "finetune.json"
-    told = {"settings": asdict(settings), "scenes": {"digest": lessons.digest, **{k: len(v) for k, v in parts.items()}}}
-    if path.is_file():
-        record: Row = read_json(path)
-        record["settings"] = asdict(FinetuneSettings()) | record.get("settings", {})  # of before it had all of them
-        if any(record.get(name) != value for name, value in told.items()):
-            raise RunError(f"{folder} holds a fine-tuning with other settings or scenes; choose another with --out")
-        return record
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-        if any(folder.iterdir()):
-            raise RunError(f"{folder} is not empty and holds no fine-tuning; choose another folder with --out")
-    record = {**told, "curve": []}
-    _write(folder, record)
-    return record
-
-
-def _write(folder: Path, record: Row) -> None:
-    write_json(folder / "finetune.json", record)
-
-
-def _state(folder: Path, row: Mapping[str, Any]) -> Path:
+def _state(work: runs.Workspace, row: Mapping[str, Any]) -> Path:
     """Where the learner is kept after a round."""
-    return folder / f"state-{row['episode']:04d}.pt"
+    return work.file(f"state-{row['episode']:04d}.pt")
 
 
-def _checkpoint(folder: Path, row: Mapping[str, Any]) -> Path:
+def _checkpoint(work: runs.Workspace, row: Mapping[str, Any]) -> Path:
     """Where the policy is kept after a round."""
-    return folder / "checkpoints" / f"policy-{row['episode']:04d}.npz"
+    return work.file("checkpoints") / f"policy-{row['episode']:04d}.npz"

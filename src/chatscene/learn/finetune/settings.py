@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from chatscene.errors import SettingsError, no_such
+from chatscene.settings import check_settings
 
 CHOICES = ("paper", "held-out")
 PRESETS: dict[str, dict[str, Any]] = {
@@ -80,6 +81,7 @@ class FinetuneSettings:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        check_settings(self, {})
         if self.choice not in CHOICES:
             raise SettingsError(no_such("choice", self.choice, CHOICES))
         for name in ("episodes", "round", "train_routes", "validation_routes", "batch", "warm_up_steps"):
