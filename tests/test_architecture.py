@@ -30,6 +30,10 @@ def test_snippets_import_nothing() -> None:
     assert not [p.name for p in PROGRAMS if "packaged" in p.parts and IMPORTED.search(p.read_text(encoding="utf-8"))]
 
 
+def test_the_pipeline_stays_on_one_screen() -> None:
+    assert len((SOURCE / "pipeline.py").read_text(encoding="utf-8").splitlines()) <= 120
+
+
 def test_the_page_draws_every_room() -> None:
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     drawing = page.split("```")[1]
