@@ -82,9 +82,12 @@ class TestEveryAlgorithm:
         with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
             patch.setattr(training._Learner, "learn", killed)  # pyright: ignore[reportPrivateUsage]
             train(tmp_path / "cut", settings(algorithm, steps=120), progress=silent)
+        (tmp_path / "cut" / ".policy.npz.1234.tmp").write_bytes(b"half")  # what the killed process was writing
         resumed = api.resume(tmp_path / "cut")
         assert isinstance(resumed, Trained)
-        assert runs.check(tmp_path / "cut").whole
+        condition = runs.check(tmp_path / "cut")
+        assert condition.whole
+        assert not condition.added
         figures = [[{**row, "seconds": 0.0} for row in trained.curve] for trained in (whole, resumed)]
         assert figures[0] == figures[1]
 

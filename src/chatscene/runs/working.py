@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import digests
 from chatscene.runs.exclusive import alone
 from chatscene.runs.progress import Progress
@@ -64,6 +65,7 @@ def going_on(
     """
     with alone(folder):
         run = take_up(folder, asked)
+        sweep(folder)
         update(run, status=Status.RUNNING, files={})  # what is done may change now: no digest holds meanwhile
         with working(run, progress) as tell:
             yield run, tell

@@ -177,8 +177,8 @@ def _of_an_older_version(run: Workspace) -> str | None:
     if name is None:
         return None
     return (
-        f"{run.path} was made by chatscene 0.1, which kept {name} in it and no run.json; go on with it by that version "
-        "(pip install chatscene==0.1.0), or start again in another folder with --out"
+        f"{run.path} was made by chatscene 0.1, which kept {name} in it and no run.json; go on with it by that "
+        "version, or start again in another folder with --out"
     )
 
 

@@ -176,7 +176,7 @@ class LanguageModel(Protocol):
 
 LANGUAGE_MODELS: Kind[Any] = Kind(  # each makes a `chatscene.models.language.completion.Completer`
     noun="language model",
-    group="chatscene.models.language",
+    group="chatscene.language_models",
     method="complete",
     built_in={
         "openai": "chatscene.models.language.openai_compatible:OpenAICompatible",
