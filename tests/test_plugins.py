@@ -171,7 +171,7 @@ class Model:
     def complete(self, messages, schema):
         raise NotImplementedError
 """
-    install(place, "model_of_mine", "[chatscene.models.language]\nmine = model_of_mine:Model\n", code)
+    install(place, "model_of_mine", "[chatscene.language_models]\nmine = model_of_mine:Model\n", code)
     for name in ("mine:small:7b", "model_of_mine:Model:small:7b"):
         assert load_language_model(name).name == "small:7b"
 
