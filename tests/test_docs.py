@@ -48,7 +48,7 @@ def test_the_commands_of_the_tour_do_what_it_says(tmp_path: Path) -> None:
 
 def test_every_command_in_the_readme_exists() -> None:
     for command, _ in commands(ROOT / "README.md"):
-        words = [word for word in shlex.split(command)[1:3] if word.isalpha() and word.islower()]
+        words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]
         verb = words[:2] if words[0] in ("library", "map") else words[:1]
         done = subprocess.run(
             [sys.executable, "-m", "chatscene", *verb, "--help"], capture_output=True, text=True, check=False

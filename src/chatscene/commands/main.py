@@ -35,6 +35,7 @@ from chatscene.commands.library import (
 )
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.reproduce import reproduce, say_reproduced
+from chatscene.commands.serve_carla import serve_carla
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
 
@@ -511,6 +512,7 @@ main.add_command(library)
 main.add_command(describe)
 main.add_command(finetune)
 main.add_command(reproduce)
+main.add_command(serve_carla)
 
 
 @main.group("map")

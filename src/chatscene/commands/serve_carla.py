@@ -1,0 +1,49 @@
+"""The command line, continued: a stand-in for a CARLA server."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from chatscene.commands.library import say
+from chatscene.settings import SimulationSettings
+
+if TYPE_CHECKING:
+    from chatscene.simulate.carla.standin.world import World
+
+LOOPBACK = "127.0.0.1"
+PORTS = click.IntRange(1, 65534)  # streams are on the next
+
+
+@click.command("serve-carla")
+@click.option(
+    "--map",
+    "maps",
+    multiple=True,
+    default=("town",),
+    show_default=True,
+    help="The packaged 'town', or an .xodr file; the first is loaded, clients can load the others.",
+)
+@click.option("--port", default=2000, show_default=True, type=PORTS, help="Of calls; streams are on the next.")
+@click.option("--host", default=LOOPBACK, show_default=True, help="Anybody who reaches it has the world in hand.")
+@click.option("--simulator", default=SimulationSettings().simulator, show_default=True, help="Whose bodies move in it.")
+def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str) -> None:
+    """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
+
+    It is a stand-in and not CARLA: no pictures, no tyres, no engine; docs/carla.md says what it can do. Clients need
+    the wheel carla 0.9.16, and so does this command: the extra 'carla'.
+
+    \b
+    chatscene serve-carla --port 2000
+    chatscene serve-carla --map Town01.xodr --map Town04.xodr
+    """
+    from chatscene.simulate.carla.standin.serving import serve
+
+    def ready(world: World) -> None:
+        say(f"a stand-in for CARLA 0.9.16, not CARLA: {world.roads.name} on {host}, ports {port} and {port + 1}")
+
+    try:
+        serve(maps, host, port, simulator, ready=ready, log=lambda refusal: say(f"refused: {refusal}", err=True))
+    except KeyboardInterrupt:
+        say("ended; the world is gone, and clients have to connect anew")

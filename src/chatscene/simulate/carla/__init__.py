@@ -1,0 +1,1 @@
+"""CARLA: what speaks its protocol."""

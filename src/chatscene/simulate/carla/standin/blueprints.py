@@ -1,0 +1,209 @@
+"""The catalogue: which blueprints there are, how large they are, and which of our kinds each moves like.
+
+Ids and sizes are those that Scenic's interface knows of CARLA 0.9.16, read from the installed package; attributes
+are what clients ask for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from chatscene.simulate.carla.standin.wire import VERSION
+
+_BOOL, _INT, _FLOAT, _STRING, _COLOUR = 1, 2, 3, 4, 5
+_KINDS = {
+    "car": "Car",
+    "van": "Car",
+    "truck": "Truck",
+    "bus": "Bus",
+    "motorcycle": "Motorcycle",
+    "bicycle": "Bicycle",
+}
+_EMERGENCY = {"vehicle.ford.ambulance", "vehicle.carlamotors.firetruck"}
+_SIRENS = ("ambulance", "police", "firetruck")
+_WALKER = (0.38, 0.38, 1.86)  # [m], length, width, height of most of CARLA's grown pedestrians
+_SMALL = (0.2, 0.2, 0.2)  # [m], of what has no size of its own
+_MASS = {
+    "Car": 1700.0,
+    "Truck": 8000.0,
+    "Bus": 6500.0,
+    "Motorcycle": 300.0,
+    "Bicycle": 90.0,
+    "EmergencyVehicle": 3500.0,
+}
+_WALKER_MASS = 80.0  # [kg]
+
+Attribute = list[Any]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Blueprint:
+    """What can be spawned.
+
+    Attributes:
+        id: Such as ``vehicle.lincoln.mkz_2017``.
+        kind: The road user of ours that it moves like (`chatscene.terms.actors.LIMITS`); empty for what stands.
+        size: Length, width, height [m].
+        mass: [kg]; of what stands, 0, which stands for more than any other.
+        attributes: As they go over the wire: id, type, value, recommended, modifiable, restricted.
+    """
+
+    id: str
+    kind: str = ""
+    size: tuple[float, float, float] = _SMALL
+    mass: float = 0.0
+    attributes: list[Attribute] = field(default_factory=list[Attribute])
+
+    @property
+    def group(self) -> str:
+        """The first word of the id: vehicle, walker, static, sensor, controller, traffic or spectator."""
+        return self.id.split(".", 1)[0]
+
+    @property
+    def solid(self) -> bool:
+        """Whether others can touch it."""
+        return self.group in ("vehicle", "walker") or self.id.startswith("static.prop")
+
+
+@lru_cache(maxsize=1)
+def catalogue() -> dict[str, Blueprint]:
+    """All blueprints by id."""
+    from scenic.simulators.carla import _blueprintData as of_scenic  # its public names go by the installed wheel
+
+    ids: dict[str, list[str]] = getattr(of_scenic, "_IDS")[VERSION]  # noqa: B009
+    sizes: dict[str, dict[str, float]] = getattr(of_scenic, "_DIMS")[VERSION]  # noqa: B009
+
+    def size(name: str, otherwise: tuple[float, float, float] = _SMALL) -> tuple[float, float, float]:
+        of = sizes.get(name)
+        found = otherwise if of is None else (of["length"], of["width"], of["height"])
+        return found if min(found) > 0.0 else otherwise
+
+    made = [
+        _vehicle(name, base, size(name))
+        for base in _KINDS
+        for name in ids[f"{base}Models"]
+        if name.startswith("vehicle.")
+    ]
+    made += [_walker(name, size(name, _WALKER)) for name in ids["walkerModels"]]
+    named = {blueprint.id for blueprint in made}
+    props = sorted({*sizes, *(name for names in ids.values() for name in names)} - named)
+    made += [
+        Blueprint(
+            id=name, size=size(name), attributes=[_role("prop"), _attribute("size", _STRING, "medium", fixed=True)]
+        )
+        for name in props
+        if name.startswith("static.")
+    ]
+    made += _sensors()
+    made += [
+        Blueprint(id="controller.ai.walker", attributes=[_role("")]),
+        Blueprint(
+            id="static.trigger.friction",
+            attributes=[
+                _role(""),
+                _attribute("friction", _FLOAT, "3.5"),
+                *(_attribute(f"extent_{axis}", _FLOAT, "1.0") for axis in "xyz"),
+            ],
+        ),
+        Blueprint(id="spectator"),
+        Blueprint(id="traffic.traffic_light"),
+    ]
+    return {blueprint.id: blueprint for blueprint in made}
+
+
+def definitions() -> list[list[Any]]:
+    """The catalogue as it goes over the wire."""
+    return [
+        [number, blueprint.id, ",".join(blueprint.id.split(".")), blueprint.attributes]
+        for number, blueprint in enumerate(catalogue().values(), start=1)
+    ]
+
+
+def _attribute(name: str, kind: int, value: str, choices: tuple[str, ...] = (), *, fixed: bool = False) -> Attribute:
+    return [name, kind, value, list(choices), not fixed, False]
+
+
+def _role(value: str, *choices: str) -> Attribute:
+    return _attribute("role_name", _STRING, value, choices or (value,))
+
+
+def _vehicle(name: str, base: str, size: tuple[float, float, float]) -> Blueprint:
+    kind = "EmergencyVehicle" if name in _EMERGENCY else _KINDS[base]
+    special = "emergency" if any(word in name for word in _SIRENS) else "taxi" if "taxi" in name else ""
+    wheels = "2" if base in ("motorcycle", "bicycle") else "4"
+    return Blueprint(
+        id=name,
+        kind=kind,
+        size=size,
+        mass=_MASS[kind],
+        attributes=[
+            _role("autopilot", "autopilot", "scenario", "ego_vehicle", "hero"),
+            _attribute("color", _COLOUR, "17,37,103", ("17,37,103", "137,0,0", "190,190,190")),
+            _attribute("number_of_wheels", _INT, wheels, fixed=True),
+            _attribute("sticky_control", _BOOL, "true"),
+            _attribute("object_type", _STRING, "", fixed=True),
+            _attribute("base_type", _STRING, base, fixed=True),
+            _attribute("special_type", _STRING, special, fixed=True),
+            _attribute("generation", _INT, "1", fixed=True),
+            _attribute("has_lights", _BOOL, "true", fixed=True),
+            _attribute("has_dynamic_doors", _BOOL, "false", fixed=True),
+        ],
+    )
+
+
+def _walker(name: str, size: tuple[float, float, float]) -> Blueprint:
+    return Blueprint(
+        id=name,
+        kind="Pedestrian",
+        size=size,
+        mass=_WALKER_MASS,
+        attributes=[
+            _role("pedestrian"),
+            _attribute("is_invincible", _BOOL, "true"),
+            _attribute("gender", _STRING, "female", fixed=True),
+            _attribute("age", _STRING, "adult", fixed=True),
+            _attribute("generation", _INT, "2", fixed=True),
+            _attribute("speed", _FLOAT, "0.0", ("0.0", "1.4", "2.8")),
+            _attribute("can_use_wheelchair", _BOOL, "false", fixed=True),
+            _attribute("use_wheelchair", _BOOL, "false"),
+        ],
+    )
+
+
+def _sensors() -> list[Blueprint]:
+    tick = _attribute("sensor_tick", _FLOAT, "0.0")
+    picture = [
+        _attribute("image_size_x", _INT, "800"),
+        _attribute("image_size_y", _INT, "600"),
+        _attribute("fov", _FLOAT, "90.0"),
+        tick,
+        _role("front"),
+    ]
+    angles = {"upper_fov": "10.0", "lower_fov": "-30.0", "horizontal_fov": "360.0"}
+    rays = [
+        *(_attribute(name, _FLOAT, value) for name, value in {"range": "10.0", "rotation_frequency": "10.0"}.items()),
+        *(_attribute(name, _FLOAT, value) for name, value in angles.items()),
+        _attribute("channels", _INT, "32"),
+        _attribute("points_per_second", _INT, "56000"),
+        tick,
+        _role("front"),
+    ]
+    reach = [
+        _attribute("distance", _FLOAT, "5.0"),
+        _attribute("hit_radius", _FLOAT, "0.5"),
+        _attribute("only_dynamics", _BOOL, "false"),
+    ]
+    cameras = ("rgb", "depth", "semantic_segmentation", "instance_segmentation", "optical_flow", "dvs")
+    return [
+        *(Blueprint(id=f"sensor.camera.{name}", attributes=picture) for name in cameras),
+        Blueprint(id="sensor.lidar.ray_cast", attributes=rays),
+        Blueprint(id="sensor.lidar.ray_cast_semantic", attributes=rays),
+        Blueprint(id="sensor.other.radar", attributes=rays),
+        Blueprint(id="sensor.other.obstacle", attributes=[*reach, tick, _role("front")]),
+        *(
+            Blueprint(id=f"sensor.other.{name}", attributes=[tick, _role("front")])
+            for name in ("collision", "lane_invasion", "gnss", "imu")
+        ),
+    ]

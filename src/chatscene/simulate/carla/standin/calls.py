@@ -1,0 +1,198 @@
+"""What clients ask, by the names that the wheel uses: the world, its map, its time, its lights and its weather.
+
+A function takes the world and the call's arguments; it gives a value, or None for a call that has none, or raises
+`Refused` with a message that the client shows. All quantities are CARLA's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from chatscene.errors import MapError
+from chatscene.simulate.carla.standin import wire
+from chatscene.simulate.carla.standin.blueprints import definitions
+from chatscene.simulate.carla.standin.lights import OFF
+from chatscene.simulate.carla.standin.roads import Roads
+from chatscene.simulate.carla.standin.wire import Refused
+from chatscene.simulate.carla.standin.world import OPENDRIVE, World, checked_settings
+
+Call = Callable[..., Any]
+
+_ROAD = 1  # CARLA's label of what a point lies on
+
+
+def version(_: World) -> str:
+    """Of the protocol."""
+    return wire.VERSION
+
+
+def get_episode_settings(world: World) -> list[Any]:
+    """The settings in force."""
+    return world.settings
+
+
+def set_episode_settings(world: World, settings: Any) -> int:
+    """New settings; gives the frame they hold from."""
+    world.settings = checked_settings(settings)
+    return world.frame
+
+
+def map_and_places(world: World) -> list[Any]:
+    """Name and places to begin at."""
+    return [world.roads.name, world.roads.spawn_points]
+
+
+def opendrive(world: World) -> str:
+    """OpenDRIVE."""
+    return world.roads.text
+
+
+def get_available_maps(world: World) -> list[str]:
+    """What can be loaded, by the paths that CARLA's have."""
+    return [f"/Game/Carla/Maps/{name}" for name in sorted(world.maps)]
+
+
+def get_actor_definitions(_: World) -> list[list[Any]]:
+    """The catalogue."""
+    return definitions()
+
+
+def tick_cue(world: World) -> int:
+    """Go on by a step; gives its number."""
+    return world.step()
+
+
+def load_new_episode(world: World, name: Any, reset: Any = True, *_: Any) -> None:
+    """Another map, or the same anew."""
+    world.load(wire.text(name), reset=bool(reset))
+
+
+def copy_opendrive_to_file(world: World, text: Any, *_: Any) -> None:
+    """A map by a client; it is checked now, since the call that follows names none."""
+    text = wire.text(text)
+    try:
+        Roads(OPENDRIVE, text)
+    except MapError as error:
+        raise Refused(str(error)) from error
+    world.opendrive = text
+
+
+def get_weather_parameters(world: World) -> list[float]:
+    """The weather that was set, 14 numbers."""
+    return world.weather
+
+
+def set_weather_parameters(world: World, weather: Any) -> None:
+    """Weather is kept and told; nothing here gets wet."""
+    given = wire.numbers(weather, min(len(weather), 14)) if isinstance(weather, list) else wire.numbers(weather, 14)
+    world.weather = [*given, *world.weather[len(given) :]]
+
+
+def project_point(world: World, location: Any, direction: Any, distance: Any) -> list[Any]:
+    """The road below a point, where one looks down; there is nothing else to hit."""
+    at, down, far = wire.numbers(location, 3), wire.numbers(direction, 3), wire.number(distance)
+    ground = world.roads.ground(at)
+    found = down[2] < 0.0 and 0.0 <= at[2] - ground <= far
+    return [found, [[at[0], at[1], ground if found else at[2]], _ROAD if found else 0]]
+
+
+def _light(world: World, actor: Any) -> Any:
+    number = wire.whole(actor)
+    if number not in world.lights.by_actor or number not in world.actors:
+        raise Refused(f"actor {number} is no traffic light")
+    return world.lights.by_actor[number]
+
+
+def set_traffic_light_state(world: World, actor: Any, state: Any) -> None:
+    """Show a state until the junction goes on, or for ever where it is frozen."""
+    if wire.whole(state) > OFF:
+        raise Refused(f"traffic lights have states 0 to {OFF}, not {state}")
+    _light(world, actor).set(state)
+
+
+def _set_time(place: int) -> Call:
+    def set_time(world: World, actor: Any, seconds: Any) -> None:
+        _light(world, actor).times[place] = max(0.0, wire.number(seconds))
+
+    return set_time
+
+
+def freeze_all_traffic_lights(world: World, frozen: Any) -> None:
+    """Stop, or go on with, the turns of all."""
+    world.lights.frozen = bool(frozen)
+
+
+def freeze_traffic_light(world: World, actor: Any, frozen: Any) -> None:
+    """As CARLA does, for all."""
+    _light(world, actor)
+    world.lights.frozen = bool(frozen)
+
+
+def get_group_traffic_lights(world: World, actor: Any) -> list[int]:
+    """The lights of the same junction."""
+    _light(world, actor)
+    return world.lights.group(actor)
+
+
+def reset_traffic_light_group(world: World, actor: Any) -> None:
+    """Let a junction begin anew."""
+    _light(world, actor)
+    world.lights.reset(actor)
+
+
+def reset_all_traffic_lights(world: World) -> None:
+    """Let every junction begin anew."""
+    world.lights.reset()
+
+
+def _nothing(*_: Any) -> None:
+    """For what has no effect here, such as drawing."""
+
+
+def _empty(*_: Any) -> list[Any]:
+    """For lists of what there is none of."""
+    return []
+
+
+CALLS: dict[str, Call] = {
+    "version": version,
+    "get_episode_settings": get_episode_settings,
+    "set_episode_settings": set_episode_settings,
+    "get_map_info": map_and_places,
+    "get_map_data": opendrive,
+    "get_required_files": _empty,
+    "get_available_maps": get_available_maps,
+    "get_actor_definitions": get_actor_definitions,
+    "tick_cue": tick_cue,
+    "copy_opendrive_to_file": copy_opendrive_to_file,
+    "get_weather_parameters": get_weather_parameters,
+    "set_weather_parameters": set_weather_parameters,
+    "project_point": project_point,
+    "set_traffic_light_state": set_traffic_light_state,
+    "set_traffic_light_green_time": _set_time(0),
+    "set_traffic_light_yellow_time": _set_time(1),
+    "set_traffic_light_red_time": _set_time(2),
+    "freeze_traffic_light": freeze_traffic_light,
+    "freeze_all_traffic_lights": freeze_all_traffic_lights,
+    "reset_traffic_light_group": reset_traffic_light_group,
+    "reset_all_traffic_lights": reset_all_traffic_lights,
+    "get_group_traffic_lights": get_group_traffic_lights,
+    # There are no boxes around lamps, no street lamps, no meshes.
+    "get_light_boxes": _empty,
+    "query_lights_state": _empty,
+    "get_environment_objects": _empty,
+    "get_names_of_all_objects": _empty,
+    "get_level_bbs": _empty,
+    "cast_ray": _empty,
+    # Nothing is drawn here.
+    "draw_debug_shape": _nothing,
+    "clear_debug_shape": _nothing,
+    "clear_debug_string": _nothing,
+    "update_day_night_cycle": _nothing,
+    "set_light_manager_active": _nothing,
+    "update_lights_state": _nothing,
+    "enable_environment_objects": _nothing,
+    "show_vehicle_debug_telemetry": _nothing,
+}
+"""Each by its name."""

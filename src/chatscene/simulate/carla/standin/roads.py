@@ -1,0 +1,157 @@
+"""What the server knows of a map: the height of its roads, places to begin at, and where its traffic lights stand.
+
+Geometry comes from the wheel's own map class, so that a client that asks its copy of the map gets the same answer.
+All positions are CARLA's: metres, left-handed, z up; angles in degrees.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from chatscene.errors import MapError, MissingExtra
+from chatscene.simulate.carla.standin.served import as_served
+
+TRAFFIC_LIGHT = "1000001"
+_APART = 12.0  # [m] between places to begin at
+_ABOVE = 0.5  # [m] that they lie above the road, as CARLA's do
+_FARTHEST_STOP = 60  # [m] back through a junction to where one waits for its light
+
+
+@dataclass(frozen=True, slots=True)
+class Signal:
+    """Where a traffic light stands, and where one waits for it.
+
+    Attributes:
+        id: Of OpenDRIVE.
+        location: [m].
+        rotation: Pitch, yaw, roll [degrees].
+        stops: Where lanes meet its junction: x [m], y [m], yaw [degrees], of driving.
+        junction: Of which junction; -1 for none.
+    """
+
+    id: str
+    location: tuple[float, float, float]
+    rotation: tuple[float, float, float]
+    stops: tuple[tuple[float, float, float], ...]
+    junction: int
+
+
+class Roads:
+    """One map.
+
+    Args:
+        name: What clients see as the map's name.
+        text: OpenDRIVE.
+
+    Attributes:
+        text: The same as clients get it.
+
+    Raises:
+        MapError: The text is no OpenDRIVE, or has no lane.
+        MissingExtra: The wheel is not installed.
+    """
+
+    def __init__(self, name: str, text: str) -> None:
+        self._carla = _wheel()
+        self.name = name
+        self.text = as_served(text)
+        try:
+            self.map = self._carla.Map(name.rsplit("/", 1)[-1], self.text)
+        except RuntimeError as error:
+            raise MapError(f"map {name!r} is no OpenDRIVE that carla reads: {error}") from error
+        if not self.map.get_topology():
+            raise MapError(f"map {name!r} has no lane to drive on")
+
+    def ground(self, location: list[float]) -> float:
+        """Height of the nearest lane [m]."""
+        lanes = self._carla.LaneType.Any
+        waypoint = self.map.get_waypoint(self._carla.Location(*location), True, lanes)
+        return location[2] if waypoint is None else waypoint.transform.location.z
+
+    def on_earth(self, location: list[float]) -> list[float]:
+        """Latitude [degrees], longitude [degrees], altitude [m] of a place."""
+        found = self.map.transform_to_geolocation(self._carla.Location(*location))
+        return [found.latitude, found.longitude, found.altitude]
+
+    @cached_property
+    def spawn_points(self) -> list[list[list[float]]]:
+        """Transforms on driving lanes outside junctions, some metres apart."""
+        found: dict[tuple[int, int, int], list[list[float]]] = {}
+        for first, _ in self.map.get_topology():
+            waypoint = None if first.is_junction else next(iter(first.next(_APART / 2)), None)
+            for _ in range(5):
+                if waypoint is None or waypoint.is_junction:
+                    break
+                place = waypoint.transform
+                at, turn = place.location, place.rotation
+                key = (round(at.x), round(at.y), round(at.z))
+                found.setdefault(
+                    key, [[at.x, at.y, at.z + _ABOVE], [wrapped(turn.pitch), wrapped(turn.yaw), wrapped(turn.roll)]]
+                )
+                waypoint = next(iter(waypoint.next(_APART)), None)
+        return [found[key] for key in sorted(found)]
+
+    @cached_property
+    def signals(self) -> tuple[Signal, ...]:
+        """The traffic lights, in the order of their ids; each once, however many roads name it."""
+        by_id: dict[str, list[Any]] = {}
+        for landmark in self.map.get_all_landmarks_of_type(TRAFFIC_LIGHT):
+            by_id.setdefault(landmark.id, []).append(landmark)
+        return tuple(self._signal(name, by_id[name]) for name in sorted(by_id, key=lambda name: (len(name), name)))
+
+    def _signal(self, name: str, landmarks: list[Any]) -> Signal:
+        stops: dict[tuple[int, int], tuple[float, float, float]] = {}
+        junction = -1
+        for landmark in sorted(landmarks, key=lambda landmark: (landmark.road_id, landmark.s)):
+            pairs = landmark.get_lane_validities() or [(-1, -1)]
+            for lane in sorted({lane for pair in pairs for lane in range(min(pair), max(pair) + 1) if lane}):
+                waypoint = self.map.get_waypoint_xodr(landmark.road_id, lane, max(landmark.s, 0.01))
+                if waypoint is None or waypoint.lane_type != self._carla.LaneType.Driving:
+                    continue
+                if waypoint.is_junction:
+                    junction = waypoint.get_junction().id
+                line = self._before_junction(waypoint)
+                at = line.transform.location
+                stops.setdefault((round(at.x), round(at.y)), (at.x, at.y, wrapped(line.transform.rotation.yaw)))
+        place = landmarks[0].transform
+        return Signal(
+            id=name,
+            location=(place.location.x, place.location.y, place.location.z),
+            rotation=(0.0, wrapped(place.rotation.yaw), 0.0),
+            stops=tuple(stops[key] for key in sorted(stops)),
+            junction=junction,
+        )
+
+    def _before_junction(self, waypoint: Any) -> Any:
+        """Where one waits: the last place before the junction that a light's lane lies in."""
+        for _ in range(_FARTHEST_STOP):
+            back = waypoint.previous(1.0) if waypoint.is_junction else []
+            if not back:
+                break
+            waypoint = back[0]
+        return waypoint
+
+
+def wrapped(degrees: float) -> float:
+    """The same angle in [-180, 180) [degrees]."""
+    return (degrees + 180.0) % 360.0 - 180.0
+
+
+def apart(a: float, b: float) -> float:
+    """The angle between two directions [degrees], 0 to 180."""
+    return abs(wrapped(a - b))
+
+
+def _wheel() -> Any:
+    """The carla package.
+
+    Raises:
+        MissingExtra: It is not installed.
+    """
+    try:
+        import carla
+    except ImportError:
+        raise MissingExtra("a stand-in for CARLA needs the wheel carla 0.9.16", extra="carla") from None
+    return carla

@@ -1,0 +1,145 @@
+"""What sensors tell: collisions, obstacles ahead, place on Earth, accelerations.
+
+Contents are true: there is no noise. Vectors are CARLA's; those of an inertial sensor are in its own frame, x ahead,
+y to the right, z up. Lane invasion is found by the wheel itself, from the map.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from chatscene.simulate.carla.standin import wire
+from chatscene.simulate.carla.standin.actors import Actor, BodyActor
+from chatscene.simulate.carla.standin.calls_actors import described
+from chatscene.simulate.carla.standin.world import Contact, World
+
+GRAVITY = 9.81  # [m/s²]
+_PARALLEL = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What one sensor tells of one step.
+
+    Attributes:
+        sensor: Which.
+        kind: Position in the wheel's registry of sensors.
+        content: As it goes over the wire, behind the header.
+    """
+
+    sensor: Actor
+    kind: int
+    content: bytes
+
+
+class Sensors:
+    """All sensors of a world.
+
+    Args:
+        world: Where they are.
+        port: Of the streams, for the descriptions of actors in events.
+        pack: Msgpack.
+    """
+
+    def __init__(self, world: World, port: int, pack: Callable[[Any], bytes]) -> None:
+        self._world, self._port, self._pack = world, port, pack
+        self._told: dict[int, float] = {}
+
+    def readings(self, contacts: list[Contact]) -> Iterator[Reading]:
+        """What is told of the step that was taken."""
+        for sensor in [actor for actor in self._world.actors.values() if actor.blueprint.group == "sensor"]:
+            name = sensor.blueprint.id
+            if name == "sensor.other.collision":
+                yield from self._collisions(sensor, contacts)
+            elif self._due(sensor):
+                if name == "sensor.other.obstacle":
+                    yield from self._obstacle(sensor)
+                elif name == "sensor.other.gnss":
+                    yield Reading(sensor, wire.GNSS, self._pack(self._on_earth(sensor)))
+                elif name == "sensor.other.imu":
+                    yield Reading(sensor, wire.IMU, self._pack(_inertia(sensor)))
+
+    def forget(self) -> None:
+        """Begin anew, after a loading."""
+        self._told.clear()
+
+    def _due(self, sensor: Actor) -> bool:
+        """Whether its own period, if it has one, is over."""
+        now, period = self._world.time, _number(sensor, "sensor_tick", 0.0)
+        if now < self._told.get(sensor.id, -math.inf) + period - 1e-6:
+            return False
+        self._told[sensor.id] = now
+        return True
+
+    def _collisions(self, sensor: Actor, contacts: list[Contact]) -> Iterator[Reading]:
+        """An event for each step in which something touches the parent."""
+        for contact in contacts:
+            for one, other, sign in ((contact.one, contact.other, 1.0), (contact.other, contact.one, -1.0)):
+                if one is sensor.parent:
+                    impulse = [sign * part for part in contact.impulse]
+                    event = [described(one, self._port), described(other, self._port), impulse]
+                    yield Reading(sensor, wire.COLLISION, self._pack(event))
+
+    def _obstacle(self, sensor: Actor) -> Iterator[Reading]:
+        """The nearest body ahead within reach."""
+        reach, wide = _number(sensor, "distance", 5.0), _number(sensor, "hit_radius", 0.5)
+        dynamic = sensor.attribute("only_dynamics").lower() == "true"
+        near: list[tuple[float, BodyActor]] = []
+        for other in self._world.bodies():
+            if other is sensor.parent or (dynamic and not other.body.moves):
+                continue
+            distance = _ahead(sensor, other, wide)
+            if distance is not None and distance <= reach:
+                near.append((distance, other))
+        if near:
+            distance, other = min(near, key=lambda found: (found[0], found[1].id))
+            event = [described(sensor.parent or sensor, self._port), described(other, self._port), distance]
+            yield Reading(sensor, wire.OBSTACLE, self._pack(event))
+
+    def _on_earth(self, sensor: Actor) -> list[float]:
+        """Latitude [degrees], longitude [degrees], altitude [m]."""
+        return self._world.roads.on_earth(sensor.location)
+
+
+def _inertia(sensor: Actor) -> list[Any]:
+    """Acceleration [m/s²] with that of standing on the ground, turning [rad/s], compass [rad, 0 = north = -y]."""
+    parent = sensor.parent or sensor
+    yaw = math.radians(sensor.rotation[1])
+    c, s = math.cos(yaw), math.sin(yaw)
+    x, y, z = parent.acceleration
+    compass = (yaw + math.pi / 2) % math.tau
+    return [[c * x + s * y, c * y - s * x, z + GRAVITY], [0.0, 0.0, math.radians(parent.turning)], compass]
+
+
+def _ahead(sensor: Actor, other: BodyActor, wide: float) -> float | None:
+    """How far ahead of a sensor the box of a body begins [m], grown by `wide`; None where it is not ahead."""
+    length, width, height = (half + wide for half in other.extent)
+    x, y, z = (here - there for here, there in zip(sensor.location, other.location, strict=True))
+    if abs(z - other.lifted) > height:
+        return None
+    turn = math.radians(other.rotation[1])
+    look = math.radians(sensor.rotation[1]) - turn
+    c, s = math.cos(turn), math.sin(turn)
+    near, far = 0.0, math.inf
+    for start, step, half in (
+        (c * x + s * y, math.cos(look), length),
+        (c * y - s * x, math.sin(look), width),
+    ):
+        if abs(step) < _PARALLEL:
+            if abs(start) > half:
+                return None
+            continue
+        enter, leave = sorted(((-half - start) / step, (half - start) / step))
+        near, far = max(near, enter), min(far, leave)
+    return near if near <= far else None
+
+
+def _number(sensor: Actor, name: str, otherwise: float) -> float:
+    """An attribute as a number."""
+    try:
+        return float(sensor.attribute(name) or otherwise)
+    except ValueError:
+        return otherwise

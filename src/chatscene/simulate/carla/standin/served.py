@@ -1,0 +1,48 @@
+"""A map's text as the wheel needs it: two things that OpenDRIVE allows break or worry it."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree as Xml
+
+from chatscene.errors import MapError
+
+# Those of the wheel where a map says nothing, written out so that it need not warn.
+_REFERENCE = "+proj=tmerc +lat_0=42 +lon_0=2 +k=1 +x_0=0 +y_0=0 +datum=WGS84"
+
+
+def as_served(text: str) -> str:
+    """The map with a place on Earth, and with junctions that are not called like roads.
+
+    OpenDRIVE counts roads and junctions apart; the wheel looks for a road first and then finds no way into a junction
+    of the same id.
+
+    Raises:
+        MapError: It is no XML.
+    """
+    try:
+        root = Xml.fromstring(text.encode())
+    except (Xml.ParseError, UnicodeEncodeError) as error:
+        raise MapError(f"the map is no XML: {error}") from error
+    clashing = _clashing(root)
+    header = root.find("header")
+    missing = header is not None and header.find("geoReference") is None
+    if not clashing and not missing:
+        return text
+    if header is not None and missing:
+        Xml.SubElement(header, "geoReference").text = _REFERENCE
+    for element in root.iter():
+        if element.tag == "junction" and element.get("id") in clashing:
+            element.set("id", clashing[element.get("id", "")])
+        elif element.tag == "road" and element.get("junction") in clashing:
+            element.set("junction", clashing[element.get("junction", "")])
+        elif element.get("elementType") == "junction" and element.get("elementId") in clashing:
+            element.set("elementId", clashing[element.get("elementId", "")])
+    return Xml.tostring(root, encoding="unicode", xml_declaration=True)
+
+
+def _clashing(root: Xml.Element) -> dict[str, str]:
+    """New ids, above all others, for the junctions whose id a road has, too."""
+    roads = {road.get("id", "") for road in root.iter("road")}
+    junctions = [junction.get("id", "") for junction in root.iter("junction")]
+    above = 1 + max((int(name) for name in (*roads, *junctions) if name.isdigit()), default=0)
+    return {name: str(above + i) for i, name in enumerate(name for name in junctions if name in roads)}

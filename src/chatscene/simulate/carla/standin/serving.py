@@ -1,0 +1,56 @@
+"""Serve a map until told to stop."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from chatscene.errors import SettingsError
+from chatscene.maps.network import resolve_map
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.carla.standin.server import Server
+from chatscene.simulate.carla.standin.world import World
+from chatscene.simulate.physics import PhysicsOf
+from chatscene.simulate.simulator import load_simulator
+
+
+def serve(
+    maps: Sequence[str],
+    host: str,
+    port: int,
+    simulator: str,
+    *,
+    ready: Callable[[World], None],
+    log: Callable[[str], None],
+) -> None:
+    """Answer CARLA's clients until cancelled.
+
+    Args:
+        maps: Names or files of maps (see `chatscene.maps.network.resolve_map`); the first is loaded, the others can be.
+        host: Where to listen.
+        port: Of the calls; streams are on the next.
+        simulator: Whose bodies move; one that is made of a physics.
+        ready: Called once clients can call.
+        log: Is told what clients are refused.
+
+    Raises:
+        MapError: A map cannot be used.
+        MissingExtra: The extra `carla` is not installed.
+        SettingsError: The simulator brings no bodies, or the port cannot be had.
+    """
+    paths = [resolve_map(name) for name in maps]
+    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], simulator))
+    try:
+        asyncio.run(Server(world, host, port, log).run(lambda: ready(world)))
+    except OSError as error:
+        raise SettingsError(f"cannot listen on {host}, ports {port} and {port + 1}: {error.strerror}") from error
+
+
+def _bodies_of(path: Path, simulator: str) -> PhysicsOf:
+    physics_of: PhysicsOf | None = getattr(
+        load_simulator(path, SimulationSettings(simulator=simulator)), "physics_of", None
+    )
+    if physics_of is None:
+        raise SettingsError(f"the simulator {simulator!r} brings no bodies that a stand-in for CARLA could move")
+    return physics_of

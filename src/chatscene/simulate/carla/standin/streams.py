@@ -1,0 +1,110 @@
+"""Streams: frames of the world for each client, and what sensors tell for whoever listens."""
+
+from __future__ import annotations
+
+import asyncio
+import struct
+from collections.abc import Callable
+from typing import Any
+
+from chatscene.simulate.carla.standin import wire
+from chatscene.simulate.carla.standin.actors import Actor, BodyActor
+from chatscene.simulate.carla.standin.sensors import Sensors
+from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
+
+FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
+_MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond
+_LENGTH = struct.Struct("<I")
+
+
+class Streams:
+    """All open streams.
+
+    Each client has a stream of the world to itself, so that those of the others go on where one loads a map.
+
+    Args:
+        world: What they tell of.
+        port: Where they are.
+        pack: Msgpack.
+    """
+
+    def __init__(self, world: World, port: int, pack: Callable[[Any], bytes]) -> None:
+        self.port = port
+        self._world = world
+        self._sensors = Sensors(world, port, pack)
+        self._open: dict[int, list[asyncio.StreamWriter]] = {}
+        world.on_step = self._publish
+
+    async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """One connection: a client says which stream it wants, and reads it from then on."""
+        number = -1
+        try:
+            (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
+            self._open.setdefault(number, []).append(writer)
+            if number >= FIRST_CLIENT:
+                _send([writer], self._frame())
+            await reader.read(1)  # clients send nothing more; this ends when they go
+        except (ConnectionError, asyncio.IncompleteReadError):
+            pass
+        finally:
+            if writer in self._open.get(number, []):
+                self._open[number].remove(writer)
+            writer.close()
+
+    def loaded(self, client: int) -> None:
+        """A client loaded a map: it opens another stream by itself.
+
+        Its old one is dropped, not closed: the wheel ends in a segmentation fault where a frame arrives while it
+        takes the old one down.
+        """
+        self._sensors.forget()
+        self._open = {number: writers for number, writers in self._open.items() if number >= FIRST_CLIENT}
+        self._open.pop(client, None)
+        self._to_worlds(self._frame())
+
+    def _publish(self, contacts: list[Contact]) -> None:
+        self._to_worlds(self._frame())
+        for reading in self._sensors.readings(contacts):
+            writers = self._open.get(reading.sensor.id)
+            if writers:
+                sensor = reading.sensor
+                pose = (*sensor.location, *sensor.rotation)
+                head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
+                _send(writers, head + reading.content)
+
+    def _to_worlds(self, frame: bytes) -> None:
+        for number, writers in self._open.items():
+            if number >= FIRST_CLIENT:
+                _send(writers, frame)
+
+    def _frame(self) -> bytes:
+        world = self._world
+        parts = [
+            wire.sensor_header(wire.WORLD_OBSERVER, world.frame, world.time),
+            wire.episode_state(world.episode, world.time, world.dt),
+        ]
+        parts += [self._state(actor) for actor in world.actors.values()]
+        return b"".join(parts)
+
+    def _state(self, actor: Actor) -> bytes:
+        turning = (0.0, 0.0, actor.turning)
+        numbers = (*actor.location, *actor.rotation, *actor.velocity, *turning, *actor.acceleration)
+        return wire.actor_state(actor.id, numbers, self._of_kind(actor))
+
+    def _of_kind(self, actor: Actor) -> bytes:
+        lights = self._world.lights
+        if isinstance(actor, BodyActor):
+            if actor.blueprint.group == "vehicle":
+                waits = None if actor.light is None else (actor.light, lights.by_actor[actor.light].state)
+                return wire.vehicle_state(actor.control, SPEED_LIMIT, waits)
+            return wire.walker_state(actor.control) if actor.blueprint.group == "walker" else b""
+        light = lights.by_actor.get(actor.id)
+        if light is None:
+            return b""
+        return wire.light_state(light.signal.id, light.times, light.elapsed, 0, lights.frozen, light.state)
+
+
+def _send(writers: list[asyncio.StreamWriter], body: bytes) -> None:
+    for writer in writers:
+        if not writer.is_closing() and writer.transport.get_write_buffer_size() < _MOST_WAITING:
+            writer.write(_LENGTH.pack(len(body)) + body)

@@ -1,0 +1,296 @@
+"""The world of the server: one episode on one map, its actors, and how it goes on by a step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.errors import MapError
+from chatscene.simulate.carla.standin import wire
+from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
+from chatscene.simulate.carla.standin.blueprints import catalogue, definitions
+from chatscene.simulate.carla.standin.lights import Light, Lights
+from chatscene.simulate.carla.standin.roads import Roads
+from chatscene.simulate.carla.standin.wire import Refused
+from chatscene.simulate.contact import touch
+from chatscene.simulate.physics import PhysicsOf
+
+STEP = 0.05  # [s], where a client names none
+SHORTEST, LONGEST = 0.001, 1.0  # [s]
+OPENDRIVE = "OpenDriveMap"
+SENSORS = frozenset(f"sensor.other.{name}" for name in ("collision", "lane_invasion", "obstacle", "gnss", "imu"))
+SPECTATOR_HEIGHT = 50.0  # [m]
+SPEED_LIMIT = 30.0  # [km/h], CARLA's outside its speed signs
+_IMMOVABLE = 1e6  # [kg], of what stands
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Two actors that touch.
+
+    Attributes:
+        one, other: Who.
+        impulse: On `one` [N s] in CARLA's frame, if the two stick together.
+    """
+
+    one: BodyActor
+    other: BodyActor
+    impulse: list[float]
+
+
+class World:
+    """Everything that clients share.
+
+    Args:
+        maps: Files of the maps that can be loaded, by name.
+        first: The map to begin with.
+        physics_of: Makes the physics of each body: those of a simulator of ours.
+
+    Attributes:
+        on_step: Called after each step with the contacts of it.
+
+    Raises:
+        MapError: The first map cannot be used.
+        MissingExtra: The wheel is not installed.
+    """
+
+    def __init__(self, maps: Mapping[str, Path], first: str, physics_of: PhysicsOf) -> None:
+        self.maps = dict(maps)
+        self.on_step: Callable[[list[Contact]], None] = lambda _: None
+        self.opendrive = ""
+        self.episode = 0
+        self.frame = 0
+        self.weather = [0.0] * 14
+        self.actors: dict[int, Actor] = {}
+        self._all: dict[int, Actor] = {}
+        self._physics_of = physics_of
+        self._roads: dict[tuple[str, str], Roads] = {}
+        self._next = 1
+        self._numbers = {definition[1]: definition[0] for definition in definitions()}
+        self.settings = default_settings()
+        self.load(first, reset=True)
+
+    # Episodes
+
+    def load(self, name: str, *, reset: bool) -> None:
+        """Begin a new episode; an empty name stands for the map that is loaded.
+
+        Raises:
+            Refused: There is no such map, or it cannot be used; the old world goes on.
+        """
+        roads = self._find(name)
+        for number in list(self.actors):
+            self.destroy(number)
+        self.actors.clear()
+        self.roads = roads
+        self.episode += 1
+        self.time = 0.0
+        if reset:
+            self.settings = default_settings()
+        self.weather = [0.0] * 14
+        above = [0.0, 0.0, SPECTATOR_HEIGHT]
+        self.spectator = self._add(
+            Actor(self._next, self._own("spectator"), catalogue()["spectator"], above, [0.0] * 3)
+        )
+        self.lights = Lights(dict(self._raise_lights()))
+
+    def _find(self, name: str) -> Roads:
+        short = name.rsplit("/", 1)[-1].removesuffix("_Opt")
+        if not short:
+            return self.roads
+        if short == OPENDRIVE:
+            if not self.opendrive:
+                raise Refused("no OpenDRIVE was sent before; call generate_opendrive_world")
+            text = self.opendrive
+        elif short in self.maps:
+            try:
+                text = self.maps[short].read_text(encoding="utf-8")
+            except (OSError, UnicodeDecodeError) as error:
+                raise Refused(f"map {short!r} cannot be read: {error}") from error
+        else:
+            raise Refused(f"map not found: {name!r}; this stand-in has {', '.join(sorted(self.maps))}")
+        key = (short, text)
+        if key not in self._roads:
+            try:
+                self._roads[key] = Roads(f"Carla/Maps/{short}", text)
+            except MapError as error:
+                raise Refused(str(error)) from error
+        return self._roads[key]
+
+    def _raise_lights(self) -> Iterator[tuple[int, Light]]:
+        blueprint = catalogue()["traffic.traffic_light"]
+        for signal in self.roads.signals:
+            actor = self._add(LightActor(self._next, self._own(blueprint.id), blueprint, signal))
+            yield actor.id, Light(signal)
+
+    # Actors
+
+    def spawn(self, description: Any, place: Any, parent: int = 0) -> Actor:
+        """Make an actor.
+
+        Raises:
+            Refused: There is no such blueprint or parent, or something is in its place.
+        """
+        described = self._described(description)
+        blueprint = catalogue()[described[1]]
+        if blueprint.group == "sensor" and blueprint.id not in SENSORS:
+            raise Refused(f"this stand-in for CARLA does not support {blueprint.id}")
+        location, rotation = wire.transform(place)
+        attached = self.actor(parent) if parent else None
+        if blueprint.solid:
+            body = BodyActor(self._next, described, blueprint, location, rotation, self._physics_of)
+            if body.moving and any(overlap(body, other) for other in self.bodies() if other.touchable):
+                raise Refused("Spawn failed because of collision at spawn position")
+            return self._add(body)
+        return self._add(Actor(self._next, described, blueprint, location, rotation, attached))
+
+    def destroy(self, number: int) -> bool:
+        """Take an actor and what is attached to it away; whether there was one."""
+        actor = self.actors.pop(number, None)
+        if actor is None:
+            return False
+        for other in [other.id for other in self.actors.values() if other.parent is actor]:
+            self.destroy(other)
+        return True
+
+    def actor(self, number: Any) -> Actor:
+        """An actor that is alive.
+
+        Raises:
+            Refused: There is none of that id.
+        """
+        found = self.actors.get(number) if isinstance(number, int) else None
+        if found is None:
+            raise Refused(f"actor not found: {number!r}"[:100])
+        return found
+
+    def body(self, number: Any, *groups: str) -> BodyActor:
+        """A vehicle, walker or thing that is alive.
+
+        Raises:
+            Refused: There is none of that id, or it is of no such group.
+        """
+        found = self.actor(number)
+        if not isinstance(found, BodyActor) or (groups and found.blueprint.group not in groups):
+            raise Refused(f"actor {number} is a {found.blueprint.id}, no {' or '.join(groups) or 'body'}")
+        return found
+
+    def once(self, number: Any) -> Actor:
+        """An actor that is alive or was: traffic managers ask for boxes of the dead, and an error would end them.
+
+        Raises:
+            Refused: There never was one.
+        """
+        found = self._all.get(number) if isinstance(number, int) else None
+        return self.actor(number) if found is None else found
+
+    def bodies(self) -> list[BodyActor]:
+        """All actors with a body, in the order of their ids."""
+        return [actor for actor in self.actors.values() if isinstance(actor, BodyActor)]
+
+    def _add(self, actor: Any) -> Any:
+        self.actors[actor.id] = self._all[actor.id] = actor
+        self._next += 1
+        return actor
+
+    def _own(self, blueprint: str) -> list[Any]:
+        return [self._numbers[blueprint], blueprint, []]
+
+    def _described(self, description: Any) -> list[Any]:
+        try:
+            _, name, attributes = description
+            wanted = [[wire.text(key), wire.whole(kind), wire.text(value)] for key, kind, value in attributes]
+        except (TypeError, ValueError) as error:
+            raise Refused("an actor's description is needed") from error
+        if not isinstance(name, str) or name not in catalogue():
+            raise Refused(f"there is no blueprint {name!r}"[:100])
+        return [self._numbers[name], name, wanted]
+
+    # Time
+
+    @property
+    def synchronous(self) -> bool:
+        """Whether the world waits for a client's tick."""
+        return bool(self.settings[0])
+
+    @property
+    def dt(self) -> float:
+        """The step [s]."""
+        fixed = self.settings[2]
+        return fixed[1] if fixed[0] else STEP
+
+    def step(self) -> int:
+        """Go on by one step; gives its number."""
+        dt = self.dt
+        self.frame += 1
+        self.time += dt
+        self.lights.step(dt)
+        bodies = self.bodies()
+        for actor in bodies:
+            actor.step(dt, self.roads)
+        for actor in self.actors.values():
+            actor.follow()
+        for actor in bodies:
+            if actor.blueprint.group == "vehicle":
+                reach, body = actor.extent[0], actor.body
+                front = (actor.location[0] + reach * body.cos, actor.location[1] - reach * body.sin)
+                actor.light = self.lights.waits_at(*front, actor.rotation[1])
+        self.on_step(contacts(bodies))
+        return self.frame
+
+
+def contacts(bodies: list[BodyActor]) -> list[Contact]:
+    """Who touches whom; two things that stand do not count."""
+    found: list[Contact] = []
+    ordered = sorted((b for b in bodies if b.touchable), key=lambda actor: actor.body.x - actor.body.radius)
+    for i, one in enumerate(ordered):
+        end = one.body.x + one.body.radius
+        for j in range(i + 1, len(ordered)):
+            other = ordered[j]
+            if other.body.x - other.body.radius > end:
+                break
+            if (one.body.moves or other.body.moves) and overlap(one, other):
+                a, b = sorted((one, other), key=lambda actor: actor.id)
+                found.append(Contact(a, b, _impulse(a, b)))
+    return sorted(found, key=lambda contact: (contact.one.id, contact.other.id))
+
+
+def overlap(a: BodyActor, b: BodyActor) -> bool:
+    """Whether two boxes overlap, in height, too."""
+    above = a.location[2] + a.lifted - b.location[2] - b.lifted
+    return abs(above) < a.extent[2] + b.extent[2] and touch(a.body, b.body)
+
+
+def _impulse(a: BodyActor, b: BodyActor) -> list[float]:
+    """On `a` [N s], if the two go on together."""
+    one, other = (actor.blueprint.mass or _IMMOVABLE for actor in (a, b))
+    both = one * other / (one + other)
+    p, q = a.body, b.body
+    return [both * (q.before * q.cos - p.before * p.cos), -both * (q.before * q.sin - p.before * p.sin), 0.0]
+
+
+def default_settings() -> list[Any]:
+    """An episode's settings as they go over the wire, asynchronous as CARLA's."""
+    return [False, False, [False], True, 0.01, 10, 0.0, True, 3000.0, 2000.0, True]
+
+
+def checked_settings(value: Any) -> list[Any]:
+    """Settings out of a message; the step is what counts here, the rest is kept.
+
+    Raises:
+        Refused: They are none, or the step is not between 1 ms and 1 s.
+    """
+    if not isinstance(value, list) or len(value) < 3 or not isinstance(value[2], list) or not value[2]:
+        raise Refused("an episode's settings are needed")
+    kept = default_settings()
+    for place, given in enumerate(value[: len(kept)]):
+        if place != 2:
+            kept[place] = type(kept[place])(wire.number(given))
+    if value[2][0]:
+        dt = wire.number(value[2][1]) if len(value[2]) > 1 else 0.0
+        if dt and not SHORTEST <= dt <= LONGEST:
+            raise Refused(f"fixed_delta_seconds is {dt:g} s; this stand-in steps {SHORTEST:g} to {LONGEST:g} s")
+        kept[2] = [True, dt] if dt else [False]
+    return kept
