@@ -245,6 +245,7 @@ def run(
     avoidable: bool | None = None,
     sampler: str | None = None,
     simulator: str | None = None,
+    physics: str | None = None,
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
@@ -266,6 +267,7 @@ def run(
         avoidable: Whether to keep no crash that a careful driver would not have avoided.
         sampler: Who says where to look next.
         simulator: What scenes run in.
+        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
@@ -285,7 +287,7 @@ def run(
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
-    simulation = _changed(settings.simulation, simulator=simulator)
+    simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
     asked = runs.asked_run(
         text,
@@ -452,6 +454,7 @@ def evaluate(
     ego: Names = (),
     all: bool = False,  # noqa: A002 - the word of the command line
     simulator: str | None = None,
+    physics: str | None = None,
     jobs: int = 1,
     generator: Names = (),
     library: Names = (),
@@ -465,6 +468,7 @@ def evaluate(
         ego: Egos by name, file or ``package.module:factory``; the paper's three if none is given.
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.
+        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
         jobs: Processes; see `run`.
         generator: Generators of the runs again, if they are none of ours.
         library: Folders of snippets of the runs again, if they have any.
@@ -482,6 +486,7 @@ def evaluate(
         egos=_names(ego) or evaluation.EGOS,
         every_scene=all,
         simulator=simulator or "",
+        physics=physics or "",
         jobs=jobs,
         progress=progress,
         repeated=Repeated(generator=_names(generator), library=_names(library)),
@@ -501,6 +506,7 @@ def finetune(
     reward: str | None = None,
     ordinary_share: float | None = None,
     simulator: str | None = None,
+    physics: str | None = None,
     seed: int | None = None,
     settings: FinetuneSettings | None = None,
     progress: Progress = silent,
@@ -521,6 +527,7 @@ def finetune(
         reward: What it is paid for: ``safebench`` or ``progress``.
         ordinary_share: Share of the episodes on ordinary routes.
         simulator: What scenes are driven in; that of the runs if None.
+        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
         seed: What everything random derives from.
         settings: All other settings; the keywords above come before them.
         progress: Told what is done.
@@ -544,6 +551,7 @@ def finetune(
         reward=reward,
         ordinary_share=ordinary_share,
         simulator=simulator,
+        physics=physics,
         seed=seed,
         **(PRESETS[preset] if preset else {}),
     )
@@ -562,6 +570,7 @@ def train(
     seed: int | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     simulator: str | None = None,
+    physics: str | None = None,
     progress: Progress = silent,
 ) -> Trained:
     """Train an ego on the ordinary drives of a map.
@@ -579,6 +588,7 @@ def train(
         seed: What everything random derives from.
         map: Packaged ``town``, or an ``.xodr`` file.
         simulator: What scenes run in.
+        physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
         progress: Told what is done.
 
     Raises:
@@ -598,6 +608,7 @@ def train(
         seed=seed,
         map_name=None if map is None else str(map),
         simulator=simulator,
+        physics=physics,
     )
     return train_ego(_folder(folder), chosen, progress=progress)
 

@@ -35,6 +35,7 @@ def make_scene(
     routes: int = 1,
     library: str = "",
     simulator: str = SimulationSettings().simulator,
+    physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
     reward: str = "safebench",
@@ -49,6 +50,7 @@ def make_scene(
         routes: Routes that episodes lie on.
         library: Folder of one's own snippets, beside the packaged ones.
         simulator: Where it runs, one of `chatscene.simulate.simulator.SIMULATORS`.
+        physics: How bodies answer there, one of `chatscene.settings.PHYSICS`.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
         reward: One of `chatscene.learn.reward.REWARDS`.
@@ -59,7 +61,8 @@ def make_scene(
         MeansSomethingElse: Its scenes do not show what was read.
     """
     settings = Settings(
-        retrieval=RetrievalSettings(library=library), simulation=SimulationSettings(simulator=simulator)
+        retrieval=RetrievalSettings(library=library),
+        simulation=SimulationSettings(simulator=simulator, physics=physics),
     )
     generator = load_generator("chatscene")
     where = simulator_of(generator, resolve_map(str(map)), settings)
@@ -81,6 +84,7 @@ def make_drive(
     *,
     map: str | Path = "town",  # noqa: A002 - the word of the command line
     simulator: str = SimulationSettings().simulator,
+    physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
     reward: str = "safebench",
@@ -91,6 +95,7 @@ def make_drive(
     Args:
         map: Packaged ``town``, or an ``.xodr`` file.
         simulator: Where it runs, one of `chatscene.simulate.simulator.SIMULATORS`.
+        physics: How bodies answer there, one of `chatscene.settings.PHYSICS`.
         ego_observation: What the ego sees, a preset of `chatscene.ego.observation`.
         pedals: Mapping of actions, one of `chatscene.ego.policy.PEDALS`.
         reward: One of `chatscene.learn.reward.REWARDS`.
@@ -98,7 +103,7 @@ def make_drive(
     """
     return DrivingEnv(
         map_name=map,
-        settings=SimulationSettings(simulator=simulator),
+        settings=SimulationSettings(simulator=simulator, physics=physics),
         ego_observation=ego_observation,
         pedals=pedals,
         reward=reward,

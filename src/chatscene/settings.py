@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, fields
 from chatscene.errors import SettingsError, no_such
 
 SELECTIONS = ("shown", "worst", "last")
+PHYSICS = ("kinematic", "lagged")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -85,14 +86,21 @@ class SimulationSettings:
         dt: Step [s] (0.1).
         max_steps: Steps after which an episode is cut (300).
         simulator: What runs it, one of `chatscene.simulate.simulator.SIMULATORS`.
+        physics: How its bodies answer to pedals and wheel, one of `PHYSICS`: ``kinematic``, at once within what their
+            kind can do; ``lagged``, with build-up, yaw lag and a friction circle
+            (`chatscene.simulate.embedded.lagged`). A simulator with an engine of its own has no choice here, and says
+            in its identity what moves its bodies.
     """
 
     dt: float = 0.1
     max_steps: int = 300
     simulator: str = "embedded"
+    physics: str = "kinematic"
 
     def __post_init__(self) -> None:
         check_settings(self, {"dt": (0.001, 1.0), "max_steps": (1, 100_000)})
+        if self.physics not in PHYSICS:
+            raise SettingsError(no_such("physics", self.physics, PHYSICS))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

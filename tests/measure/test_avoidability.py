@@ -25,6 +25,7 @@ from chatscene.measure.avoidability import (
 from chatscene.program.ordinary import ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.dynamics import VehicleBody
+from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
@@ -131,6 +132,25 @@ def test_the_careful_driver_brakes_along_the_ramp_of_the_regulation() -> None:
     assert braking[:5] == pytest.approx(0.2, abs=air)
     assert braking[5:11] == pytest.approx(FULL_BRAKE * np.arange(1, 7) * DT / RAMP, abs=air)
     assert braking[11:] == pytest.approx(FULL_BRAKE, abs=air)
+
+
+def test_the_careful_driver_s_foot_leaves_to_a_brake_that_lags_what_that_does_of_the_ramp() -> None:
+    class Cruise:
+        def act(self, observation: Observation) -> tuple[float, float]:
+            return 0.0, 0.0
+
+    def lost(body: VehicleBody, brake_lag: float) -> float:
+        """Speed [m/s] lost in a second of the careful driver's braking."""
+        driver = _CarefulDriver(Cruise(), 0, DT, brake_lag)
+        for _ in range(round(1.0 / DT)):
+            body.brake = max(0.0, -driver.act(np.zeros(4))[0])
+            body.step(DT)
+        return 20.0 - body.speed
+
+    car = LIMITS["Car"]
+    at_once = lost(VehicleBody(0.0, 0.0, 0.0, car, 20.0), 0.0)
+    assert lost(LaggedVehicle(0.0, 0.0, 0.0, car, 20.0), car.brake_lag) == pytest.approx(at_once, rel=0.05)
+    assert lost(LaggedVehicle(0.0, 0.0, 0.0, car, 20.0), 0.0) < 0.75 * at_once
 
 
 STRAIGHT = ordinary_program(ordinary_queries()[0])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from chatscene.commands.library import JSON, console, progress, say
+from chatscene.settings import PHYSICS
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
     from chatscene.learn.finetune import Finetuned
 
 _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", "completion": "completion"}
+
+PHYSICS_THERE = click.option(
+    "--physics", type=click.Choice(PHYSICS), help="How bodies answer there.  [default: that of the runs]"
+)
 
 
 @click.command()
@@ -29,6 +34,7 @@ _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", 
 @click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
 @click.option("--ordinary-share", default=0.0, show_default=True, help="Share of the episodes on ordinary routes.")
 @click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
+@PHYSICS_THERE
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @JSON
@@ -43,6 +49,7 @@ def finetune(
     reward: str,
     ordinary_share: float,
     simulator: str,
+    physics: str | None,
     seed: int,
     out: Path,
     as_json: bool,
@@ -72,6 +79,7 @@ def finetune(
         reward=reward,
         ordinary_share=ordinary_share,
         simulator=simulator,
+        physics=physics,
         seed=seed,
         progress=progress(),
     )

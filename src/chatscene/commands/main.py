@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
-from chatscene.commands.finetune import finetune, say_finetuned
+from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
     EGO_AGAIN,
     EMBEDDER_AGAIN,
@@ -37,7 +37,7 @@ from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
-from chatscene.settings import SimulationSettings
+from chatscene.settings import PHYSICS, SimulationSettings
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -62,6 +62,15 @@ SIMULATOR = click.option(
     default=SimulationSettings().simulator,
     show_default=True,
     help="What scenes run in: this, confined (behind the sandbox's walls), or package.module:factory.",
+)
+
+
+PHYSICS_OPTION = click.option(
+    "--physics",
+    type=click.Choice(PHYSICS),
+    default=SimulationSettings().physics,
+    show_default=True,
+    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
 )
 
 
@@ -114,6 +123,7 @@ def main() -> None:
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
 @SIMULATOR
+@PHYSICS_OPTION
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -139,6 +149,7 @@ def run(
     avoidable: bool,
     sampler: str,
     simulator: str,
+    physics: str,
     out: Path | None,
     jobs: int | None,
     as_json: bool,
@@ -171,6 +182,7 @@ def run(
                 avoidable=avoidable,
                 sampler=sampler,
                 simulator=simulator,
+                physics=physics,
                 jobs=jobs or _jobs(scenes, routes),
                 progress=progress(),
                 **reading,
@@ -245,6 +257,7 @@ def resume(
 )
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
+@PHYSICS_THERE
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
 @GENERATOR_AGAIN
@@ -255,6 +268,7 @@ def evaluate(
     egos: tuple[str, ...],
     every_scene: bool,
     simulator: str,
+    physics: str | None,
     out: Path | None,
     jobs: int,
     generator: tuple[str, ...],
@@ -275,6 +289,7 @@ def evaluate(
         ego=egos,
         all=every_scene,
         simulator=simulator or None,
+        physics=physics,
         jobs=jobs,
         generator=generator,
         library=library,
@@ -297,6 +312,7 @@ def evaluate(
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
 @SIMULATOR
+@PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
@@ -310,6 +326,7 @@ def benchmark(
     avoidable: bool,
     sampler: str,
     simulator: str,
+    physics: str,
     seed: int,
     out: Path,
     jobs: int,
@@ -335,6 +352,7 @@ def benchmark(
         avoidable_only=avoidable,
         sampler=sampler,
         simulator=simulator,
+        physics=physics,
         seed=seed,
         jobs=jobs,
         progress=progress(),
@@ -346,12 +364,20 @@ def benchmark(
 @click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
 @MAP
 @SIMULATOR
+@PHYSICS_OPTION
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
 def drive(
-    egos: tuple[str, ...], map_name: str, simulator: str, scenes: int, seed: int, out: Path | None, jobs: int
+    egos: tuple[str, ...],
+    map_name: str,
+    simulator: str,
+    physics: str,
+    scenes: int,
+    seed: int,
+    out: Path | None,
+    jobs: int,
 ) -> None:
     """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
 
@@ -366,7 +392,7 @@ def drive(
         egos,
         folder=out,
         map_name=map_name,
-        simulation=SimulationSettings(simulator=simulator),
+        simulation=SimulationSettings(simulator=simulator, physics=physics),
         scenes=scenes,
         seed=seed,
         jobs=jobs,
@@ -385,6 +411,7 @@ def drive(
 @click.option("--seed", default=0, show_default=True)
 @MAP
 @SIMULATOR
+@PHYSICS_OPTION
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 def train(
     algorithm: str,
@@ -396,6 +423,7 @@ def train(
     seed: int,
     map_name: str,
     simulator: str,
+    physics: str,
     out: Path,
 ) -> None:
     """Train an ego on the ordinary drives of a map. Needs the extra 'train'.
@@ -417,6 +445,7 @@ def train(
         seed=seed,
         map=map_name,
         simulator=simulator,
+        physics=physics,
         progress=progress(),
     )
     _say_trained(trained, as_json=False)

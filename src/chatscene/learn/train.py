@@ -90,6 +90,7 @@ class TrainSettings:
         seed: Everything random derives from it.
         map_name: Where.
         simulator: In what, one of `chatscene.simulate.simulator.SIMULATORS`.
+        physics: How bodies answer there, one of `chatscene.settings.PHYSICS`.
     """
 
     algorithm: str = "sac"
@@ -101,6 +102,7 @@ class TrainSettings:
     seed: int = 0
     map_name: str = "town"
     simulator: str = SimulationSettings().simulator
+    physics: str = SimulationSettings().physics
 
     def __post_init__(self) -> None:
         check_settings(self, {})
@@ -114,7 +116,7 @@ class TrainSettings:
     @property
     def simulation(self) -> SimulationSettings:
         """How an episode is stepped, and by what."""
-        return SimulationSettings(simulator=self.simulator)
+        return SimulationSettings(simulator=self.simulator, physics=self.physics)
 
     @property
     def rounds(self) -> int:

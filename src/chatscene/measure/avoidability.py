@@ -97,7 +97,7 @@ def _crashes(
     drive = simulator.open(program, scene, observation=observation_of(ego), pedals="full-brake")
     if isinstance(drive, Rejected):
         raise SimulationError(f"scene {scene.id!r} ran once and is now rejected: {drive.reason}")
-    driver = _CarefulDriver(ego, braking, dt)
+    driver = _CarefulDriver(ego, braking, dt, simulator.identity.brake_lag)
     standing = 0
     try:
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
@@ -116,13 +116,18 @@ def _crashes(
 
 
 class _CarefulDriver:
-    """Another ego until a step, then the brake of the careful driver; the other's steering throughout."""
+    """Another ego until a step, then the brake of the careful driver; the other's steering throughout.
 
-    def __init__(self, ego: EgoPolicy, braking: int, dt: float) -> None:
+    The regulation's ramp is of the deceleration. A brake that takes time to build up does a part of it: it loses as
+    much speed as a ramp of twice its time constant, and the foot has the rest.
+    """
+
+    def __init__(self, ego: EgoPolicy, braking: int, dt: float, brake_lag: float = 0.0) -> None:
         self._ego = ego
         self._scale = PEDALS[pedals_of(ego)]
         self._braking = braking
         self._dt = dt
+        self._ramp = max(RAMP - 2.0 * brake_lag, dt)
         self._step = 0
         if (reset := getattr(ego, "reset", None)) is not None:
             reset()
@@ -135,7 +140,7 @@ class _CarefulDriver:
             acceleration *= self._scale
         if braked >= 0:
             car = LIMITS["Car"]
-            wish = FULL_BRAKE * min(1.0, (braked + 1) * self._dt / RAMP)
+            wish = FULL_BRAKE * min(1.0, (braked + 1) * self._dt / self._ramp)
             acceleration = min(acceleration, -max(0.0, wish - car.drag) / car.brake)
         return acceleration, steering
 

@@ -281,6 +281,7 @@ OPTIONS = {
     ("search", "avoidable_only"): "--avoidable",
     ("search", "sampler"): "--sampler",
     ("simulation", "simulator"): "--simulator",
+    ("simulation", "physics"): "--physics",
     ("retrieval", "library"): "--library",
     ("retrieval", "embedder"): "--embedder",
     ("retrieval", "language_model"): "--language-model",

@@ -85,6 +85,7 @@ def benchmark(
     seed: int = 0,
     sampler: str = "paper",
     simulator: str = SimulationSettings().simulator,
+    physics: str = SimulationSettings().physics,
     avoidable_only: bool = False,
     jobs: int = 1,
     progress: Progress,
@@ -92,14 +93,14 @@ def benchmark(
     """Run a benchmark, or go on with one that was cut.
 
     Raises:
-        SettingsError: There is no such generator, simulator or budget.
+        SettingsError: There is no such generator, simulator, physics or budget.
         RunError: The folder holds something else, or a benchmark with other settings.
         MapError: The map serves none of the scenarios.
     """
     scenarios, search = _share(generator, budget)
     settings = Settings(
         search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler),
-        simulation=SimulationSettings(simulator=simulator),
+        simulation=SimulationSettings(simulator=simulator, physics=physics),
     )
     asked = runs.asked_benchmark(
         generator, budget, egos=egos, surrogate=surrogate, settings=settings, map_name=map_name
@@ -146,6 +147,7 @@ def resume(
         seed=settings.search.seed,
         sampler=settings.search.sampler,
         simulator=settings.simulation.simulator,
+        physics=settings.simulation.physics,
         avoidable_only=settings.search.avoidable_only,
         jobs=jobs,
         progress=progress,

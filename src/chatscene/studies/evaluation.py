@@ -80,6 +80,7 @@ def evaluate(
     every_scene: bool = False,
     first_route: int = 0,
     simulator: str = "",
+    physics: str = "",
     jobs: int = 1,
     progress: Progress,
     repeated: Repeated | None = None,
@@ -93,6 +94,7 @@ def evaluate(
         every_scene: Not only the kept scenes but all that ran.
         first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
         simulator: In what they are driven; empty for that of the runs.
+        physics: How bodies answer there; empty for that of the runs.
         jobs: Processes.
         progress: Told what is done.
         repeated: What the runs name and the user as well, besides egos.
@@ -112,8 +114,10 @@ def evaluate(
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
-        if _where(record, simulator) != _where(records[0], simulator):
-            raise RunError(f"{run.path} and {found[0].path} differ in map, step or simulator; evaluate them one by one")
+        if _where(record, simulator, physics) != _where(records[0], simulator, physics):
+            raise RunError(
+                f"{run.path} and {found[0].path} differ in map, step, simulator or physics; evaluate them one by one"
+            )
     told = [
         _source(run, record, first_route, kept_for="" if every_scene else record.ego)
         for run, record in zip(found, records, strict=True)
@@ -125,7 +129,7 @@ def evaluate(
                 "tell apart; evaluate them one by one"
             )
     map_of(records[0])  # it must still be the file that they were made on
-    settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator)[-1])
+    settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
@@ -135,11 +139,10 @@ def evaluate(
         )
 
 
-def _where(record: runs.RunRecord, simulator: str) -> tuple[str, str, SimulationSettings]:
-    """The map of a run and how its scenes are simulated: as they were, or in another simulator."""
+def _where(record: runs.RunRecord, simulator: str, physics: str) -> tuple[str, str, SimulationSettings]:
+    """The map of a run and how its scenes are simulated: as they were, or in another simulator or physics."""
     simulation = runs.settings_of(record).simulation
-    if simulator:
-        simulation = replace(simulation, simulator=simulator)
+    simulation = replace(simulation, simulator=simulator or simulation.simulator, physics=physics or simulation.physics)
     return record.map_name, record.map_digest, simulation
 
 

@@ -1,12 +1,15 @@
 """Road users: the one table of their kinds. A new kind is a row here, and a class in `world/model.scenic`.
 
 Sizes are those of typical road users, accelerations mid-size production figures; the car is CARLA's Lincoln MKZ
-2017. Walkers: sprint starts reach about 4 m/s²; 8 m/s is a fast adult's sprint. The nouns are written by us, after the
-way crash reports, test protocols, driving schools and people at the kitchen table speak.
+2017. How long pedals and the yaw rate take is for the physics ``lagged`` alone, where the sources stand
+(`chatscene.simulate.embedded.lagged`). Walkers: sprint starts reach about 4 m/s²; 8 m/s is a fast adult's sprint. The
+nouns are written by us, after the way crash reports, test protocols, driving schools and people at the kitchen table
+speak.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -34,6 +37,11 @@ class Limits:
         wheel_rate: Largest rate of the wheel angle [rad/s].
         lateral: Largest lateral acceleration [m/s²]; beyond it the turn widens.
         drag: Deceleration when coasting [m/s²] at standstill; grows with speed squared.
+        drive_lag: Time constant of the drive's build-up [s].
+        brake_lag: Time constant of the brake's build-up [s].
+        yaw_lag: Time constant of the yaw rate [s] at 20 m/s; proportional to the speed.
+        characteristic_speed: Speed [m/s] at which the same wheel angle gives half the curvature that it gives at
+            walking pace; infinite where it does not depend on the speed.
     """
 
     length: float
@@ -46,6 +54,10 @@ class Limits:
     wheel_rate: float = 0.0
     lateral: float = 0.0
     drag: float = 0.2
+    drive_lag: float = 0.3
+    brake_lag: float = 0.3
+    yaw_lag: float = 0.1
+    characteristic_speed: float = 22.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -147,6 +159,9 @@ class AdversaryKind(StrEnum):
                 wheel_angle=0.8,
                 wheel_rate=1.0,
                 lateral=4.0,
+                drive_lag=0.6,
+                brake_lag=0.43,
+                yaw_lag=0.2,
             ),
             manner=Manner.DRIVES,
             words=(
@@ -179,6 +194,9 @@ class AdversaryKind(StrEnum):
                 wheel_angle=0.8,
                 wheel_rate=1.0,
                 lateral=3.5,
+                drive_lag=0.6,
+                brake_lag=0.43,
+                yaw_lag=0.2,
             ),
             manner=Manner.DRIVES,
             words=(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
@@ -204,6 +222,8 @@ class AdversaryKind(StrEnum):
                 wheel_angle=0.8,
                 wheel_rate=2.5,
                 lateral=7.0,
+                yaw_lag=0.2,
+                characteristic_speed=math.inf,
             ),
             manner=Manner.RIDES,
             words=(
@@ -234,6 +254,8 @@ class AdversaryKind(StrEnum):
                 wheel_angle=0.8,
                 wheel_rate=2.5,
                 lateral=4.0,
+                yaw_lag=0.2,
+                characteristic_speed=math.inf,
             ),
             manner=Manner.RIDES,
             words=(

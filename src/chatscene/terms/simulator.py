@@ -15,6 +15,7 @@ class SimulatorIdentity:
         physics: How it moves bodies, in a few words.
         exact: Whether the same scene gives the same episode bit for bit, or only within a tolerance.
         confinable: Whether it can run behind the sandbox's walls: in one process, without files and sockets.
+        brake_lag: How long the brake of a car takes to build up [s], as the time constant of a first-order lag.
     """
 
     name: str
@@ -22,3 +23,4 @@ class SimulatorIdentity:
     physics: str
     exact: bool
     confinable: bool
+    brake_lag: float = 0.0

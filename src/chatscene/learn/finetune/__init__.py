@@ -96,7 +96,7 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
         start = _start(settings.ego)
         learner_of = partial(Learner, start)
     progress("reading the scenes", 0, 0)
-    lessons = kept_scenes(sources, simulator=settings.simulator)
+    lessons = kept_scenes(sources, simulator=settings.simulator, physics=settings.physics)
     parts = split(
         lessons.scenes,
         choice=settings.choice,

@@ -77,12 +77,13 @@ class Judged:
     rejected: dict[str, str]
 
 
-def kept_scenes(sources: Sequence[Path], *, simulator: str = "") -> Lessons:
+def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = "") -> Lessons:
     """The kept scenes of finished runs among or below some folders.
 
     Args:
         sources: The folders.
         simulator: In what they are driven; empty for that of the runs.
+        physics: How bodies answer there; empty for that of the runs.
 
     Raises:
         RunError: There is no run, one is not finished or damaged, they differ in map, step or simulator, or one holds a
@@ -94,16 +95,17 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "") -> Lessons:
     records = [runs.read_record(run) for run in found]
     first = records[0]
     map_of(first)  # it must still be the file that they were made on
-    simulation = _simulation(first, simulator)
+    simulation = _simulation(first, simulator, physics)
     scenes: list[KeptScene] = []
     for run, record in zip(found, records, strict=True):
         if record.status is not runs.Status.DONE:
             raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
         settings = runs.settings_of(record)
-        where = (record.map_name, record.map_digest, _simulation(record, simulator))
+        where = (record.map_name, record.map_digest, _simulation(record, simulator, physics))
         if where != (first.map_name, first.map_digest, simulation):
             raise RunError(
-                f"{run.path} and {found[0].path} differ in map, step or simulator; fine-tune on them one by one"
+                f"{run.path} and {found[0].path} differ in map, step, simulator or physics; "
+                "fine-tune on them one by one"
             )
         if not simulator and simulation.simulator not in SIMULATORS.built_in:
             raise RunError(
@@ -120,10 +122,10 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "") -> Lessons:
     return Lessons(map_name=first.map_name, simulation=simulation, scenes=tuple(scenes))
 
 
-def _simulation(record: runs.RunRecord, simulator: str) -> SimulationSettings:
-    """How the scenes of a run are simulated: as they were, or in another simulator."""
+def _simulation(record: runs.RunRecord, simulator: str, physics: str) -> SimulationSettings:
+    """How the scenes of a run are simulated: as they were, or in another simulator, or with another physics."""
     simulation = runs.settings_of(record).simulation
-    return replace(simulation, simulator=simulator) if simulator else simulation
+    return replace(simulation, simulator=simulator or simulation.simulator, physics=physics or simulation.physics)
 
 
 def split(

@@ -51,6 +51,7 @@ class FinetuneSettings:
         warm_up_steps: Environment steps driven to teach the critics before anything else; an ego's file has none.
         critic_steps: Gradient steps of the critics on these.
         simulator: In what scenes are driven; empty for that of the runs.
+        physics: How bodies answer there; empty for that of the runs.
         seed: Everything random derives from it.
     """
 
@@ -78,6 +79,7 @@ class FinetuneSettings:
     warm_up_steps: int = 5_000
     critic_steps: int = 2_000
     simulator: str = ""
+    physics: str = ""
     seed: int = 0
 
     def __post_init__(self) -> None:

@@ -1,4 +1,4 @@
-"""How bodies move: a kinematic bicycle for vehicles and two-wheelers, a point for walkers, nothing for things.
+"""How bodies move at once: a kinematic bicycle for vehicles and two-wheelers, a point for walkers, nothing for things.
 
 No body can be asked to teleport or to change its velocity at once: every request is limited to what the kind of body
 can do (decision 0008).
@@ -7,6 +7,7 @@ can do (decision 0008).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 from chatscene.terms.actors import LIMITS, Limits
@@ -123,8 +124,14 @@ class WalkerBody(Walker):
             self.sin = vy / self.speed
 
 
-def make_body(placement: Placement) -> Body:
+def make_body(
+    placement: Placement, vehicle: Callable[[float, float, float, Limits, float], VehicleBody] = VehicleBody
+) -> Body:
     """The body for a thing of the world model.
+
+    Args:
+        placement: How the thing begins.
+        vehicle: Makes a vehicle's or two-wheeler's, from where it is, its heading, its limits and its speed.
 
     Raises:
         ValueError: Nothing can be of that size, or nothing of its kind goes at that speed.
@@ -142,4 +149,4 @@ def make_body(placement: Placement) -> Body:
     limits = replace(
         known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle
     )
-    return VehicleBody(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
+    return vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)

@@ -2,26 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.dynamics import VehicleBody, WalkerBody, make_body
+from chatscene.simulate.embedded.lagged import LaggedVehicle
 from chatscene.simulate.stepped import SteppedSimulator
+from chatscene.terms.actors import LIMITS
 from chatscene.terms.simulator import SimulatorIdentity
 from chatscene.world.bodies import Body, Placement
 
 VERSION = "1"  # another one whenever a step gives other numbers
+KINEMATIC = "kinematic bicycles and walkers within actuator limits"
+LAGGED = "bicycles with pedal and yaw lag, understeer and a friction circle, and walkers within limits"
 
 
 class EmbeddedPhysics:
-    """Bodies that move one by one, in the order they were made; see `chatscene.simulate.physics.Physics`."""
+    """Bodies that move one by one, in the order they were made; see `chatscene.simulate.physics.Physics`.
 
-    def __init__(self) -> None:
+    Args:
+        body_of: Makes each.
+    """
+
+    def __init__(self, body_of: Callable[[Placement], Body] = make_body) -> None:
+        self._body_of = body_of
         self._moving: list[VehicleBody | WalkerBody] = []
 
     def add(self, placement: Placement) -> Body:
         """Make the body of a thing."""
-        body = make_body(placement)
+        body = self._body_of(placement)
         if isinstance(body, VehicleBody | WalkerBody):
             self._moving.append(body)
         return body
@@ -37,11 +48,14 @@ class EmbeddedPhysics:
 
 def make_simulator(map_path: Path, settings: SimulationSettings) -> SteppedSimulator:
     """The embedded simulator for one map."""
+    lagged = settings.physics == "lagged"
     identity = SimulatorIdentity(
         name="embedded",
         version=VERSION,
-        physics="kinematic bicycles and walkers within actuator limits",
+        physics=LAGGED if lagged else KINEMATIC,
         exact=True,
         confinable=True,
+        brake_lag=LIMITS["Car"].brake_lag if lagged else 0.0,
     )
-    return SteppedSimulator(map_path, settings, identity=identity, physics_of=EmbeddedPhysics)
+    body_of = partial(make_body, vehicle=LaggedVehicle) if lagged else make_body
+    return SteppedSimulator(map_path, settings, identity=identity, physics_of=partial(EmbeddedPhysics, body_of))
