@@ -31,8 +31,8 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
 def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str) -> None:
     """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
 
-    It is a stand-in and not CARLA: no pictures, no tyres, no engine; docs/carla.md says what it can do. Clients need
-    the wheel carla 0.9.16, and so does this command: the extra 'carla'.
+    It is a stand-in and not CARLA: no tyres, no engine, drawings for pictures; docs/carla.md says what it can do.
+    Clients need the wheel carla 0.9.16, and so does this command: the extra 'carla'.
 
     \b
     chatscene serve-carla --port 2000

@@ -393,3 +393,51 @@ def driven(port: int) -> list[tuple[float, ...]]:
 
 def test_the_same_calls_give_the_same_frames_bit_for_bit(port: int) -> None:
     assert driven(port) == driven(port)
+
+
+def test_a_camera_draws_what_is_below_it_with_its_own_direction_upwards(world: Any) -> None:
+    car = spawned(world)
+    ahead = spawned(world, ahead=15.0)
+    # 25 m up, 90 degrees wide: 50 m are 400 pixels.
+    heard = listened(world, "sensor.camera.semantic_segmentation", car, image_size_x="400", image_size_y="400")
+    world.tick()
+    (picture,) = settled(heard, 1)
+    pixels = bytes(picture.raw_data)
+    tags = [pixels[4 * i + 2] for i in range(400 * 400)]
+
+    def tag(right: float, forward: float) -> int:
+        return tags[int(200 - 8 * forward) * 400 + int(200 + 8 * right)]
+
+    assert (picture.width, picture.height, picture.frame) == (400, 400, world.get_snapshot().frame)
+    assert tag(0.1, 0.1) == tag(0.1, 15.0) == 14
+    assert tag(0.1, 8.0) == 1
+    shown = sum(one == 14 for one in tags) / 64  # m²
+    area = sum(4 * one.bounding_box.extent.x * one.bounding_box.extent.y for one in (car, ahead))
+    assert shown == pytest.approx(area, rel=0.1)
+
+
+def test_a_lidar_measures_the_distance_to_what_is_ahead_and_to_the_ground(world: Any) -> None:
+    car, other = spawned(world), spawned(world, ahead=20.0)
+    blueprint = world.get_blueprint_library().find("sensor.lidar.ray_cast")
+    wanted = {"range": "40", "channels": "3", "upper_fov": "0", "lower_fov": "-20", "rotation_frequency": "20"}
+    for key, value in {**wanted, "points_per_second": "21600"}.items():
+        blueprint.set_attribute(key, value)
+    sensor = world.spawn_actor(blueprint, carla.Transform(carla.Location(z=1.0)), attach_to=car)
+    heard: list[Any] = [sensor]
+    sensor.listen(heard.append)
+    time.sleep(0.3)
+    world.tick()
+    (cloud,) = settled(heard, 1)
+    points = [(point.point.x, point.point.y, point.point.z) for point in cloud]
+    level = [point for point in points if abs(point[2]) < 1e-3]
+    assert min(x for x, y, _ in level if abs(y) < 0.5) == pytest.approx(20.0 - other.bounding_box.extent.x, abs=0.05)
+    low = [point for point in points if point[2] < -0.99]
+    assert len(low) > 300
+    assert all(z == pytest.approx(-1.0, abs=1e-3) for _, _, z in low)
+
+
+def test_a_sensor_that_cannot_be_made_is_refused(world: Any) -> None:
+    camera = world.get_blueprint_library().find("sensor.camera.rgb")
+    camera.set_attribute("image_size_x", "1000000")
+    with pytest.raises(RuntimeError, match="a picture of 1000000 by 600 pixels"):
+        world.spawn_actor(camera, carla.Transform())

@@ -15,6 +15,7 @@ from chatscene.simulate.carla.standin.served import as_served
 
 TRAFFIC_LIGHT = "1000001"
 _APART = 12.0  # [m] between places to begin at
+_LENGTH, _WIDTH = 9.0, 2.0  # [m], of the room that a place needs: lanes may part at one
 _ABOVE = 0.5  # [m] that they lie above the road, as CARLA's do
 _FARTHEST_STOP = 60  # [m] back through a junction to where one waits for its light
 
@@ -56,6 +57,7 @@ class Roads:
     def __init__(self, name: str, text: str) -> None:
         self._carla = _wheel()
         self.name = name
+        self._discs: list[tuple[float, float, float]] = []
         self.text = as_served(text)
         try:
             self.map = self._carla.Map(name.rsplit("/", 1)[-1], self.text)
@@ -75,23 +77,34 @@ class Roads:
         found = self.map.transform_to_geolocation(self._carla.Location(*location))
         return [found.latitude, found.longitude, found.altitude]
 
+    def discs(self, every: float) -> list[tuple[float, float, float]]:
+        """Discs that cover the driving lanes: x, y and radius [m]."""
+        if not self._discs:
+            for waypoint in self.map.generate_waypoints(every):
+                at = waypoint.transform.location
+                self._discs.append((at.x, at.y, waypoint.lane_width / 2))
+        return self._discs
+
     @cached_property
     def spawn_points(self) -> list[list[list[float]]]:
         """Transforms on driving lanes outside junctions, some metres apart."""
-        found: dict[tuple[int, int, int], list[list[float]]] = {}
+        found: list[Any] = []
         for first, _ in self.map.get_topology():
             waypoint = None if first.is_junction else next(iter(first.next(_APART / 2)), None)
             for _ in range(5):
                 if waypoint is None or waypoint.is_junction:
                     break
                 place = waypoint.transform
-                at, turn = place.location, place.rotation
-                key = (round(at.x), round(at.y), round(at.z))
-                found.setdefault(
-                    key, [[at.x, at.y, at.z + _ABOVE], [wrapped(turn.pitch), wrapped(turn.yaw), wrapped(turn.roll)]]
-                )
+                if not any(_in_the_way(place, other) for other in found):
+                    found.append(place)
                 waypoint = next(iter(waypoint.next(_APART)), None)
-        return [found[key] for key in sorted(found)]
+        return [
+            [
+                [place.location.x, place.location.y, place.location.z + _ABOVE],
+                [wrapped(place.rotation.pitch), wrapped(place.rotation.yaw), wrapped(place.rotation.roll)],
+            ]
+            for place in found
+        ]
 
     @cached_property
     def signals(self) -> tuple[Signal, ...]:
@@ -132,6 +145,13 @@ class Roads:
                 break
             waypoint = back[0]
         return waypoint
+
+
+def _in_the_way(place: Any, other: Any) -> bool:
+    """Whether two places to begin at lie on one another."""
+    away = place.location - other.location
+    along, across = away.dot(other.get_forward_vector()), away.dot(other.get_right_vector())
+    return abs(along) < _LENGTH and abs(across) < _WIDTH and abs(away.z) < _LENGTH
 
 
 def wrapped(degrees: float) -> float:

@@ -1,4 +1,4 @@
-"""What sensors tell: collisions, obstacles ahead, place on Earth, accelerations.
+"""What sensors tell: collisions, obstacles ahead, place on Earth, accelerations, drawings, points.
 
 Contents are true: there is no noise. Vectors are CARLA's; those of an inertial sensor are in its own frame, x ahead,
 y to the right, z up. Lane invasion is found by the wheel itself, from the map.
@@ -7,13 +7,15 @@ y to the right, z up. Lane invasion is found by the wheel itself, from the map.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor
 from chatscene.simulate.carla.standin.calls_actors import described
+from chatscene.simulate.carla.standin.pictures import drawn, size_of
+from chatscene.simulate.carla.standin.rays import Lidar
 from chatscene.simulate.carla.standin.world import Contact, World
 
 GRAVITY = 9.81  # [m/s²]
@@ -47,24 +49,48 @@ class Sensors:
     def __init__(self, world: World, port: int, pack: Callable[[Any], bytes]) -> None:
         self._world, self._port, self._pack = world, port, pack
         self._told: dict[int, float] = {}
+        self._lidars: dict[int, Lidar] = {}
+        self._always: dict[str, tuple[int, Callable[[Actor], bytes]]] = {
+            "sensor.other.gnss": (wire.GNSS, self._on_earth),
+            "sensor.other.imu": (wire.IMU, self._inertia),
+            "sensor.camera.rgb": (wire.PICTURE, self._picture),
+            "sensor.camera.semantic_segmentation": (wire.TAGS, self._tags),
+            "sensor.lidar.ray_cast": (wire.LIDAR, self._points),
+        }
 
-    def readings(self, contacts: list[Contact]) -> Iterator[Reading]:
-        """What is told of the step that was taken."""
-        for sensor in [actor for actor in self._world.actors.values() if actor.blueprint.group == "sensor"]:
+    def readings(self, contacts: list[Contact], heard: Container[int]) -> Iterator[Reading]:
+        """What is told of the step that was taken by the sensors that somebody hears."""
+        for sensor in [self._world.actors[number] for number in self._world.actors if number in heard]:
             name = sensor.blueprint.id
             if name == "sensor.other.collision":
                 yield from self._collisions(sensor, contacts)
             elif self._due(sensor):
                 if name == "sensor.other.obstacle":
                     yield from self._obstacle(sensor)
-                elif name == "sensor.other.gnss":
-                    yield Reading(sensor, wire.GNSS, self._pack(self._on_earth(sensor)))
-                elif name == "sensor.other.imu":
-                    yield Reading(sensor, wire.IMU, self._pack(_inertia(sensor)))
+                elif name in self._always:
+                    kind, tell = self._always[name]
+                    yield Reading(sensor, kind, tell(sensor))
 
     def forget(self) -> None:
         """Begin anew, after a loading."""
         self._told.clear()
+        self._lidars.clear()
+
+    @staticmethod
+    def check(sensor: Actor) -> None:
+        """Refuse a sensor whose attributes make none.
+
+        Raises:
+            Refused: They do not.
+        """
+        name = sensor.blueprint.id
+        try:
+            if name.startswith("sensor.camera."):
+                size_of(sensor)
+            elif name.startswith("sensor.lidar."):
+                Lidar(sensor)
+        except ValueError as error:
+            raise wire.Refused(f"{name} cannot be made: {error}") from error
 
     def _due(self, sensor: Actor) -> bool:
         """Whether its own period, if it has one, is over."""
@@ -99,9 +125,21 @@ class Sensors:
             event = [described(sensor.parent or sensor, self._port), described(other, self._port), distance]
             yield Reading(sensor, wire.OBSTACLE, self._pack(event))
 
-    def _on_earth(self, sensor: Actor) -> list[float]:
-        """Latitude [degrees], longitude [degrees], altitude [m]."""
-        return self._world.roads.on_earth(sensor.location)
+    def _on_earth(self, sensor: Actor) -> bytes:
+        return self._pack(self._world.roads.on_earth(sensor.location))
+
+    def _inertia(self, sensor: Actor) -> bytes:
+        return self._pack(_inertia(sensor))
+
+    def _picture(self, sensor: Actor) -> bytes:
+        return drawn(self._world, sensor, tags=False)
+
+    def _tags(self, sensor: Actor) -> bytes:
+        return drawn(self._world, sensor, tags=True)
+
+    def _points(self, sensor: Actor) -> bytes:
+        lidar = self._lidars.setdefault(sensor.id, Lidar(sensor))
+        return lidar.looked(self._world, max(self._world.dt, _number(sensor, "sensor_tick", 0.0)))
 
 
 def _inertia(sensor: Actor) -> list[Any]:

@@ -34,6 +34,7 @@ class Streams:
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
         world.on_step = self._publish
+        world.on_spawn = Sensors.check
 
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         """One connection: a client says which stream it wants, and reads it from then on."""
@@ -64,7 +65,8 @@ class Streams:
 
     def _publish(self, contacts: list[Contact]) -> None:
         self._to_worlds(self._frame())
-        for reading in self._sensors.readings(contacts):
+        heard = {number for number, writers in self._open.items() if writers}
+        for reading in self._sensors.readings(contacts, heard):
             writers = self._open.get(reading.sensor.id)
             if writers:
                 sensor = reading.sensor

@@ -15,7 +15,7 @@ VERSION = "0.9.16"
 FARTHEST = 1e7  # [m]; also the largest number of any other kind that is taken
 
 # Positions in the wheel's registry of sensors.
-COLLISION, GNSS, IMU, OBSTACLE, WORLD_OBSERVER = 0, 4, 5, 7, 17
+COLLISION, GNSS, IMU, OBSTACLE, LIDAR, PICTURE, TAGS, WORLD_OBSERVER = 0, 4, 5, 7, 11, 13, 14, 17
 
 _TCP = 1
 _HOST_OF_CLIENT = 0

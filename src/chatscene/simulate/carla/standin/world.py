@@ -20,7 +20,10 @@ from chatscene.simulate.physics import PhysicsOf
 STEP = 0.05  # [s], where a client names none
 SHORTEST, LONGEST = 0.001, 1.0  # [s]
 OPENDRIVE = "OpenDriveMap"
-SENSORS = frozenset(f"sensor.other.{name}" for name in ("collision", "lane_invasion", "obstacle", "gnss", "imu"))
+SENSORS = frozenset(
+    {"sensor.camera.rgb", "sensor.camera.semantic_segmentation", "sensor.lidar.ray_cast"}
+    | {f"sensor.other.{name}" for name in ("collision", "lane_invasion", "obstacle", "gnss", "imu")}
+)
 SPECTATOR_HEIGHT = 50.0  # [m]
 SPEED_LIMIT = 30.0  # [km/h], CARLA's outside its speed signs
 _IMMOVABLE = 1e6  # [kg], of what stands
@@ -49,6 +52,7 @@ class World:
         physics_of: Makes the physics of each body: those of a simulator of ours.
 
     Attributes:
+        on_spawn: Called before an actor without a body joins; may refuse it.
         on_step: Called after each step with the contacts of it.
 
     Raises:
@@ -58,6 +62,7 @@ class World:
 
     def __init__(self, maps: Mapping[str, Path], first: str, physics_of: PhysicsOf) -> None:
         self.maps = dict(maps)
+        self.on_spawn: Callable[[Actor], None] = lambda _: None
         self.on_step: Callable[[list[Contact]], None] = lambda _: None
         self.opendrive = ""
         self.episode = 0
@@ -144,7 +149,9 @@ class World:
             if body.moving and any(overlap(body, other) for other in self.bodies() if other.touchable):
                 raise Refused("Spawn failed because of collision at spawn position")
             return self._add(body)
-        return self._add(Actor(self._next, described, blueprint, location, rotation, attached))
+        actor = Actor(self._next, described, blueprint, location, rotation, attached)
+        self.on_spawn(actor)
+        return self._add(actor)
 
     def destroy(self, number: int) -> bool:
         """Take an actor and what is attached to it away; whether there was one."""
