@@ -127,6 +127,7 @@ class Server:
         return self._pack([1, number, None, wire.refused(why)])
 
     def _answer(self, client: Client, method: str, arguments: list[Any]) -> Any:
+        self._streams.wake(client.number)
         if method == "apply_batch":
             return apply_batch(self._world, *arguments)
         if method in self._own:

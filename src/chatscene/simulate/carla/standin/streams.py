@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import struct
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -14,6 +15,7 @@ from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
 
 FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
 _MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond
+_UNDER_WAY = 0.05  # [s]
 _LENGTH = struct.Struct("<I")
 
 
@@ -33,6 +35,7 @@ class Streams:
         self._world = world
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
+        self._resting: set[int] = set()
         world.on_step = self._publish
         world.on_spawn = Sensors.check
 
@@ -53,15 +56,23 @@ class Streams:
             writer.close()
 
     def loaded(self, client: int) -> None:
-        """A client loaded a map: it opens another stream by itself.
+        """A client loaded a map: it opens another stream by itself, and the others' rest until they call again.
 
-        Its old one is dropped, not closed: the wheel ends in a segmentation fault where a frame arrives while it
-        takes the old one down.
+        The wheel ends in a segmentation fault where a frame arrives while it takes a stream down. So the old stream of
+        the client is dropped, not closed; what is under way to it has time to arrive; and clients that are gone but not
+        yet collected by their process, which never call again, are sent nothing.
         """
         self._sensors.forget()
         self._open = {number: writers for number, writers in self._open.items() if number >= FIRST_CLIENT}
         self._open.pop(client, None)
-        self._to_worlds(self._frame())
+        self._resting = set(self._open)
+        time.sleep(_UNDER_WAY)
+
+    def wake(self, client: int) -> None:
+        """A client called: if its stream rests, it goes on."""
+        if client in self._resting:
+            self._resting.remove(client)
+            _send(self._open.get(client, []), self._frame())
 
     def _publish(self, contacts: list[Contact]) -> None:
         self._to_worlds(self._frame())
@@ -76,7 +87,7 @@ class Streams:
 
     def _to_worlds(self, frame: bytes) -> None:
         for number, writers in self._open.items():
-            if number >= FIRST_CLIENT:
+            if number >= FIRST_CLIENT and number not in self._resting:
                 _send(writers, frame)
 
     def _frame(self) -> bytes:

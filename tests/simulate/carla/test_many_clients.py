@@ -1,0 +1,177 @@
+"""The stand-in for CARLA among many: several clients, much nonsense, loads and spawns in a row."""
+
+from __future__ import annotations
+
+import random
+import socket
+import subprocess
+import sys
+from collections.abc import Generator
+from typing import Any
+
+import pytest
+from standing_in import connected, serving
+
+from chatscene.simulate.carla.standin.calls import CALLS
+from chatscene.simulate.carla.standin.calls_actors import ACTOR_CALLS
+
+carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
+msgpack: Any = pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
+
+MKZ = "vehicle.lincoln.mkz_2017"
+NAMES = (*CALLS, *ACTOR_CALLS, "apply_batch", "spawn_actor", "load_new_episode", "get_actors_by_id", "nonsense", "")
+NUMBERS = (0, 1, -1, 41, 42, 2**31, 2**32 - 1, 2**63, -(2**63), 0.5, 1e300, float("nan"), float("inf"))
+TEXTS = ("", "town", MKZ, "sensor.lidar.ray_cast", "x" * 1000)
+
+
+@pytest.fixture(scope="module")
+def port() -> Generator[int]:
+    with serving() as (port, _):
+        yield port
+
+
+def nonsense(chance: random.Random, depth: int = 0) -> Any:
+    """Anything that msgpack can say."""
+    kind = chance.randrange(9)
+    if kind < 3 or (kind > 5 and depth > 3):
+        return chance.choice(NUMBERS)
+    if kind == 3:
+        return chance.choice(TEXTS)
+    if kind == 4:
+        return chance.choice((True, False, None, {"a": 1}))
+    if kind == 5:
+        return chance.randbytes(chance.randrange(30))
+    return [nonsense(chance, depth + 1) for _ in range(chance.randrange(8))]
+
+
+def said(message: Any) -> bytes:
+    """As it is sent."""
+    packed: bytes = msgpack.packb(message)
+    return packed
+
+
+def heard(connection: socket.socket, reader: Any) -> Any:
+    """The next message of the server."""
+    while True:
+        for message in reader:
+            return message
+        chunk = connection.recv(2**20)
+        assert chunk, "the server cut the connection"
+        reader.feed(chunk)
+
+
+def test_ten_thousand_nonsense_messages_get_an_answer_each_and_the_server_goes_on(port: int) -> None:
+    chance = random.Random(0)
+    reader = msgpack.Unpacker(raw=False, strict_map_key=False, unicode_errors="surrogateescape")
+    refusals = 0
+    with socket.create_connection(("127.0.0.1", port), timeout=60) as connection:
+        for number in range(10_000):
+            arguments = [nonsense(chance) for _ in range(chance.randrange(5))]
+            call = [0, number, chance.choice(NAMES), [[False], *arguments]]
+            connection.sendall(said(call if chance.random() < 0.9 else nonsense(chance)))
+            kind, _, fault, answer = heard(connection, reader)
+            assert (kind, fault) == (1, None)  # a fault of the protocol would end a client
+            if answer and isinstance(answer[0], list) and answer[0][:1] == [0] and answer[0][0] is not False:
+                refusals += 1
+                assert len(answer[0][1][0]) > 10
+    assert refusals > 5_000
+    _, world = connected(port)
+    assert world.tick() > 0
+
+
+def test_what_is_no_message_at_all_cuts_off_nobody_else(port: int) -> None:
+    _, world = connected(port)
+    chance = random.Random(0)
+    for place in (port, port + 1):
+        for _ in range(100):
+            with socket.create_connection(("127.0.0.1", place)) as connection:
+                connection.sendall(chance.randbytes(200))
+    assert world.tick() > 0
+
+
+def test_a_second_client_sees_the_same_world_and_outlives_a_load_of_the_first(port: int) -> None:
+    first, world = connected(port)
+    second: Any = carla.Client("127.0.0.1", port)
+    second.set_timeout(20.0)
+    other = second.get_world()
+    car = world.spawn_actor(world.get_blueprint_library().find(MKZ), world.get_map().get_spawn_points()[0])
+    frame = world.tick()
+    while other.get_snapshot().frame < frame:
+        other.wait_for_tick(20.0)
+    other.get_actor(car.id).apply_control(carla.VehicleControl(throttle=1.0))
+    for _ in range(20):
+        world.tick()
+    assert car.get_velocity().length() > 2.0
+    first.load_world("town")
+    again = second.get_world()
+    again.wait_for_tick(20.0)
+    assert not list(again.get_actors().filter("vehicle.*"))
+
+
+def test_loads_and_spawns_in_a_row_leave_nothing_behind(port: int) -> None:
+    client, world = connected(port)
+    kept = len(world.get_actors())
+    for _ in range(8):
+        library, points = world.get_blueprint_library(), world.get_map().get_spawn_points()
+        made = client.apply_batch_sync([carla.command.SpawnActor(library.find(MKZ), p) for p in points[:20]], True)
+        assert not any(answer.has_error() for answer in made)
+        gone = client.apply_batch_sync([carla.command.DestroyActor(answer.actor_id) for answer in made[:10]], True)
+        assert not any(answer.has_error() for answer in gone)
+        assert len(world.get_actors()) == kept + 10
+        world = client.reload_world(False)
+        assert len(world.get_actors()) == kept
+
+
+# A traffic manager lives in the client's process and can lose a wake-up there, so it has a process that can be killed.
+MANAGED = """
+import sys, time, carla
+port, manager_port = int(sys.argv[1]), int(sys.argv[2])
+client = carla.Client("127.0.0.1", port)
+client.set_timeout(20.0)
+world = client.load_world("town")
+settings = world.get_settings()
+settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
+world.apply_settings(settings)
+manager = client.get_trafficmanager(manager_port)
+manager.set_synchronous_mode(True)
+manager.set_random_device_seed(1)
+time.sleep(0.3)
+blueprint = world.get_blueprint_library().find("vehicle.lincoln.mkz_2017")
+cars = [world.spawn_actor(blueprint, point) for point in world.get_map().get_spawn_points()[:5]]
+world.tick()
+for car in cars:
+    car.set_autopilot(True, manager_port)
+for _ in range(200):
+    world.tick()
+world_map = world.get_map()
+for car in cars:
+    at = car.get_location()
+    print(car.get_velocity().length(), world_map.get_waypoint(at).transform.location.distance(at))
+manager.set_synchronous_mode(False)
+settings.synchronous_mode = False
+world.apply_settings(settings)
+"""
+
+
+def test_the_wheels_own_traffic_manager_drives_on_the_lanes(port: int) -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        manager = free.getsockname()[1]
+    for _ in range(3):
+        try:
+            done = subprocess.run(
+                [sys.executable, "-c", MANAGED, str(port), str(manager)],
+                check=False,
+                capture_output=True,
+                text=True,
+                timeout=60,
+            )
+        except subprocess.TimeoutExpired:
+            continue
+        break
+    else:
+        pytest.fail("three clients with a traffic manager hung")
+    driven = [tuple(map(float, line.split())) for line in done.stdout.splitlines()]
+    assert len(driven) == 5, done.stderr
+    assert sum(speed > 2.0 for speed, _ in driven) >= 3
+    assert all(beside < 2.0 for _, beside in driven)
