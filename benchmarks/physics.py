@@ -1,6 +1,7 @@
 """Do results hinge on how bodies answer: the same searches under each physics, and what a step of it costs.
 
-    python benchmarks/physics.py [--scenes 20] [--routes 2] [--seed 0] [--ego sac] [--ego idm] [--jobs 1]
+    python benchmarks/physics.py [--scenes 20] [--routes 2] [--seed 0] [--ego sac] [--ego idm]
+        [--base red-light-running] [--jobs 1]
 
 Three generators search with one scenario of each of four base scenarios, as in a benchmark, under each physics:
 
@@ -102,15 +103,16 @@ def _share(those: list[bool]) -> str:
 class Searcher:
     """Does tasks in one process."""
 
-    def __init__(self, given: tuple[SearchSettings, tuple[str, ...]]) -> None:
-        self._search, names = given
+    def __init__(self, given: tuple[SearchSettings, tuple[str, ...], tuple[str, ...]]) -> None:
+        self._search, names, bases = given
+        self._bases = [BaseScenario(base) for base in bases]
         self._egos = [load_ego(name) for name in names]
 
     def __call__(self, task: Task) -> Found:
         """Search, and let every ego drive what is kept."""
         found, search, reading = Found(task, [], [], [], [], []), self._search, RetrievalSettings()
         generator, simulator, surrogate = load_generator(task.generator), simulator_of(task.physics), self._egos[0]
-        for base in BASES:
+        for base in self._bases:
             scenario = generator.read(generator.texts(base)[0], reading)
             first = generator.write(scenario, reading)
             try:
@@ -179,8 +181,9 @@ def step_time(vehicle: Vehicles) -> float:
 @click.option("--routes", default=2, show_default=True)
 @click.option("--seed", default=0, show_default=True)
 @click.option("--ego", "egos", multiple=True, default=("sac", "idm"), show_default=True)
+@click.option("--base", "bases", multiple=True, default=BASES, show_default=True)
 @click.option("--jobs", default=1, show_default=True)
-def main(scenes: int, routes: int, seed: int, egos: tuple[str, ...], jobs: int) -> None:
+def main(scenes: int, routes: int, seed: int, egos: tuple[str, ...], bases: tuple[str, ...], jobs: int) -> None:
     """Search under each physics and print the table, the order of the generators, and the time of a step."""
     search = SearchSettings(scenes=scenes, routes=routes, seed=seed)
     tasks = [Task(physics, generator) for physics in VEHICLES for generator in GENERATORS]
@@ -190,7 +193,7 @@ def main(scenes: int, routes: int, seed: int, egos: tuple[str, ...], jobs: int) 
     click.echo("|---|---|---|---|---|---|")
     order: dict[str, dict[str, float]] = {physics: {} for physics in VEHICLES}
     refused: list[str] = []
-    for found in spread(Searcher, (search, egos), tasks, jobs=jobs):
+    for found in spread(Searcher, (search, egos, bases), tasks, jobs=jobs):
         click.echo(found.row())
         order[found.task.physics][found.task.generator] = sum(found.kept) / max(len(found.kept), 1)
         refused += found.refused

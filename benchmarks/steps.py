@@ -4,7 +4,8 @@
 
 Each program has an ego that a policy drives and one adversary. Both simulators run the same program text for the
 same number of steps; ours also records tracks, detects events and computes the ten metrics. The ego policy costs
-the opponent the same: it is called once per step there too. At the end, where our own time goes.
+the opponent the same: it is called once per step there too. Then what the physics lagged costs beside the kinematic,
+in pairs, one after the other; at the end, where our own time goes.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from chatscene.ego.observation import RouteView
 from chatscene.ego.policy import EgoPolicy, controls, load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.score import columns, measure
-from chatscene.settings import SimulationSettings
+from chatscene.settings import PHYSICS, SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -49,7 +50,7 @@ PARTS = {
     "policy": ("ego/network.py", "ego/rule_based.py"),
     "observation": ("ego/observation.py", "same_lane", "_vehicle_ahead"),
     "behaviors": ("behaviors.scenic", "world/", "<bench>"),
-    "physics and contact": ("embedded/dynamics.py", "simulate/contact.py"),
+    "physics and contact": ("simulate/embedded/", "simulate/contact.py"),
     "events and metrics": ("simulate/roadside.py", "maps/lane_map.py", "measure/score.py"),
     "Scenic's loop and recording": ("simulate/", "scenic/"),
 }
@@ -57,9 +58,11 @@ ROUNDS = 9
 LOADED: dict[str, EgoPolicy] = {}
 
 
-def ours(source: str, map_path: Path, ego: EgoPolicy, profile: cProfile.Profile | None = None) -> float:
+def ours(
+    source: str, map_path: Path, ego: EgoPolicy, profile: cProfile.Profile | None = None, physics: str = "kinematic"
+) -> float:
     """Seconds per step, everything on."""
-    simulator = load_simulator(map_path, SimulationSettings())
+    simulator = load_simulator(map_path, SimulationSettings(physics=physics))
     program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=(), digest=source)
     scene = Scene(id="bench", scenario_id="bench", route=0, block=0, seed=0, values={})
     simulate(simulator, program, scene, ego)
@@ -125,8 +128,11 @@ def main() -> None:
         source = PROGRAM.format(behavior=behavior)
         fast = [ours(source, map_path, load_ego(ego)) for _ in range(ROUNDS)]
         slow = [newtonian(source, map_path, ego, 100) for _ in range(3)]
+        pairs = [[ours(source, map_path, load_ego(ego), physics=physics) for physics in PHYSICS] for _ in range(ROUNDS)]
+        lag = statistics.median(lagged / kinematic for kinematic, lagged in pairs)
         a, b = statistics.median(fast), statistics.median(slow)
         print(f"{name}: ours {1 / a:,.0f} steps/s, Newtonian {1 / b:,.0f} steps/s, ratio {b / a:.1f}")
+        print(f"{name}: a step of the physics lagged costs {lag:.2f} of one of the kinematic")
     profile = cProfile.Profile()
     for _ in range(ROUNDS):
         ours(source, map_path, load_ego(ego), profile)

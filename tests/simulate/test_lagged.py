@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene import pipeline, runs
+from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn.finetune.scenes import kept_scenes
 from chatscene.maps.network import resolve_map
@@ -18,9 +19,11 @@ from chatscene.runs.replay import replay
 from chatscene.settings import PHYSICS, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.embedded.dynamics import AIR_DRAG, VehicleBody, WalkerBody, make_body
 from chatscene.simulate.embedded.lagged import DRY, GRAVITY, LAG_SPEED, LaggedVehicle, build_up
-from chatscene.simulate.simulator import load_simulator
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.studies.evaluation import evaluate
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.testing.simulators import check_simulator
 from chatscene.world.bodies import Placement
 
@@ -249,3 +252,18 @@ def test_runs_under_different_physics_are_not_measured_together(runs_of: dict[st
 
 def test_a_record_without_a_physics_is_kinematic() -> None:
     assert settings_from(SimulationSettings, {"dt": 0.1, "max_steps": 300}).physics == "kinematic"
+
+
+def test_behind_the_walls_bodies_lag_as_they_do_before_them() -> None:
+    source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
+    source += "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
+    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest="road")
+    scene = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})
+
+    def speeds(simulator: str, physics: str) -> list[float]:
+        settings = SimulationSettings(simulator=simulator, physics=physics, max_steps=30)
+        episode = simulate(load_simulator(resolve_map("town"), settings), program, scene, RuleBased())
+        assert isinstance(episode, Episode)
+        return episode.ego_track.speed.tolist()
+
+    assert speeds("confined", "lagged") == speeds("embedded", "lagged") != speeds("embedded", "kinematic")
