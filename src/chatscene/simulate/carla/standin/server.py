@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -31,7 +32,7 @@ class Client:
     """Who calls.
 
     Attributes:
-        number: Of its stream of the world.
+        number: Of its stream of the world, another one after each loading of its own.
         managers: Ports of its traffic managers, which live in its process and end with it.
     """
 
@@ -58,7 +59,7 @@ class Server:
         self._host, self._port, self._log = host, port, log
         self._streams = Streams(world, port + 1, self._pack)
         self._managers: dict[int, list[Any]] = {}  # traffic managers by their port
-        self._clients = FIRST_CLIENT
+        self._world_streams = itertools.count(FIRST_CLIENT)
         self._own: dict[str, Call] = {
             "get_episode_info": self._episode,
             "get_sensor_token": self._sensor,
@@ -90,8 +91,7 @@ class Server:
                     self._world.step()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        client = Client(self._clients)
-        self._clients += 1
+        client = Client(self._next_stream())
         unpacker = self._unpacker()
         try:
             while chunk := await reader.read(2**20):
@@ -144,12 +144,16 @@ class Server:
     def _sensor(self, _: Client, number: Any) -> list[bytes]:
         return [self._token(wire.whole(number))]
 
+    def _next_stream(self) -> int:
+        return next(self._world_streams)
+
     def _token(self, stream: int) -> bytes:
         return wire.token(stream, self._streams.port)
 
     def _load(self, client: Client, *arguments: Any) -> None:
         load_new_episode(self._world, *arguments)
         self._streams.loaded(client.number)
+        client.number = self._next_stream()
 
     def _spawn(self, _: Client, what: Any, place: Any, parent: Any = 0, *__: Any) -> list[Any]:
         return self._described(self._world.spawn(what, place, wire.whole(parent)))

@@ -36,6 +36,7 @@ class Streams:
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
         self._resting: set[int] = set()
+        self._dropped: set[int] = set()
         world.on_step = self._publish
         world.on_spawn = Sensors.check
 
@@ -44,9 +45,10 @@ class Streams:
         number = -1
         try:
             (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
-            self._open.setdefault(number, []).append(writer)
-            if number >= FIRST_CLIENT:
-                _send([writer], self._frame())
+            if number not in self._dropped:
+                self._open.setdefault(number, []).append(writer)
+                if number >= FIRST_CLIENT:
+                    _send([writer], self._frame())
             await reader.read(1)  # clients send nothing more; this ends when they go
         except (ConnectionError, asyncio.IncompleteReadError):
             pass
@@ -56,15 +58,16 @@ class Streams:
             writer.close()
 
     def loaded(self, client: int) -> None:
-        """A client loaded a map: it opens another stream by itself, and the others' rest until they call again.
+        """A client loaded a map: it gets another stream, and those of the others rest until they call again.
 
         The wheel ends in a segmentation fault where a frame arrives while it takes a stream down. So the old stream of
-        the client is dropped, not closed; what is under way to it has time to arrive; and clients that are gone but not
-        yet collected by their process, which never call again, are sent nothing.
+        the client is dropped, not closed, also if it is only opened now; what is under way has time to arrive; and
+        clients that are gone but not yet collected by their process, which never call again, are sent nothing.
         """
         self._sensors.forget()
         self._open = {number: writers for number, writers in self._open.items() if number >= FIRST_CLIENT}
         self._open.pop(client, None)
+        self._dropped.add(client)
         self._resting = set(self._open)
         time.sleep(_UNDER_WAY)
 

@@ -1,0 +1,66 @@
+"""Ticks per second of the stand-in for CARLA, through the real wheel.
+
+    python benchmarks/carla_ticks.py [TICKS]
+
+A client in this process ticks a synchronous world with 1, 20 and 100 cars that drive; the server is a process of its
+own. The opponent is the clock: how many times faster than real time a step of 50 ms is. Needs the extra 'carla'.
+"""
+
+from __future__ import annotations
+
+import socket
+import subprocess
+import sys
+import time
+
+import carla  # pyright: ignore[reportMissingImports]
+
+DT = 0.05  # [s]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+def measure(port: int, cars: int, ticks: int) -> float:
+    """Ticks per second with so many cars."""
+    client = carla.Client("127.0.0.1", port)
+    client.set_timeout(30.0)
+    world = client.load_world("town")
+    settings = world.get_settings()
+    settings.synchronous_mode, settings.fixed_delta_seconds = True, DT
+    world.apply_settings(settings)
+    blueprint = world.get_blueprint_library().find("vehicle.lincoln.mkz_2017")
+    command = carla.command
+    drive = command.ApplyVehicleControl(command.FutureActor, carla.VehicleControl(throttle=0.4))
+    points = world.get_map().get_spawn_points()[:cars]
+    made = client.apply_batch_sync([command.SpawnActor(blueprint, point).then(drive) for point in points], True)
+    assert len(made) == cars
+    assert not any(answer.has_error() for answer in made)
+    start = time.perf_counter()
+    for _ in range(ticks):
+        world.tick()
+    return ticks / (time.perf_counter() - start)
+
+
+def main() -> None:
+    ticks = int(sys.argv[1]) if len(sys.argv) > 1 else 500
+    port = free_port()
+    command = [sys.executable, "-m", "chatscene", "serve-carla", "--port", str(port)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        try:
+            assert server.stdout is not None
+            print(server.stdout.readline().strip())
+            print("cars  ticks/s  times real time")
+            for cars in (1, 20, 100):
+                rate = measure(port, cars, ticks)
+                print(f"{cars:4}  {rate:7.0f}  {rate * DT:7.1f}")
+        finally:
+            server.terminate()
+
+
+if __name__ == "__main__":
+    main()
