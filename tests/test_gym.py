@@ -80,3 +80,13 @@ def test_the_ids_are_those_of_the_package() -> None:
     assert {name for name in gymnasium.registry if name.startswith("chatscene/")} == set(IDS)
     assert chatscene.gym.__doc__ is not None
     assert all(name in chatscene.gym.__doc__ for name in IDS)
+
+
+@every_id
+def test_an_environment_has_the_physics_that_is_asked_for(name: str) -> None:
+    kinematic, lagged = (
+        driven(gymnasium.make(name, physics=physics, **IDS[name]).unwrapped, seed=3)
+        for physics in ("kinematic", "lagged")
+    )
+    assert kinematic[0] == lagged[0]
+    assert kinematic[1] != lagged[1]
