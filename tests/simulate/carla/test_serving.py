@@ -1,0 +1,53 @@
+"""The command that stands in for CARLA: where it listens, and how it ends where it cannot."""
+
+from __future__ import annotations
+
+import socket
+import sys
+
+import pytest
+from click.testing import CliRunner
+from standing_in import serving
+
+from chatscene.commands.main import main
+
+pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
+pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
+
+
+def test_it_listens_on_loopback_and_on_no_other_address() -> None:
+    with serving() as (port, _):
+        for place in (port, port + 1):
+            socket.create_connection(("127.0.0.1", place)).close()
+            with pytest.raises(OSError):
+                socket.create_connection(("127.0.0.2", place), timeout=5)
+
+
+def test_a_port_that_is_taken_is_named() -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        done = CliRunner().invoke(main, ["serve-carla", "--port", str(port)])
+    assert done.exit_code == 1
+    assert f"cannot listen on 127.0.0.1, ports {port} and {port + 1}" in done.output
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (["--map", "twon"], "did you mean 'town'?"),
+        (["--simulator", "confined"], "brings no bodies that a stand-in for CARLA could move"),
+    ],
+)
+def test_what_cannot_be_served_is_said_before_anybody_calls(options: list[str], says: str) -> None:
+    done = CliRunner().invoke(main, ["serve-carla", *options])
+    assert done.exit_code == 1
+    assert says in done.output
+
+
+def test_without_the_wheel_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "carla", None)
+    done = CliRunner().invoke(main, ["serve-carla"])
+    assert done.exit_code == 1
+    assert 'pip install "chatscene[carla]"' in done.output
