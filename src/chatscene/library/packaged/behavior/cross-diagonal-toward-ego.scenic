@@ -3,6 +3,7 @@
 #: origin = "own code"
 #: [slots]
 #: actions = ["cross", "diagonal", "oncoming"]
+#: group = false
 
 param OPT_ADV_SPEED = Range(1.6, 4)  #: [m/s] how fast it goes
 param OPT_ADV_DISTANCE = Range(4, 26)  #: [m] how far the ego still has to go when the adversary reaches its line
