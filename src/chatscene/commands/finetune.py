@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _SHOWN = {"collision_rate": "collision rate", "overall_score": "overall score", "completion": "completion"}
 
 PHYSICS_THERE = click.option(
-    "--physics", type=click.Choice(PHYSICS), help="How bodies answer there.  [default: that of the runs]"
+    "--physics", type=click.Choice(PHYSICS), default=None, help="How bodies answer there.  [default: that of the runs]"
 )
 
 

@@ -67,6 +67,7 @@ class RoadUser:
     Attributes:
         scenic: Class in `world/model.scenic`, and the kind of its tracks.
         blueprint: What it is in CARLA 0.9.
+        mass: Of a common one with whoever is in or on it [kg].
         limits: What its body can do.
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
         words: Regular expression of the words that name it.
@@ -81,6 +82,7 @@ class RoadUser:
 
     scenic: str
     blueprint: str
+    mass: float
     limits: Limits
     manner: Manner
     words: str
@@ -113,6 +115,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Car",
             blueprint="vehicle.lincoln.mkz_2017",
+            mass=1700.0,
             limits=Limits(
                 length=4.9,
                 width=2.13,
@@ -149,6 +152,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Truck",
             blueprint="vehicle.carlamotors.carlacola",
+            mass=8000.0,
             limits=Limits(
                 length=7.8,
                 width=2.5,
@@ -184,6 +188,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Bus",
             blueprint="vehicle.mitsubishi.fusorosa",
+            mass=6500.0,
             limits=Limits(
                 length=11.5,
                 width=2.5,
@@ -212,6 +217,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Motorcycle",
             blueprint="vehicle.yamaha.yzf",
+            mass=300.0,
             limits=Limits(
                 length=2.2,
                 width=0.8,
@@ -244,6 +250,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Bicycle",
             blueprint="vehicle.bh.crossbike",
+            mass=90.0,
             limits=Limits(
                 length=1.8,
                 width=0.6,
@@ -278,6 +285,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="Pedestrian",
             blueprint="walker.pedestrian.0001",
+            mass=80.0,
             limits=Limits(length=0.6, width=0.6, throttle=4.0, brake=5.0, top_speed=8.0),
             manner=Manner.WALKS,
             words=(
@@ -303,6 +311,7 @@ class AdversaryKind(StrEnum):
         RoadUser(
             scenic="EmergencyVehicle",
             blueprint="vehicle.ford.ambulance",
+            mass=3500.0,
             limits=Limits(
                 length=5.9,
                 width=2.1,

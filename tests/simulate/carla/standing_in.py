@@ -45,7 +45,7 @@ def connected(port: int, dt: float | None = DT) -> tuple[Any, Any]:
     import carla
 
     client: Any = carla.Client("127.0.0.1", port)
-    client.set_timeout(20.0)
+    client.set_timeout(60.0)
     world = client.load_world("town")
     if dt is not None:
         settings = world.get_settings()

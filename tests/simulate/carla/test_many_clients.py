@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import random
 import socket
-import subprocess
-import sys
 from collections.abc import Generator
 from typing import Any
 
 import pytest
-from standing_in import connected, serving
+from standing_in import connected, serving, ticked_until
 
 from chatscene.simulate.carla.standin.calls import CALLS
 from chatscene.simulate.carla.standin.calls_actors import ACTOR_CALLS
@@ -92,19 +90,18 @@ def test_what_is_no_message_at_all_cuts_off_nobody_else(port: int) -> None:
 def test_a_second_client_sees_the_same_world_and_outlives_a_load_of_the_first(port: int) -> None:
     first, world = connected(port)
     second: Any = carla.Client("127.0.0.1", port)
-    second.set_timeout(20.0)
+    second.set_timeout(60.0)
     other = second.get_world()
     car = world.spawn_actor(world.get_blueprint_library().find(MKZ), world.get_map().get_spawn_points()[0])
     frame = world.tick()
-    while other.get_snapshot().frame < frame:
-        other.wait_for_tick(20.0)
+    ticked_until(world, lambda: other.get_snapshot().frame >= frame)  # its stream may have begun after that tick
     other.get_actor(car.id).apply_control(carla.VehicleControl(throttle=1.0))
     for _ in range(20):
         world.tick()
     assert car.get_velocity().length() > 2.0
     first.load_world("town")
     again = second.get_world()
-    again.wait_for_tick(20.0)
+    again.wait_for_tick(60.0)
     assert not list(again.get_actors().filter("vehicle.*"))
 
 
@@ -120,58 +117,3 @@ def test_loads_and_spawns_in_a_row_leave_nothing_behind(port: int) -> None:
         assert len(world.get_actors()) == kept + 10
         world = client.reload_world(False)
         assert len(world.get_actors()) == kept
-
-
-# A traffic manager lives in the client's process and can lose a wake-up there, so it has a process that can be killed.
-MANAGED = """
-import sys, time, carla
-port, manager_port = int(sys.argv[1]), int(sys.argv[2])
-client = carla.Client("127.0.0.1", port)
-client.set_timeout(20.0)
-world = client.load_world("town")
-settings = world.get_settings()
-settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
-world.apply_settings(settings)
-manager = client.get_trafficmanager(manager_port)
-manager.set_synchronous_mode(True)
-manager.set_random_device_seed(1)
-time.sleep(0.3)
-blueprint = world.get_blueprint_library().find("vehicle.lincoln.mkz_2017")
-cars = [world.spawn_actor(blueprint, point) for point in world.get_map().get_spawn_points()[:5]]
-world.tick()
-for car in cars:
-    car.set_autopilot(True, manager_port)
-for _ in range(200):
-    world.tick()
-world_map = world.get_map()
-for car in cars:
-    at = car.get_location()
-    print(car.get_velocity().length(), world_map.get_waypoint(at).transform.location.distance(at))
-manager.set_synchronous_mode(False)
-settings.synchronous_mode = False
-world.apply_settings(settings)
-"""
-
-
-def test_the_wheels_own_traffic_manager_drives_on_the_lanes(port: int) -> None:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        manager = free.getsockname()[1]
-    for _ in range(3):
-        try:
-            done = subprocess.run(
-                [sys.executable, "-c", MANAGED, str(port), str(manager)],
-                check=False,
-                capture_output=True,
-                text=True,
-                timeout=60,
-            )
-        except subprocess.TimeoutExpired:
-            continue
-        break
-    else:
-        pytest.fail("three clients with a traffic manager hung")
-    driven = [tuple(map(float, line.split())) for line in done.stdout.splitlines()]
-    assert len(driven) == 5, done.stderr
-    assert sum(speed > 2.0 for speed, _ in driven) >= 3
-    assert all(beside < 2.0 for _, beside in driven)

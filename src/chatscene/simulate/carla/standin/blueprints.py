@@ -11,29 +11,15 @@ from functools import lru_cache
 from typing import Any
 
 from chatscene.simulate.carla.standin.wire import VERSION
+from chatscene.terms.actors import AdversaryKind, Manner
 
 _BOOL, _INT, _FLOAT, _STRING, _COLOUR = 1, 2, 3, 4, 5
-_KINDS = {
-    "car": "Car",
-    "van": "Car",
-    "truck": "Truck",
-    "bus": "Bus",
-    "motorcycle": "Motorcycle",
-    "bicycle": "Bicycle",
-}
+_VAN = "van"  # CARLA's other types of vehicles are called as our kinds are
+_BASES = (*(kind.value for kind in AdversaryKind if kind.row.manner is not Manner.WALKS), _VAN)
 _EMERGENCY = {"vehicle.ford.ambulance", "vehicle.carlamotors.firetruck"}
 _SIRENS = ("ambulance", "police", "firetruck")
 _WALKER = (0.38, 0.38, 1.86)  # [m], length, width, height of most of CARLA's grown pedestrians
 _SMALL = (0.2, 0.2, 0.2)  # [m], of what has no size of its own
-_MASS = {
-    "Car": 1700.0,
-    "Truck": 8000.0,
-    "Bus": 6500.0,
-    "Motorcycle": 300.0,
-    "Bicycle": 90.0,
-    "EmergencyVehicle": 3500.0,
-}
-_WALKER_MASS = 80.0  # [kg]
 
 Attribute = list[Any]
 
@@ -82,8 +68,8 @@ def catalogue() -> dict[str, Blueprint]:
 
     made = [
         _vehicle(name, base, size(name))
-        for base in _KINDS
-        for name in ids[f"{base}Models"]
+        for base in _BASES
+        for name in ids.get(f"{base}Models", ())
         if name.startswith("vehicle.")
     ]
     made += [_walker(name, size(name, _WALKER)) for name in ids["walkerModels"]]
@@ -130,14 +116,20 @@ def _role(value: str, *choices: str) -> Attribute:
 
 
 def _vehicle(name: str, base: str, size: tuple[float, float, float]) -> Blueprint:
-    kind = "EmergencyVehicle" if name in _EMERGENCY else _KINDS[base]
+    kind = (
+        AdversaryKind.EMERGENCY_VEHICLE
+        if name in _EMERGENCY
+        else AdversaryKind.CAR
+        if base == _VAN
+        else AdversaryKind(base)
+    )
     special = "emergency" if any(word in name for word in _SIRENS) else "taxi" if "taxi" in name else ""
-    wheels = "2" if base in ("motorcycle", "bicycle") else "4"
+    wheels = "2" if kind.row.manner is Manner.RIDES else "4"
     return Blueprint(
         id=name,
-        kind=kind,
+        kind=kind.row.scenic,
         size=size,
-        mass=_MASS[kind],
+        mass=kind.row.mass,
         attributes=[
             _role("autopilot", "autopilot", "scenario", "ego_vehicle", "hero"),
             _attribute("color", _COLOUR, "17,37,103", ("17,37,103", "137,0,0", "190,190,190")),
@@ -158,7 +150,7 @@ def _walker(name: str, size: tuple[float, float, float]) -> Blueprint:
         id=name,
         kind="Pedestrian",
         size=size,
-        mass=_WALKER_MASS,
+        mass=AdversaryKind.PEDESTRIAN.row.mass,
         attributes=[
             _role("pedestrian"),
             _attribute("is_invincible", _BOOL, "true"),
