@@ -104,6 +104,8 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
     assert runs.check(tmp_path / "r").whole
     with pytest.raises(RunError, match=r"settings\.seed was 0 and is now 1"):
         reproduce(tmp_path / "r", TABLES, budget="tiny", seed=1, progress=silent)
+    with pytest.raises(RunError, match=r"settings\.physics was 'kinematic' and is now 'lagged'"):
+        reproduce(tmp_path / "r", TABLES, budget="tiny", physics="lagged", progress=silent)
 
 
 def test_what_cannot_be_reproduced_is_said_before_anything_is_run(tmp_path: Path) -> None:
@@ -111,4 +113,6 @@ def test_what_cannot_be_reproduced_is_said_before_anything_is_run(tmp_path: Path
         reproduce(tmp_path / "r", ["table9"], progress=silent)
     with pytest.raises(SettingsError, match="no budget 'papper'; did you mean 'paper'"):
         reproduce(tmp_path / "r", ["table1"], budget="papper", progress=silent)
+    with pytest.raises(SettingsError, match="no physics 'laged'"):
+        reproduce(tmp_path / "r", ["table1"], physics="laged", progress=silent)
     assert not (tmp_path / "r").exists()

@@ -10,11 +10,20 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
 
+from chatscene.settings import PHYSICS, SimulationSettings
+
 if TYPE_CHECKING:
     from rich.console import Console
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
+PHYSICS_OPTION = click.option(
+    "--physics",
+    type=click.Choice(PHYSICS),
+    default=SimulationSettings().physics,
+    show_default=True,
+    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
+)
 
 
 class Reading(TypedDict):

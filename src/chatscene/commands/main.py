@@ -24,6 +24,7 @@ from chatscene.commands.library import (
     JSON,
     LIBRARY_AGAIN,
     MODEL_AGAIN,
+    PHYSICS_OPTION,
     READING,
     SAMPLER_AGAIN,
     SIMULATOR_AGAIN,
@@ -37,7 +38,7 @@ from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
-from chatscene.settings import PHYSICS, SimulationSettings
+from chatscene.settings import SimulationSettings
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -62,15 +63,6 @@ SIMULATOR = click.option(
     default=SimulationSettings().simulator,
     show_default=True,
     help="What scenes run in: this, confined (behind the sandbox's walls), or package.module:factory.",
-)
-
-
-PHYSICS_OPTION = click.option(
-    "--physics",
-    type=click.Choice(PHYSICS),
-    default=SimulationSettings().physics,
-    show_default=True,
-    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
 )
 
 

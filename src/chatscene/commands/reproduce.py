@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import JSON, progress, say
+from chatscene.commands.library import JSON, PHYSICS_OPTION, progress, say
 
 if TYPE_CHECKING:
     from chatscene.studies.reproduce import Reproduced
@@ -25,6 +25,7 @@ ALL = "all"
     help="'small': minutes; 'paper': every method as many simulations as the paper's; 'reference': each its own.",
 )
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
+@PHYSICS_OPTION
 @click.option("--preset", default="released", show_default=True, help="Gradient steps of table 3: released, or paper.")
 @click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
 @click.option("--seed", default=0, show_default=True)
@@ -35,6 +36,7 @@ def reproduce(
     tables: tuple[str, ...],
     budget: str,
     avoidable: bool,
+    physics: str,
     preset: str,
     choice: str,
     seed: int,
@@ -59,6 +61,7 @@ def reproduce(
         TABLES if tables == (ALL,) else tables,
         budget=budget,
         avoidable_only=avoidable,
+        physics=physics,
         preset=preset,
         choice=choice,
         seed=seed,

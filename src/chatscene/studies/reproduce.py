@@ -28,6 +28,7 @@ from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
+from chatscene.settings import PHYSICS, SimulationSettings
 from chatscene.studies.benchmark import benchmark
 from chatscene.studies.evaluation import evaluate, read_displacements, read_drives
 from chatscene.terms.metrics import Measurements, Mode
@@ -88,6 +89,7 @@ class _Common:
 
     budget: str
     avoidable_only: bool
+    physics: str
     seed: int
 
 
@@ -122,6 +124,7 @@ def reproduce(
     *,
     budget: str = "small",
     avoidable_only: bool = False,
+    physics: str = SimulationSettings().physics,
     preset: str = "released",
     choice: str = "paper",
     seed: int = 0,
@@ -135,6 +138,7 @@ def reproduce(
         tables: Which, of `TABLES`.
         budget: One of `BUDGETS`.
         avoidable_only: Keep no collision that a careful driver would not have avoided.
+        physics: How bodies answer, in every drive.
         preset: How often a fine-tuning learns, of `chatscene.learn.finetune.PRESETS`.
         choice: Who chooses its checkpoint.
         seed: Of everything.
@@ -142,7 +146,7 @@ def reproduce(
         progress: Told what is done.
 
     Raises:
-        SettingsError: There is no such table or budget.
+        SettingsError: There is no such table, budget or physics.
         RunError: The folder holds something else.
         MissingExtra: A package is missing that a method or the fine-tuning needs.
     """
@@ -151,18 +155,21 @@ def reproduce(
             raise SettingsError(no_such("table", name, TABLES))
     if budget not in BUDGETS:
         raise SettingsError(no_such("budget", budget, BUDGETS))
+    if physics not in PHYSICS:
+        raise SettingsError(no_such("physics", physics, PHYSICS))
     if preset not in PRESETS:
         raise SettingsError(no_such("preset", preset, PRESETS))
     chosen = BUDGETS[budget]
     settings = replace(chosen.finetune, **PRESETS[preset], ego=SURROGATE, choice=choice, seed=seed)
+    common = _Common(budget=budget, avoidable_only=avoidable_only, physics=physics, seed=seed)
     asked = runs.ReproductionRecord(
-        settings=asdict(_Common(budget=budget, avoidable_only=avoidable_only, seed=seed)),
+        settings=asdict(common),
         tables=list(tables),
         preset=preset,
         choice=choice,
     )
     with going_on(folder, asked, progress, leaves=LEAVES) as (work, tell):
-        done = _made(work, chosen, tables, settings, f"{preset}-{choice}", avoidable_only, jobs, tell)
+        done = _made(work, chosen, tables, settings, f"{preset}-{choice}", common, jobs, tell)
         write_tables(folder / "tables", done)
     return Reproduced(folder=folder, tables=done, seconds=runs.read_record(work, runs.ReproductionRecord).timings)
 
@@ -173,7 +180,7 @@ def _made(
     tables: Sequence[str],
     settings: FinetuneSettings,
     taught: str,
-    avoidable_only: bool,
+    common: _Common,
     jobs: int,
     progress: Progress,
 ) -> dict[str, ResultTable]:
@@ -188,8 +195,9 @@ def _made(
                 generator=method,
                 budget=budget.benchmark,
                 surrogate=SURROGATE,
-                avoidable_only=avoidable_only,
-                seed=settings.seed,
+                physics=common.physics,
+                avoidable_only=common.avoidable_only,
+                seed=common.seed,
                 jobs=jobs,
                 progress=lambda what, count, total, method=method: progress(f"{method}: {what}", count, total),
             )
