@@ -247,12 +247,12 @@ def test_what_a_program_takes_to_compile_is_not_counted_as_driving(
     left: list[float] = []
 
     def slowly(*arguments: Any, **named: Any) -> Any:
-        _compute(0.5)
+        _compute(2.0)
         return compile_program(*arguments, **named)
 
     monkeypatch.setattr(staging, "compile_program", slowly)
     simulate(simulator, another, scene(), _Does(lambda: left.append(signal.getitimer(signal.ITIMER_PROF)[0])))
-    assert watchdog.PATIENCE - left[0] < 0.4
+    assert watchdog.PATIENCE - left[0] < 2.0  # opening a session takes processor time, and more on a busy machine
 
 
 def _compute(seconds: float) -> None:
