@@ -3,16 +3,17 @@
 The same bicycle within the same limits as in `chatscene.simulate.embedded.dynamics`, and besides:
 
 *Build-up.* Drive and brake follow the pedals as first-order lags. UN R157 gives 0.6 s from the first touch to full
-braking; a linear ramp of that length loses as much speed as a first-order lag of 0.3 s, which is a car's here. UN R13,
-annex 6, allows compressed-air brakes 0.6 s to 75 % of their pressure, which a lag of 0.6 s / ln 4 = 0.43 s just meets:
-that of trucks and buses. Studies of platoons put 0.1 s (Ploeg et al., ITSC 2011, measured on a hybrid car) to 0.5 s
-(Rajamani, "Vehicle Dynamics and Control") for a drive; a car's 0.3 s is our choice between them, a heavy vehicle's
-0.6 s one beyond them. Brakes of two-wheelers and of ambulances are taken for a car's.
+braking; a linear ramp of that length loses as much speed as a first-order lag of 0.3 s, which is a car's here. EU
+regulation 2015/68, annex III, like UN R13, annex 6, allows 0.6 s from a pedal pressed within 0.2 s to 75 % of the
+brakes' pressure, which a lag of 0.6 s / ln 4 = 0.43 s just meets: that of trucks and buses. Studies of platoons take
+0.1 s (Ploeg et al., ITSC 2011) to 0.5 s (Rajamani, "Vehicle Dynamics and Control") for a drive, two figures quoted at
+second hand; a car's 0.3 s is our choice between them, a heavy vehicle's 0.6 s one beyond them. Brakes of two-wheelers
+and of ambulances are taken for a car's.
 
 *Understeer.* The wheel's gain falls with the speed as 1 / (1 + (v / v_ch)²), the steady state of the linear
 single-track model. Characteristic speeds of passenger cars are given as 65 to 100 km/h (EUROmotor's course on
-driving dynamics); ours is 22 m/s = 79 km/h, for
-heavy vehicles too, for want of a figure. Two-wheelers have none: their wheel angle stands for leaning.
+driving dynamics); ours is 22 m/s = 79 km/h, for heavy vehicles too, for want of a figure. Two-wheelers
+have none: their wheel angle stands for leaning.
 
 *Yaw lag.* The yaw rate follows the wheel as a first-order lag, whose time constant in the single-track model is
 J v / (a² C_f + b² C_r), so proportional to the speed. CommonRoad's BMW 320i has 0.09 s at 20 m/s; ours is 0.1 s. Heavy
