@@ -39,7 +39,7 @@ def test_the_packaged_map_is_small() -> None:
 def test_scenic_reads_every_road_and_junction_of_the_plan(network: Any) -> None:
     streets = plan()
     assert len(network.roads) == len(streets)
-    assert len(network.intersections) == len({node.id for s in streets for node in (s.start, s.end)})
+    assert len(network.intersections) == len({node for s in streets for node in (s.start, s.end)})
 
 
 def test_there_are_two_signalised_and_two_unsignalised_four_way_junctions(network: Any) -> None:
@@ -101,14 +101,15 @@ def test_carla_reads_the_packaged_map() -> None:
     assert {mark.type for mark in world_map.get_all_landmarks()} == {"1000001", "206"}
 
 
-def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture) -> None:
+@pytest.mark.parametrize("name", ["town", "outskirts"])
+def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture, name: str) -> None:
     missing = "asam-qc-opendrive is not installed, or has no wheel for this Python"
     baselib = pytest.importorskip("qc_baselib", reason=missing)
     constants = pytest.importorskip("qc_opendrive.constants", reason=missing)
     run_checks = pytest.importorskip("qc_opendrive.main", reason=missing).run_checks
     caplog.set_level(logging.ERROR)
     configuration, result = baselib.Configuration(), baselib.Result()
-    configuration.set_config_param("InputFile", str(TOWN))
+    configuration.set_config_param("InputFile", str(resolve_map(name)))
     result.register_checker_bundle(name=constants.BUNDLE_NAME, description="", version="1", summary="")
     result.set_result_version("1")
     run_checks(configuration, result)

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from chatscene.studies.evaluation import Evaluated
 
 MAP = click.option(
-    "--map", "map_name", default="town", show_default=True, help="The packaged 'town', or an .xodr file."
+    "--map", "map_name", default="town", show_default=True, help="The packaged 'town' or 'outskirts', or an .xodr file."
 )
 
 SAMPLER = click.option(

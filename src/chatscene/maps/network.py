@@ -33,11 +33,11 @@ _MEASURES = (
     | dict.fromkeys(("a", "b", "c", "d", *(f"{k}{axis}" for k in "abcd" for axis in "UV")), (-1e6, 1e6))
 )
 
-PACKAGED = {"town": Path(__file__).with_name("town.xodr")}
+PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in ("town", "outskirts")}
 
 
 def resolve_map(name: str) -> Path:
-    """The file of a map: the packaged ``town``, or a path to an ``.xodr`` file.
+    """The file of a map: the packaged ``town`` or ``outskirts``, or a path to an ``.xodr`` file.
 
     Raises:
         MapError: There is no such file; the nearest known name is given.
@@ -52,7 +52,7 @@ def resolve_map(name: str) -> Path:
     beside = [p.name for p in path.parent.glob("*.xodr")] if path.parent.is_dir() else []
     near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    raise MapError(f"there is no map {name!r}: neither the packaged 'town' nor a file{hint}")
+    raise MapError(f"there is no map {name!r}: neither packaged ({', '.join(PACKAGED)}) nor a file{hint}")
 
 
 def load_network(path: Path | str) -> Any:

@@ -1,18 +1,30 @@
 """Write OpenDRIVE 1.7 from a short plan of junctions and streets.
 
-The form is the one that parsers agree on: one road per two-way street, one connecting road per lane-to-lane
-manoeuvre, lines and arcs only, signals on the connecting roads they control, shoulder and sidewalk carried round
-corners by the right-turn connectors and along the flat side of a T.
-Source: ASAM OpenDRIVE 1.7.0, sections 8 (roads), 9 (lanes), 10 (junctions), 12 (signals).
+The form is the one that parsers agree on: one road per two-way street or per carriageway, one connecting road per
+lane-to-lane manoeuvre, lines and arcs only, signals on the connecting roads they control, shoulder and sidewalk
+carried round corners by the right-turn connectors and along the flat side of a T.
+Source: ASAM OpenDRIVE 1.7.0, sections 8 (roads), 9 (lanes), 10 (junctions), 11 (objects), 12 (signals).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from enum import Enum
+from itertools import pairwise
 from xml.etree import ElementTree as Xml
 
+from chatscene.maps.reference_lines import (
+    Corner,
+    Piece,
+    Pose,
+    after,
+    end_of,
+    line_arc_line,
+    rounded_line,
+    wrapped,
+)
 from chatscene.terms.scenario import Control
 
 LANE = 3.5  # [m]
@@ -22,6 +34,11 @@ SETBACK = 20.0  # [m], from a junction's centre to where its arms end: corner si
 
 TRAFFIC_LIGHT = "1000001"  # signal types of the German catalogue, which Scenic and CARLA know
 STOP_SIGN = "206"
+BUS_STOP = "224"
+
+NOWHERE = "+proj=tmerc +lat_0=0 +lon_0=0 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"  # in the Gulf of Guinea
+_MARGIN = 30.0  # [m] between reference lines and the bounds in the header: the widest half of a road, and some
+_IN_LINE = 1e-3  # [rad]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,55 +50,110 @@ class Node:
         x: Centre [m].
         y: Centre [m].
         control: How it is controlled.
+        setback: From its centre to where its arms end [m].
     """
 
     id: int
     x: float
     y: float
     control: Control
+    setback: float = SETBACK
+
+
+class Surroundings(Enum):
+    """OpenDRIVE's type of a road, and the speed allowed there [km/h]."""
+
+    TOWN = ("town", 50)
+    RURAL = ("rural", 100)
+    MOTORWAY = ("motorway", 120)
+    RAMP = ("motorway", 60)
+
+
+class Use(Enum):
+    """What a bay is for, and how long it takes to narrow at its ends [m]."""
+
+    PARKING = 8.0
+    BUS = 16.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bay:
+    """A part of a street's shoulder where vehicles stand beside the traffic.
+
+    Attributes:
+        use: What for.
+        right: On which side of the street, seen from its start.
+        start: Where it begins to widen [m along the street].
+        end: Where it has narrowed again [m along the street].
+        width: [m].
+    """
+
+    use: Use
+    right: bool
+    start: float
+    end: float
+    width: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Crosswalk:
+    """A marked way for pedestrians straight across a street.
+
+    Attributes:
+        at: Its middle [m along the street].
+        width: [m], along the street.
+    """
+
+    at: float
+    width: float = 4.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Street:
-    """A two-way street between two junctions.
+    """A street or a carriageway between two junctions, or a part of one.
 
     Attributes:
         id: Unique among streets, from 1 up.
-        start: Junction at its start.
-        end: Junction at its end.
-        lanes: Lanes per direction.
-        corner: For a street with one bend, where its two straight parts would meet [m].
-        radius: Of the bend [m].
+        start: Junction at its start, or the id of the street that leads on into it.
+        end: Junction at its end, or the id of the street it leads on into.
+        lanes: Lanes in its direction.
+        back: Lanes in the other direction: none of a carriageway; None stands for as many.
+        via: Its corners.
+        start_at: Where it starts [m], if not at its junction's setback.
+        end_at: Where it ends [m], if not at its junction's setback.
+        lane: Width of a lane [m].
+        shoulder: Width of each shoulder [m], 0 for none.
+        sidewalk: Width of each sidewalk [m], 0 for none.
+        begins: From where to where [m] the outermost lanes come into being.
+        ceases: From where to where [m] the outermost lanes taper out.
+        nose: Over how many metres the shoulder widens from nothing at the start, and narrows to nothing at the end.
+        surroundings: Which speed is allowed.
+        bays: Along it.
+        crosswalks: Across it.
     """
 
     id: int
-    start: Node
-    end: Node
+    start: Node | int
+    end: Node | int
     lanes: int
-    corner: tuple[float, float] | None = None
-    radius: float = 0.0
+    back: int | None = None
+    via: tuple[Corner, ...] = ()
+    start_at: tuple[float, float] | None = None
+    end_at: tuple[float, float] | None = None
+    lane: float = LANE
+    shoulder: float = SHOULDER
+    sidewalk: float = SIDEWALK
+    begins: tuple[float, float] | None = None
+    ceases: tuple[float, float] | None = None
+    nose: tuple[float, float] = (0.0, 0.0)
+    surroundings: Surroundings = Surroundings.TOWN
+    bays: tuple[Bay, ...] = ()
+    crosswalks: tuple[Crosswalk, ...] = ()
 
-
-@dataclass(frozen=True, slots=True)
-class _Pose:
-    x: float
-    y: float
-    heading: float
-
-    def moved(self, ahead: float, left: float) -> _Pose:
-        c, s = math.cos(self.heading), math.sin(self.heading)
-        return _Pose(self.x + ahead * c - left * s, self.y + ahead * s + left * c, self.heading)
-
-    def turned(self, angle: float) -> _Pose:
-        return _Pose(self.x, self.y, self.heading + angle)
-
-
-@dataclass(frozen=True, slots=True)
-class _Piece:
-    """A line (curvature 0) or an arc of a reference line."""
-
-    length: float
-    curvature: float
+    @property
+    def lanes_back(self) -> int:
+        """Lanes in the other direction."""
+        return self.lanes if self.back is None else self.back
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +162,15 @@ class _Arm:
 
     street: Street
     at_start: bool
-    pose: _Pose
+    pose: Pose
+
+    @property
+    def lanes_in(self) -> int:
+        return self.street.lanes_back if self.at_start else self.street.lanes
+
+    @property
+    def lanes_out(self) -> int:
+        return self.street.lanes if self.at_start else self.street.lanes_back
 
     def incoming(self, lane: int) -> int:
         """OpenDRIVE id of the `lane`-th lane (from 1, innermost first) that leads into the junction."""
@@ -100,26 +180,48 @@ class _Arm:
         """OpenDRIVE id of the `lane`-th lane that leads out of the junction."""
         return -self.incoming(lane)
 
+    def before(self, lane: int) -> Pose:
+        """Left end of the `lane`-th lane that leads into the junction, in driving direction."""
+        return self.pose.turned(math.pi).moved(0.0, -self.street.lane * (lane - 1))
 
-def write_opendrive(name: str, streets: Sequence[Street]) -> str:
+    def beyond(self, lane: int) -> Pose:
+        """Left end of the `lane`-th lane that leads out of the junction, in driving direction."""
+        return self.pose.moved(0.0, -self.street.lane * (lane - 1))
+
+    @property
+    def strips(self) -> tuple[float, float]:
+        """Widths [m] of shoulder and sidewalk at the junction."""
+        nose = self.street.nose[0 if self.at_start else 1]
+        return 0.0 if nose else self.street.shoulder, self.street.sidewalk
+
+
+def write_opendrive(name: str, streets: Sequence[Street], *, located: bool = False) -> str:
     """The map as text; the same plan gives the same bytes.
 
     Args:
         name: The map's name.
         streets: All streets; their junctions are taken from them.
+        located: Whether the header has bounds and a place on Earth, one where nobody lives.
 
     Returns:
         OpenDRIVE XML.
     """
     root = Xml.Element("OpenDRIVE")
-    Xml.SubElement(root, "header", revMajor="1", revMinor="7", name=name, version="1.0", vendor="chatscene")
+    header = Xml.SubElement(root, "header", revMajor="1", revMinor="7", name=name, version="1.0", vendor="chatscene")
     arms: dict[int, list[_Arm]] = {}
-    nodes = {node.id: node for street in streets for node in (street.start, street.end)}
+    ends = (end for street in streets for end in (street.start, street.end))
+    nodes = {node.id: node for node in ends if isinstance(node, Node)}
+    plan = {street.id: street for street in streets}
+    lines = {street.id: _street_line(street) for street in streets}
     for street in streets:
-        start, pieces = _street_line(street)
-        _street_road(root, street, start, pieces)
-        arms.setdefault(street.start.id, []).append(_Arm(street, True, start))
-        arms.setdefault(street.end.id, []).append(_Arm(street, False, _end(start, pieces).turned(math.pi)))
+        start, pieces = lines[street.id]
+        _street_road(root, street, plan, start, pieces)
+        if isinstance(street.start, Node):
+            arms.setdefault(street.start.id, []).append(_Arm(street, True, start))
+        if isinstance(street.end, Node):
+            arms.setdefault(street.end.id, []).append(_Arm(street, False, end_of(start, pieces).turned(math.pi)))
+    if located:
+        _locate(header, list(lines.values()))
     junctions: list[Xml.Element] = []
     next_id = 1000
     for node_id in sorted(nodes):
@@ -143,67 +245,237 @@ def write_opendrive(name: str, streets: Sequence[Street]) -> str:
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
 
 
+def _locate(header: Xml.Element, lines: Sequence[tuple[Pose, list[Piece]]]) -> None:
+    """Bounds of the map and its place on Earth."""
+    poses = [pose for start, pieces in lines for pose in _along(start, pieces)]
+    header.set("north", _number(math.ceil(max(pose.y for pose in poses) + _MARGIN)))
+    header.set("south", _number(math.floor(min(pose.y for pose in poses) - _MARGIN)))
+    header.set("east", _number(math.ceil(max(pose.x for pose in poses) + _MARGIN)))
+    header.set("west", _number(math.floor(min(pose.x for pose in poses) - _MARGIN)))
+    Xml.SubElement(header, "geoReference").text = NOWHERE
+
+
+def _along(start: Pose, pieces: Sequence[Piece]) -> Iterator[Pose]:
+    """Poses along a reference line, ten for each piece."""
+    for piece in pieces:
+        yield from (after(start, Piece(piece.length * part / 10, piece.curvature)) for part in range(10))
+        start = after(start, piece)
+    yield start
+
+
 # Streets
 
 
-def _street_line(street: Street) -> tuple[_Pose, list[_Piece]]:
-    a, b = (street.start.x, street.start.y), (street.end.x, street.end.y)
-    via = street.corner
-    if via is None:
-        heading = math.atan2(b[1] - a[1], b[0] - a[0])
-        start = _Pose(*a, heading).moved(SETBACK, 0.0)
-        return start, [_Piece(math.dist(a, b) - 2 * SETBACK, 0.0)]
-    first = math.atan2(via[1] - a[1], via[0] - a[0])
-    second = math.atan2(b[1] - via[1], b[0] - via[0])
-    turn = _wrapped(second - first)
-    tangent = street.radius * math.tan(abs(turn) / 2)
-    start = _Pose(*a, first).moved(SETBACK, 0.0)
-    return start, [
-        _Piece(math.dist(a, via) - SETBACK - tangent, 0.0),
-        _Piece(street.radius * abs(turn), math.copysign(1 / street.radius, turn)),
-        _Piece(math.dist(via, b) - SETBACK - tangent, 0.0),
-    ]
+def _street_line(street: Street) -> tuple[Pose, list[Piece]]:
+    (a, first), (b, last) = _end_at(street.start, street.start_at), _end_at(street.end, street.end_at)
+    return rounded_line(a, b, street.via, (first, last))
 
 
-def _street_road(root: Xml.Element, street: Street, start: _Pose, pieces: list[_Piece]) -> None:
-    road = _road(root, street.id, f"street{street.id}", start, pieces, junction="-1")
+def _end_at(end: Node | int, at: tuple[float, float] | None) -> tuple[tuple[float, float], float]:
+    """A street's end or the junction's centre behind it, and how much [m] is left out before that."""
+    if at is not None:
+        return at, 0.0
+    if isinstance(end, Node):
+        return (end.x, end.y), end.setback
+    raise ValueError(f"a street that goes on in street {end} needs the place where it does")
+
+
+def _street_road(root: Xml.Element, street: Street, plan: dict[int, Street], start: Pose, pieces: list[Piece]) -> None:
+    road = _road(root, street.id, f"street{street.id}", start, pieces, "-1", street.surroundings)
     link = Xml.Element("link")
-    Xml.SubElement(link, "predecessor", elementType="junction", elementId=str(street.start.id))
-    Xml.SubElement(link, "successor", elementType="junction", elementId=str(street.end.id))
+    for name, beyond, contact in (("predecessor", street.start, "end"), ("successor", street.end, "start")):
+        if isinstance(beyond, Node):
+            Xml.SubElement(link, name, elementType="junction", elementId=str(beyond.id))
+        else:
+            Xml.SubElement(link, name, elementType="road", elementId=str(beyond), contactPoint=contact)
     road.insert(0, link)
-    section = _lane_section(road)
-    left = Xml.SubElement(section, "left")
-    centre = Xml.SubElement(section, "center")
-    right = Xml.SubElement(section, "right")
-    n = street.lanes
-    for lane in range(n + 2, 0, -1):
-        _lane(left, lane, n)
-    _mark(Xml.SubElement(centre, "lane", id="0", type="none", level="false"), "broken" if n == 1 else "solid")
-    for lane in range(1, n + 3):
-        _lane(right, -lane, n)
+    length = sum(piece.length for piece in pieces)
+    cuts = sorted({0.0, *(s for bay in street.bays for s in (bay.start, bay.end))})
+    lanes = Xml.SubElement(road, "lanes")
+    for begin, end in pairwise((*cuts, length)):
+        before = street if begin else _joined(street.start, plan)
+        beyond = street if end < length else _joined(street.end, plan)
+        section = Xml.SubElement(lanes, "laneSection", s=_number(begin))
+        _lane_section(section, street, (before, beyond), (begin, end, length))
+    if street.crosswalks:
+        objects = Xml.SubElement(road, "objects")
+        for number, crosswalk in enumerate(street.crosswalks):
+            _crosswalk(objects, f"{street.id}{number:02d}", street, crosswalk)
+    stops = [bay for bay in street.bays if bay.use is Use.BUS]
+    if stops:
+        signals = Xml.SubElement(road, "signals")
+        for number, bay in enumerate(stops):
+            _bus_stop(signals, f"{street.id}{number:02d}", street, bay)
 
 
-def _lane(side: Xml.Element, lane: int, driving: int) -> Xml.Element:
-    number = abs(lane)
-    kind, width = (
-        ("driving", LANE)
-        if number <= driving
-        else ("shoulder", SHOULDER)
-        if number == driving + 1
-        else ("sidewalk", SIDEWALK)
-    )
-    element = Xml.SubElement(side, "lane", id=str(lane), type=kind, level="false")
-    _width(element, width)
+def _lane_section(
+    section: Xml.Element,
+    street: Street,
+    joined: tuple[Street | None, Street | None],
+    span: tuple[float, float, float],
+) -> None:
+    """All lanes of a street between two of its arc lengths, joined to those of the streets before and beyond.
+
+    `span` has both arc lengths and that of the whole street [m].
+    """
+    sides = [("left", street.lanes_back > 0), ("center", True), ("right", True)]
+    left, centre, right = (Xml.SubElement(section, name) if there else None for name, there in sides)
+    assert centre is not None
+    narrow = street.lanes == street.lanes_back == 1
+    _mark(Xml.SubElement(centre, "lane", id="0", type="none", level="false"), "broken" if narrow else "solid")
+    for side in (left, right):
+        if side is None:
+            continue
+        on_right = side is right
+        numbers = range(1, _strips(street, right=on_right) + 1)
+        for number in numbers if on_right else reversed(numbers):
+            element = _lane(side, street, number, on_right, *span)
+            ends = [
+                None
+                if other is None or _vanishes(street, number, end, right=on_right)
+                else _same_lane(street, other, number, right=on_right)
+                for end, other in zip(("start", "end"), joined, strict=True)
+            ]
+            _lane_links(element, *ends)
+
+
+def _joined(end: Node | int, plan: dict[int, Street]) -> Street | None:
+    return None if isinstance(end, Node) else plan[end]
+
+
+def _strips(street: Street, *, right: bool) -> int:
+    """How many lanes lie on a side, shoulder and sidewalk among them."""
+    return (street.lanes if right else street.lanes_back) + bool(street.shoulder) + bool(street.sidewalk)
+
+
+def _vanishes(street: Street, number: int, end: str, *, right: bool) -> bool:
+    """Whether a lane has no width at an end of its street."""
+    outermost = number == (street.lanes if right else street.lanes_back)
+    return outermost and (street.begins if end == "start" else street.ceases) is not None
+
+
+def _same_lane(street: Street, other: Street, number: int, *, right: bool) -> int:
+    """OpenDRIVE id, in the street before or after, of what goes on there."""
+    own = street.lanes if right else street.lanes_back
+    there = other.lanes if right else other.lanes_back
+    found = number if number <= own else there + number - own
+    return -found if right else found
+
+
+def _lane(
+    side: Xml.Element, street: Street, number: int, right: bool, begin: float, end: float, length: float
+) -> Xml.Element:
+    driving = street.lanes if right else street.lanes_back
+    bay = next((b for b in street.bays if b.right is right and (b.start, b.end) == (begin, end)), None)
+    kind = "driving" if number <= driving else "sidewalk" if number > driving + bool(street.shoulder) else "shoulder"
+    if kind == "shoulder" and bay is not None:
+        kind = "parking"
+    element = Xml.SubElement(side, "lane", id=str(-number if right else number), type=kind, level="false")
+    for s, here, there, over in _profile(street, number, driving, bay, length):
+        if begin <= s < end or (s < begin and here == there and s + over > begin):
+            _width(element, max(s - begin, 0.0), here, there, over)
     _mark(element, "broken" if number < driving else "solid" if number == driving else "none")
+    if kind == "parking" and bay is not None and bay.use is Use.BUS:
+        Xml.SubElement(element, "access", sOffset="0", rule="allow", restriction="bus")
     return element
 
 
-def _width(element: Xml.Element, width: float) -> None:
-    Xml.SubElement(element, "width", sOffset="0", a=_number(width), b="0", c="0", d="0")
+def _profile(
+    street: Street, number: int, driving: int, bay: Bay | None, length: float
+) -> list[tuple[float, float, float, float]]:
+    """How wide a lane is: where each part starts, its width there and at its end, and how long it is, all [m]."""
+    if number == driving and (street.begins or street.ceases):
+        (b0, b1), (c0, c1) = street.begins or (0.0, 0.0), street.ceases or (length, length)
+        none, full = 0.0 if street.begins else street.lane, street.lane
+        knots = [(0.0, none), (b0, none), (b1, full), (c0, full), (c1, 0.0 if street.ceases else full)]
+        knots.append((length, knots[-1][1]))
+    elif number <= driving:
+        knots = [(0.0, street.lane), (length, street.lane)]
+    elif number > driving + bool(street.shoulder):
+        knots = [(0.0, street.sidewalk), (length, street.sidewalk)]
+    elif bay is not None:
+        over, most = bay.use.value, bay.width
+        knots = [(bay.start, street.shoulder), (bay.start + over, most), (bay.end - over, most)]
+        knots.append((bay.end, street.shoulder))
+    else:
+        first, last = street.nose
+        full = street.shoulder
+        knots = [(0.0, 0.0 if first else full), (first, full), (length - last, full), (length, 0.0 if last else full)]
+    parts = [(s, here, there, beyond - s) for (s, here), (beyond, there) in pairwise(knots) if beyond - s > 1e-9]
+    joined = parts[:1]
+    for part in parts[1:]:  # one part for what stays as wide as it is
+        s, here, there, over = joined[-1]
+        if here == there == part[1] == part[2]:
+            joined[-1] = (s, here, there, over + part[3])
+        else:
+            joined.append(part)
+    return joined
+
+
+def _width(element: Xml.Element, s: float, here: float, there: float, over: float) -> None:
+    """A width that goes from one value to another without a kink."""
+    change = there - here
+    Xml.SubElement(
+        element,
+        "width",
+        sOffset=_number(s),
+        a=_number(here),
+        b="0",
+        c=_number(3 * change / over**2) if change else "0",
+        d=_number(-2 * change / over**3, 12) if change else "0",
+    )
 
 
 def _mark(element: Xml.Element, kind: str) -> None:
     Xml.SubElement(element, "roadMark", sOffset="0", type=kind, weight="standard", color="standard", width="0.12")
+
+
+def _lane_links(lane: Xml.Element, predecessor: int | None, successor: int | None) -> None:
+    if predecessor is None and successor is None:
+        return
+    link = Xml.Element("link")
+    for name, beyond in (("predecessor", predecessor), ("successor", successor)):
+        if beyond is not None:
+            Xml.SubElement(link, name, id=str(beyond))
+    lane.insert(0, link)
+
+
+def _crosswalk(objects: Xml.Element, object_id: str, street: Street, crosswalk: Crosswalk) -> None:
+    half, along = street.lane * street.lanes + street.shoulder, crosswalk.width / 2
+    element = Xml.SubElement(
+        objects,
+        "object",
+        id=object_id,
+        name="crosswalk",
+        type="crosswalk",
+        s=_number(crosswalk.at),
+        t="0",
+        zOffset="0",
+        hdg="0",
+        pitch="0",
+        roll="0",
+        orientation="none",
+        length=_number(crosswalk.width),
+        width=_number(2 * half),
+        height="0",
+    )
+    outline = Xml.SubElement(element, "outline")
+    for u, v in ((-along, -half), (along, -half), (along, half), (-along, half), (-along, -half)):
+        Xml.SubElement(outline, "cornerLocal", u=_number(u), v=_number(v), z="0", height="0")
+
+
+def _bus_stop(signals: Xml.Element, signal_id: str, street: Street, bay: Bay) -> None:
+    driving = street.lanes if bay.right else street.lanes_back
+    out = street.lane * driving + bay.width + 0.5
+    _signal(
+        signals,
+        signal_id,
+        "bus stop",
+        BUS_STOP,
+        s=(bay.start + bay.end) / 2,
+        t=-out if bay.right else out,
+        orientation="+" if bay.right else "-",
+    )
 
 
 # Junctions
@@ -215,49 +487,61 @@ class _Connection:
     target: _Arm
     lane_in: int
     lane_out: int
-    turn: float
-    kerb: bool  # whether it carries shoulder and sidewalk
+    kerb: bool  # whether it carries what shoulder and sidewalk both of its streets have
 
 
 def _connections(arms: list[_Arm]) -> list[_Connection]:
     found: list[_Connection] = []
     for source in arms:
-        turns = {
-            id(target): _wrapped(target.pose.heading - source.pose.heading - math.pi)
-            for target in arms
-            if target is not source
-        }
-        anyone_right = any(turn < -math.pi / 4 for turn in turns.values())
-        for target in arms:
-            if target is source:
-                continue
-            turn = turns[id(target)]
-            n, m = source.street.lanes, target.street.lanes
-            if abs(turn) <= math.pi / 4:
-                pairs = [(lane, lane) for lane in range(1, min(n, m) + 1)]
-            else:
-                pairs = [(1, 1)] if turn > 0 else [(n, m)]
+        turns = [wrapped(target.pose.heading - source.pose.heading - math.pi) for target in arms]
+        others = [i for i, turn in enumerate(turns) if abs(abs(turn) - math.pi) > _IN_LINE]  # nobody turns round
+        anyone_right = any(turns[i] < -math.pi / 4 for i in others)
+        for i in others:
+            target, turn = arms[i], turns[i]
+            n, m = source.lanes_in, target.lanes_out
+            straight = abs(turn) <= math.pi / 4
             found += [
                 _Connection(
                     source,
                     target,
                     lane_in,
                     lane_out,
-                    turn,
-                    lane_in == n and (turn < -math.pi / 4 or (abs(turn) <= math.pi / 4 and not anyone_right)),
+                    lane_in == n and (turn < -math.pi / 4 or (straight and not anyone_right and lane_out == m)),
                 )
-                for lane_in, lane_out in pairs
+                for lane_in, lane_out in (
+                    _straight_pairs(source, target, turn) if straight else _turning_pair(n, m, left=turn > 0)
+                )
             ]
     return found
+
+
+def _straight_pairs(source: _Arm, target: _Arm, turn: float) -> list[tuple[int, int]]:
+    """Lanes in line with one another; where the road bends in the junction, those of the same number."""
+    n, m = source.lanes_in, target.lanes_out
+    if abs(turn) > _IN_LINE:
+        return [(lane, lane) for lane in range(1, min(n, m) + 1)]
+    return [
+        (i, j)
+        for i in range(1, n + 1)
+        for j in range(1, m + 1)
+        if abs(source.before(i).left_of(target.beyond(j).x, target.beyond(j).y)) < source.street.lane / 2
+    ]
+
+
+def _turning_pair(n: int, m: int, *, left: bool) -> list[tuple[int, int]]:
+    """From the innermost lane into the innermost, or from the outermost into the outermost."""
+    if not (n and m):
+        return []
+    return [(1, 1)] if left else [(n, m)]
 
 
 def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, road_id: int) -> None:
     source, target = connection.source, connection.target
     # The reference line is the left edge of the lane, in driving direction.
-    start = source.pose.turned(math.pi).moved(0.0, -LANE * (connection.lane_in - 1))
-    goal = target.pose.moved(0.0, -LANE * (connection.lane_out - 1))
-    pieces = _line_arc_line(start, goal)
-    road = _road(root, road_id, f"junction{node.id} {road_id}", start, pieces, junction=str(node.id))
+    start, goal = source.before(connection.lane_in), target.beyond(connection.lane_out)
+    pieces = line_arc_line(start, goal)
+    name = f"junction{node.id} {road_id}"
+    road = _road(root, road_id, name, start, pieces, str(node.id), source.street.surroundings)
     link = Xml.Element("link")
     for name, arm in (("predecessor", source), ("successor", target)):
         Xml.SubElement(
@@ -268,43 +552,53 @@ def _connecting_road(root: Xml.Element, node: Node, connection: _Connection, roa
             contactPoint="start" if arm.at_start else "end",
         )
     road.insert(0, link)
-    section = _lane_section(road)
+    section = Xml.SubElement(Xml.SubElement(road, "lanes"), "laneSection", s="0")
     centre = Xml.SubElement(section, "center")
     _mark(Xml.SubElement(centre, "lane", id="0", type="none", level="false"), "none")
     right = Xml.SubElement(section, "right")
-    for number in range(1, 4 if connection.kerb else 2):
+    length = sum(piece.length for piece in pieces)
+    kerb = zip(source.strips, target.strips, strict=True) if connection.kerb else ()
+    widths = [(source.street.lane, target.street.lane), *(ends for ends in kerb if all(ends))]
+    for beyond, (here, there) in enumerate(widths):
         lane = Xml.SubElement(
             right,
             "lane",
-            id=str(-number),
-            type=("driving", "shoulder", "sidewalk")[number - 1],
+            id=str(-1 - beyond),
+            type=("driving", "shoulder", "sidewalk")[beyond],
             level="false",
         )
-        ends = Xml.SubElement(lane, "link")
-        beyond = number - 1
-        Xml.SubElement(ends, "predecessor", id=str(source.incoming(connection.lane_in + beyond)))
-        Xml.SubElement(ends, "successor", id=str(target.outgoing(connection.lane_out + beyond)))
-        _width(lane, (LANE, SHOULDER, SIDEWALK)[number - 1])
+        _width(lane, 0.0, here, there, length)
         _mark(lane, "none")
+        _lane_links(lane, source.incoming(connection.lane_in + beyond), target.outgoing(connection.lane_out + beyond))
     if node.control is not Control.NONE:
-        _signal(road, road_id, node.control)
+        light = node.control is Control.SIGNAL
+        _signal(
+            Xml.SubElement(road, "signals"),
+            str(road_id),
+            "traffic light" if light else "stop sign",
+            TRAFFIC_LIGHT if light else STOP_SIGN,
+            s=0.0,
+            t=-LANE - 0.5,
+            orientation="+",
+        )
 
 
-def _signal(road: Xml.Element, road_id: int, control: Control) -> None:
-    light = control is Control.SIGNAL
-    signals = Xml.SubElement(road, "signals")
+def _signal(
+    signals: Xml.Element, signal_id: str, name: str, kind: str, *, s: float, t: float, orientation: str
+) -> None:
+    light = kind == TRAFFIC_LIGHT
     Xml.SubElement(
         signals,
         "signal",
-        s="0",
-        t=_number(-LANE - 0.5),
-        id=str(road_id),
-        name="traffic light" if light else "stop sign",
+        s=_number(s),
+        t=_number(t),
+        id=signal_id,
+        name=name,
         dynamic="yes" if light else "no",
-        orientation="+",
+        orientation=orientation,
         zOffset="3" if light else "2",
         country="OpenDRIVE" if light else "DE",
-        type=TRAFFIC_LIGHT if light else STOP_SIGN,
+        type=kind,
         subtype="-1",
         value="-1",
         height="0.9",
@@ -312,35 +606,25 @@ def _signal(road: Xml.Element, road_id: int, control: Control) -> None:
     )
 
 
-def _line_arc_line(start: _Pose, goal: _Pose) -> list[_Piece]:
-    """A line, an arc and a line that lead from one pose to another."""
-    turn = _wrapped(goal.heading - start.heading)
-    dx, dy = goal.x - start.x, goal.y - start.y
-    if abs(turn) < 1e-6:
-        return [_Piece(math.hypot(dx, dy), 0.0)]
-    # Both tangents meet `first` ahead of the start and `second` before the goal.
-    second = (dy * math.cos(start.heading) - dx * math.sin(start.heading)) / math.sin(turn)
-    first = dx * math.cos(start.heading) + dy * math.sin(start.heading) - second * math.cos(turn)
-    tangent = min(first, second)
-    radius = tangent / math.tan(abs(turn) / 2)
-    pieces = [
-        _Piece(first - tangent, 0.0),
-        _Piece(radius * abs(turn), math.copysign(1 / radius, turn)),
-        _Piece(second - tangent, 0.0),
-    ]
-    return [piece for piece in pieces if piece.length > 1e-6]
-
-
 # Roads
 
 
-def _road(root: Xml.Element, road_id: int, name: str, start: _Pose, pieces: list[_Piece], junction: str) -> Xml.Element:
+def _road(
+    root: Xml.Element,
+    road_id: int,
+    name: str,
+    start: Pose,
+    pieces: list[Piece],
+    junction: str,
+    surroundings: Surroundings,
+) -> Xml.Element:
     length = sum(piece.length for piece in pieces)
     road = Xml.SubElement(
         root, "road", name=name, length=_number(length), id=str(road_id), junction=junction, rule="RHT"
     )
-    kind = Xml.SubElement(road, "type", s="0", type="town")
-    Xml.SubElement(kind, "speed", max="50", unit="km/h")
+    where, speed = surroundings.value
+    kind = Xml.SubElement(road, "type", s="0", type=where)
+    Xml.SubElement(kind, "speed", max=str(speed), unit="km/h")
     view = Xml.SubElement(road, "planView")
     s, pose = 0.0, start
     for piece in pieces:
@@ -357,32 +641,10 @@ def _road(root: Xml.Element, road_id: int, name: str, start: _Pose, pieces: list
             Xml.SubElement(geometry, "arc", curvature=_number(piece.curvature))
         else:
             Xml.SubElement(geometry, "line")
-        s, pose = s + piece.length, _after(pose, piece)
+        s, pose = s + piece.length, after(pose, piece)
     return road
 
 
-def _lane_section(road: Xml.Element) -> Xml.Element:
-    return Xml.SubElement(Xml.SubElement(road, "lanes"), "laneSection", s="0")
-
-
-def _after(pose: _Pose, piece: _Piece) -> _Pose:
-    if not piece.curvature:
-        return pose.moved(piece.length, 0.0)
-    radius, angle = 1 / piece.curvature, piece.length * piece.curvature
-    moved = pose.moved(radius * math.sin(angle), radius * (1 - math.cos(angle)))
-    return moved.turned(angle)
-
-
-def _end(start: _Pose, pieces: list[_Piece]) -> _Pose:
-    for piece in pieces:
-        start = _after(start, piece)
-    return start
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
-
-
-def _number(value: float) -> str:
-    text = f"{value:.9f}".rstrip("0").rstrip(".")
+def _number(value: float, digits: int = 9) -> str:
+    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text

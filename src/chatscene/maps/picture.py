@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from chatscene.terms.episode import Episode, Role, Track, contact_point
 WIDTH, HEIGHT = 640, 360  # [px]
 OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges
 SIDE, WIDEST = 6.0, 120.0  # [m] smallest margin around the actors, largest width of what is shown
+SLIT = 1.0  # [m²]; a hole in the road that is smaller is none
 NEAR = 80.0  # [m] width of what is shown around one actor
 
 GROUND, PAINT, CENTRE = "#e9ebe4", "#ffffff", "#f2d27a"
@@ -83,7 +85,9 @@ def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
     for kind, colour in AREAS.items():
         for rings in drawing.get(kind, ()):
             # One path through all rings and back each time: Pillow fills by the even-odd rule, so holes stay open.
-            brush.polygon(camera.points([p for ring in rings for p in (*ring, rings[0][0])]), fill=colour)
+            # Slits between pieces of a lane are left out, since Pillow draws the way to them.
+            wide = [rings[0], *(hole for hole in rings[1:] if _area(hole) > SLIT)]
+            brush.polygon(camera.points([p for ring in wide for p in (*ring, wide[0][0])]), fill=colour)
     for line in drawing.get("lane_boundaries", ()):
         colour = CENTRE if line["kind"] == "centre" else PAINT
         pieces = _dashes(line["points"]) if line["kind"] == "dashed" else [line["points"]]
@@ -92,6 +96,11 @@ def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
     for line in drawing.get("stop_lines", ()):
         brush.line(camera.points(line["points"]), fill=PAINT, width=camera.pixels(0.4))
     return picture
+
+
+def _area(ring: Points) -> float:
+    """The area [m²] inside a closed ring."""
+    return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in pairwise(ring))) / 2
 
 
 def _dashes(line: Points, dash: float = 3.0, gap: float = 4.5) -> list[list[tuple[float, float]]]:

@@ -62,8 +62,7 @@ def plan() -> tuple[Street, ...]:
                 start=nodes[a],
                 end=nodes[b],
                 lanes=1,
-                corner=corner,
-                radius=CORNER_RADIUS,
+                via=((*corner, CORNER_RADIUS),),
             )
         )
     return tuple(streets)
