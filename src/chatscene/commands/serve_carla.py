@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from chatscene.commands.library import say
-from chatscene.settings import SimulationSettings
+from chatscene.settings import PHYSICS, SimulationSettings
 
 if TYPE_CHECKING:
     from chatscene.simulate.carla.standin.world import World
@@ -28,7 +28,14 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
 @click.option("--port", default=2000, show_default=True, type=PORTS, help="Of calls; streams are on the next.")
 @click.option("--host", default=LOOPBACK, show_default=True, help="Anybody who reaches it has the world in hand.")
 @click.option("--simulator", default=SimulationSettings().simulator, show_default=True, help="Whose bodies move in it.")
-def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str) -> None:
+@click.option(
+    "--physics",
+    type=click.Choice(PHYSICS),
+    default=SimulationSettings().physics,
+    show_default=True,
+    help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
+)
+def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str, physics: str) -> None:
     """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
 
     It is a stand-in and not CARLA: no tyres, no engine, drawings for pictures; docs/carla.md says what it can do.
@@ -36,14 +43,15 @@ def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str) -> 
 
     \b
     chatscene serve-carla --port 2000
-    chatscene serve-carla --map Town01.xodr --map Town04.xodr
+    chatscene serve-carla --map Town01.xodr --map Town04.xodr --physics lagged
     """
     from chatscene.simulate.carla.standin.serving import serve
 
     def ready(world: World) -> None:
         say(f"a stand-in for CARLA 0.9.16, not CARLA: {world.roads.name} on {host}, ports {port} and {port + 1}")
 
+    settings = SimulationSettings(simulator=simulator, physics=physics)
     try:
-        serve(maps, host, port, simulator, ready=ready, log=lambda refusal: say(f"refused: {refusal}", err=True))
+        serve(maps, host, port, settings, ready=ready, log=lambda refusal: say(f"refused: {refusal}", err=True))
     except KeyboardInterrupt:
         say("ended; the world is gone, and clients have to connect anew")

@@ -5,11 +5,13 @@ from __future__ import annotations
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from typing import Any
 
 DT = 0.05  # [s]
+MKZ, WALKER = "vehicle.lincoln.mkz_2017", "walker.pedestrian.0001"
 
 
 def free_port() -> int:
@@ -40,12 +42,13 @@ def serving(*options: str) -> Generator[tuple[int, subprocess.Popen[str]]]:
             server.terminate()
 
 
-def connected(port: int, dt: float | None = DT) -> tuple[Any, Any]:
-    """A client and a fresh world, synchronous with a step of `dt` [s] unless that is None."""
+def connected(port: int, dt: float | None = DT, client: Any = None) -> tuple[Any, Any]:
+    """A client, another one unless it is given, and a fresh world, synchronous with a step of `dt` [s] or None."""
     import carla
 
-    client: Any = carla.Client("127.0.0.1", port)
-    client.set_timeout(60.0)
+    if client is None:
+        client = carla.Client("127.0.0.1", port)
+        client.set_timeout(60.0)
     world = client.load_world("town")
     if dt is not None:
         settings = world.get_settings()
@@ -61,3 +64,39 @@ def ticked_until(world: Any, true: Callable[[], bool], most: int = 400) -> int:
             return ticks
         world.tick()
     raise AssertionError(f"not true after {most} ticks")
+
+
+def spawned(world: Any, blueprint: str = MKZ, point: int = 0, ahead: float = 0.0) -> Any:
+    """An actor at a place to begin at, or so far ahead of it [m]."""
+    place = world.get_map().get_spawn_points()[point]
+    place.location += place.get_forward_vector() * ahead
+    return world.spawn_actor(world.get_blueprint_library().find(blueprint), place)
+
+
+def speed(actor: Any) -> float:
+    """[m/s]."""
+    return actor.get_velocity().length()
+
+
+def listened(world: Any, name: str, parent: Any, height: float = 0.0, **attributes: str) -> list[Any]:
+    """What a sensor on `parent` tells, as it comes; it hears the next tick."""
+    import carla
+
+    blueprint = world.get_blueprint_library().find(name)
+    for key, value in attributes.items():
+        blueprint.set_attribute(key, value)
+    place: Any = carla.Transform(carla.Location(z=height))
+    sensor = world.spawn_actor(blueprint, place, attach_to=parent)
+    heard: list[Any] = [sensor]  # kept alive with what it tells
+    sensor.listen(heard.append)
+    time.sleep(0.3)  # the wheel opens the stream in a thread of its own
+    return heard
+
+
+def settled(heard: list[Any], count: int) -> list[Any]:
+    """The first messages of a sensor, once there are as many."""
+    for _ in range(200):
+        if len(heard) > count:
+            break
+        time.sleep(0.02)
+    return heard[1 : count + 1]

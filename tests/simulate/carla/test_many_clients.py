@@ -105,6 +105,18 @@ def test_a_second_client_sees_the_same_world_and_outlives_a_load_of_the_first(po
     assert not list(again.get_actors().filter("vehicle.*"))
 
 
+def test_who_only_looks_on_hears_every_tick_of_another_clients_new_world(port: int) -> None:
+    first, _ = connected(port)
+    onlooker: Any = carla.Client("127.0.0.1", port)
+    onlooker.set_timeout(60.0)
+    seen: list[int] = []
+    onlooker.get_world().on_tick(lambda snapshot: seen.append(snapshot.frame))
+    for _ in range(3):
+        _, world = connected(port, client=first)
+        frames = [world.tick() for _ in range(5)]
+        ticked_until(world, lambda: set(frames[1:]) <= set(seen))  # noqa: B023 - it is called at once
+
+
 def test_loads_and_spawns_in_a_row_leave_nothing_behind(port: int) -> None:
     client, world = connected(port)
     kept = len(world.get_actors())

@@ -4,66 +4,15 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Generator
 from typing import Any
 
 import pytest
-from standing_in import connected, serving, ticked_until
+from standing_in import DT, MKZ, WALKER, connected, listened, settled, spawned, speed, ticked_until
 
 from chatscene.maps.network import PACKAGED
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
-
-MKZ, WALKER = "vehicle.lincoln.mkz_2017", "walker.pedestrian.0001"
-
-
-@pytest.fixture(scope="module")
-def port() -> Generator[int]:
-    with serving() as (port, _):
-        yield port
-
-
-@pytest.fixture
-def client_and_world(port: int) -> tuple[Any, Any]:
-    return connected(port)
-
-
-@pytest.fixture
-def world(client_and_world: tuple[Any, Any]) -> Any:
-    return client_and_world[1]
-
-
-def spawned(world: Any, blueprint: str = MKZ, point: int = 0, ahead: float = 0.0) -> Any:
-    place = world.get_map().get_spawn_points()[point]
-    place.location += place.get_forward_vector() * ahead
-    return world.spawn_actor(world.get_blueprint_library().find(blueprint), place)
-
-
-def speed(actor: Any) -> float:
-    return actor.get_velocity().length()
-
-
-def listened(world: Any, name: str, parent: Any, **attributes: str) -> list[Any]:
-    """What a sensor on `parent` tells, as it comes; it hears the next tick."""
-    blueprint = world.get_blueprint_library().find(name)
-    for key, value in attributes.items():
-        blueprint.set_attribute(key, value)
-    sensor = world.spawn_actor(blueprint, carla.Transform(), attach_to=parent)
-    heard: list[Any] = []
-    sensor.listen(heard.append)
-    time.sleep(0.3)  # the wheel opens the stream in a thread of its own
-    heard.append(sensor)  # kept alive with what it tells
-    return heard
-
-
-def settled(heard: list[Any], count: int) -> list[Any]:
-    """The first messages of a sensor, once there are as many."""
-    for _ in range(200):
-        if len(heard) > count:
-            break
-        time.sleep(0.02)
-    return heard[1 : count + 1]
 
 
 def test_the_server_names_carlas_version_and_the_packaged_map(client_and_world: tuple[Any, Any]) -> None:
@@ -318,7 +267,7 @@ def test_a_batch_answers_each_command_and_gives_new_actors_to_what_follows(clien
             command.SpawnActor(library.find(MKZ), points[0]).then(pedal),
             command.SpawnActor(library.find(MKZ), points[0]),
             command.DestroyActor(987654),
-            command.ApplyImpulse(1, carla.Vector3D(1.0, 0.0, 0.0)),
+            command.ApplyTorque(1, carla.Vector3D(1.0, 0.0, 0.0)),
         ],
         True,
     )
@@ -327,7 +276,7 @@ def test_a_batch_answers_each_command_and_gives_new_actors_to_what_follows(clien
     assert [answer.error for answer in refused] == [
         "Spawn failed because of collision at spawn position",
         "unable to destroy actor 987654: not found",
-        "this stand-in for CARLA does not support the command ApplyImpulse",
+        "this stand-in for CARLA does not support the command ApplyTorque",
     ]
     for _ in range(20):
         world.tick()
@@ -418,14 +367,8 @@ def test_a_camera_draws_what_is_below_it_with_its_own_direction_upwards(world: A
 
 def test_a_lidar_measures_the_distance_to_what_is_ahead_and_to_the_ground(world: Any) -> None:
     car, other = spawned(world), spawned(world, ahead=20.0)
-    blueprint = world.get_blueprint_library().find("sensor.lidar.ray_cast")
     wanted = {"range": "40", "channels": "3", "upper_fov": "0", "lower_fov": "-20", "rotation_frequency": "20"}
-    for key, value in {**wanted, "points_per_second": "21600"}.items():
-        blueprint.set_attribute(key, value)
-    sensor = world.spawn_actor(blueprint, carla.Transform(carla.Location(z=1.0)), attach_to=car)
-    heard: list[Any] = [sensor]
-    sensor.listen(heard.append)
-    time.sleep(0.3)
+    heard = listened(world, "sensor.lidar.ray_cast", car, 1.0, **wanted, points_per_second="21600")
     world.tick()
     (cloud,) = settled(heard, 1)
     points = [(point.point.x, point.point.y, point.point.z) for point in cloud]
@@ -441,3 +384,45 @@ def test_a_sensor_that_cannot_be_made_is_refused(world: Any) -> None:
     camera.set_attribute("image_size_x", "1000000")
     with pytest.raises(RuntimeError, match="a picture of 1000000 by 600 pixels"):
         world.spawn_actor(camera, carla.Transform())
+
+
+def test_a_semantic_lidar_tells_what_each_point_lies_on(world: Any) -> None:
+    car, other = spawned(world), spawned(world, ahead=20.0)
+    wanted = {"range": "40", "channels": "3", "upper_fov": "0", "lower_fov": "-20", "rotation_frequency": "20"}
+    heard = listened(world, "sensor.lidar.ray_cast_semantic", car, 1.0, **wanted, points_per_second="21600")
+    world.tick()
+    (cloud,) = settled(heard, 1)
+    points = list(cloud)
+    assert {(point.object_idx, point.object_tag) for point in points} == {(0, 1), (other.id, 14)}
+    back = min((point for point in points if point.object_idx == other.id), key=lambda point: abs(point.point.y))
+    assert back.point.x == pytest.approx(20.0 - other.bounding_box.extent.x, abs=0.01)
+    assert back.cos_inc_angle == pytest.approx(1.0, abs=1e-3)
+    ground = next(point for point in points if point.object_idx == 0)
+    assert ground.cos_inc_angle == pytest.approx(1.0 / math.dist((ground.point.x, ground.point.y, -1.0), (0, 0, 0)))
+
+
+def test_a_radar_tells_how_fast_what_is_ahead_comes_nearer(world: Any) -> None:
+    car, other = spawned(world), spawned(world, ahead=30.0)
+    heard = listened(world, "sensor.other.radar", car, 1.0, horizontal_fov="10", vertical_fov="4")
+    other.set_target_velocity(car.get_transform().get_forward_vector() * -5.0)
+    world.tick()
+    (told,) = settled(heard, 1)
+    straight = min(told, key=lambda point: abs(point.azimuth) + abs(point.altitude))
+    assert len(told) > 10
+    assert straight.velocity == pytest.approx(-speed(other), rel=1e-2)
+    away = other.get_location().distance(car.get_location())
+    assert straight.depth == pytest.approx(away - other.bounding_box.extent.x, abs=0.05)
+
+
+def test_impulses_and_forces_change_a_vehicles_speed_by_its_mass(world: Any) -> None:
+    car = spawned(world)
+    ahead, mass = car.get_transform().get_forward_vector(), car.get_physics_control().mass
+    car.add_impulse(ahead * mass * 5.0)
+    world.tick()
+    after = speed(car)
+    assert after == pytest.approx(5.0, abs=0.1)
+    car.add_force(ahead * mass * 2.0 / DT)
+    world.tick()
+    assert speed(car) == pytest.approx(after + 2.0, abs=0.1)
+    world.tick()
+    assert speed(car) < after + 2.0

@@ -75,9 +75,14 @@ class Actor:
         """Its bounding box as it goes over the wire."""
         return [[0.0, 0.0, self.lifted], self.extent, [0.0, 0.0, 0.0]]
 
-    def attribute(self, name: str, otherwise: str = "") -> str:
+    @property
+    def attributes(self) -> dict[str, str]:
         """What it was given at its spawn."""
-        return next((value for key, _, value in self.description[2] if key == name), otherwise)
+        return {key: value for key, _, value in self.description[2]}
+
+    def attribute(self, name: str, otherwise: str = "") -> str:
+        """One of them."""
+        return self.attributes.get(name, otherwise)
 
     def follow(self) -> None:
         """Take the place at its parent."""
@@ -137,6 +142,7 @@ class BodyActor(Actor):
         touchable: Whether it meets others.
         constant: Forward speed that it is held at [m/s], or None.
         target: Steering [share of the largest wheel angle] and speed [m/s] of an Ackermann control, or None.
+        force: What pushes it during the next step [N].
         light: The traffic light it waits at.
         lights_on: Bits of the lamps that are on.
     """
@@ -161,6 +167,7 @@ class BodyActor(Actor):
         self.touchable = True
         self.constant: float | None = None
         self.target: tuple[float, float] | None = None
+        self.force = [0.0, 0.0, 0.0]
         self.light: int | None = None
         self.lights_on = 0
         self._make(0.0)
@@ -203,10 +210,24 @@ class BodyActor(Actor):
         """Take a velocity [m/s] at once: its part along the heading, since bodies do not slide."""
         body = self.body
         if isinstance(body, Vehicle):
-            body.speed = velocity[0] * body.cos - velocity[1] * body.sin
-            limits = LIMITS[self.blueprint.kind]
-            body.speed = max(-limits.top_speed, min(limits.top_speed, body.speed))
+            self._take(velocity[0] * body.cos - velocity[1] * body.sin)
         self.velocity = list(velocity) if not self.moving else self._velocity()
+
+    def strike(self, impulse: list[float]) -> None:
+        """Take an impulse [N s] at once: the part along the heading changes the speed, by the mass.
+
+        Raises:
+            Refused: It is no vehicle.
+        """
+        body = self.body
+        if not isinstance(body, Vehicle):
+            raise Refused(f"actor {self.id} is a {self.blueprint.id}; only vehicles take impulses and forces here")
+        self._take(body.speed + (impulse[0] * body.cos - impulse[1] * body.sin) / self.blueprint.mass)
+
+    def _take(self, speed: float) -> None:
+        """Have a speed at once [m/s], within what the body can reach."""
+        top = LIMITS[self.blueprint.kind].top_speed
+        self.body.speed = max(-top, min(top, speed))
 
     def step(self, dt: float, roads: Roads) -> None:
         """Advance by `dt` [s]."""
@@ -215,7 +236,10 @@ class BodyActor(Actor):
             self.turning = 0.0
             return
         body, before, heading = self.body, self.velocity, self.body.heading
+        force, self.force = self.force, [0.0, 0.0, 0.0]
         if isinstance(body, Vehicle):
+            if any(force):
+                self.strike([part * dt for part in force])
             if self.constant is not None:
                 body.speed = self.constant
             self._obey_vehicle(body)

@@ -18,6 +18,9 @@ _COMMANDS: dict[int, Call] = {
     4: actors.apply_control_to_walker,
     6: actors.set_actor_transform,
     8: actors.set_actor_target_velocity,
+    9: actors.set_actor_target_angular_velocity,
+    10: actors.add_actor_impulse,
+    11: actors.add_actor_force,
     14: actors.set_actor_simulate_physics,
     15: actors.ACTOR_CALLS["set_actor_enable_gravity"],
     16: actors.ACTOR_CALLS["set_actor_autopilot"],
@@ -28,9 +31,6 @@ _COMMANDS: dict[int, Call] = {
 }
 _NAMES = {
     5: "ApplyVehiclePhysicsControl",
-    9: "ApplyTargetAngularVelocity",
-    10: "ApplyImpulse",
-    11: "ApplyForce",
     12: "ApplyAngularImpulse",
     13: "ApplyTorque",
     20: "ConsoleCommand",

@@ -182,6 +182,13 @@ def _sensors() -> list[Blueprint]:
         tick,
         _role("front"),
     ]
+    beams = [
+        *(_attribute(f"{way}_fov", _FLOAT, "30.0") for way in ("horizontal", "vertical")),
+        _attribute("range", _FLOAT, "100.0"),
+        _attribute("points_per_second", _INT, "1500"),
+        tick,
+        _role("front"),
+    ]
     reach = [
         _attribute("distance", _FLOAT, "5.0"),
         _attribute("hit_radius", _FLOAT, "0.5"),
@@ -192,7 +199,7 @@ def _sensors() -> list[Blueprint]:
         *(Blueprint(id=f"sensor.camera.{name}", attributes=picture) for name in cameras),
         Blueprint(id="sensor.lidar.ray_cast", attributes=rays),
         Blueprint(id="sensor.lidar.ray_cast_semantic", attributes=rays),
-        Blueprint(id="sensor.other.radar", attributes=rays),
+        Blueprint(id="sensor.other.radar", attributes=beams),
         Blueprint(id="sensor.other.obstacle", attributes=[*reach, tick, _role("front")]),
         *(
             Blueprint(id=f"sensor.other.{name}", attributes=[tick, _role("front")])

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from chatscene.errors import MapError
-from chatscene.simulate.carla.standin import wire
+from chatscene.simulate.carla.standin import recorder, wire
 from chatscene.simulate.carla.standin.blueprints import definitions
 from chatscene.simulate.carla.standin.lights import OFF
 from chatscene.simulate.carla.standin.roads import Roads
@@ -146,6 +146,31 @@ def reset_all_traffic_lights(world: World) -> None:
     world.lights.reset()
 
 
+def start_recorder(world: World, name: Any, *_: Any) -> str:
+    """Write a file from the next step on, with all there is to tell; gives its path."""
+    return world.recorder.start(wire.text(name), world.roads.name.rsplit("/", 1)[-1])
+
+
+def stop_recorder(world: World) -> None:
+    """End the file."""
+    world.recorder.stop()
+
+
+def recorded_steps(_: World, name: Any, every: Any = True) -> str:
+    """A recording as text."""
+    return recorder.told(wire.text(name), bool(every))
+
+
+def show_recorder_collisions(_: World, name: Any, one: Any, other: Any) -> str:
+    """Who met whom in a recording."""
+    return recorder.collisions(wire.text(name), wire.letter(one), wire.letter(other))
+
+
+def show_recorder_actors_blocked(_: World, name: Any, least: Any, within: Any) -> str:
+    """Which vehicles of a recording stayed where they were for `least` seconds, within so many centimetres."""
+    return recorder.blocked(wire.text(name), wire.number(least), wire.number(within))
+
+
 def _nothing(*_: Any) -> None:
     """For what has no effect here, such as drawing."""
 
@@ -178,6 +203,11 @@ CALLS: dict[str, Call] = {
     "reset_traffic_light_group": reset_traffic_light_group,
     "reset_all_traffic_lights": reset_all_traffic_lights,
     "get_group_traffic_lights": get_group_traffic_lights,
+    "start_recorder": start_recorder,
+    "stop_recorder": stop_recorder,
+    "show_recorder_file_info": recorded_steps,
+    "show_recorder_collisions": show_recorder_collisions,
+    "show_recorder_actors_blocked": show_recorder_actors_blocked,
     # There are no boxes around lamps, no street lamps, no meshes.
     "get_light_boxes": _empty,
     "query_lights_state": _empty,

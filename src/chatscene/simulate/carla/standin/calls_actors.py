@@ -75,6 +75,24 @@ def set_actor_target_velocity(world: World, actor: Any, velocity: Any) -> None:
     world.body(actor).push(wire.numbers(velocity, 3))
 
 
+def set_actor_target_angular_velocity(world: World, actor: Any, turning: Any) -> None:
+    """Only none at all can be asked for: bodies turn as their wheels or legs do."""
+    world.actor(actor)
+    if any(wire.numbers(turning, 3)):
+        raise Refused("bodies turn as their wheels or legs do here; an angular velocity other than zero cannot be set")
+
+
+def add_actor_impulse(world: World, actor: Any, impulse: Any) -> None:
+    """Push a vehicle at once [N s], as far as it lies along the heading."""
+    world.body(actor, "vehicle").strike(wire.numbers(impulse, 3))
+
+
+def add_actor_force(world: World, actor: Any, force: Any) -> None:
+    """Push a vehicle during the next step [N], as far as it lies along the heading."""
+    body, given = world.body(actor, "vehicle"), wire.numbers(force, 3)
+    body.force = [had + more for had, more in zip(body.force, given, strict=True)]
+
+
 def enable_actor_constant_velocity(world: World, actor: Any, velocity: Any) -> None:
     """Be held at a forward speed [m/s]; the velocity is in the vehicle's own frame."""
     body = world.body(actor, "vehicle")
@@ -188,6 +206,9 @@ ACTOR_CALLS: dict[str, Call] = {
     "set_actor_transform": set_actor_transform,
     "set_actor_location": set_actor_location,
     "set_actor_target_velocity": set_actor_target_velocity,
+    "set_actor_target_angular_velocity": set_actor_target_angular_velocity,
+    "add_actor_impulse": add_actor_impulse,
+    "add_actor_force": add_actor_force,
     "enable_actor_constant_velocity": enable_actor_constant_velocity,
     "disable_actor_constant_velocity": disable_actor_constant_velocity,
     "set_actor_simulate_physics": set_actor_simulate_physics,

@@ -13,7 +13,7 @@ from typing import Any
 from PIL import Image, ImageDraw
 
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor
-from chatscene.simulate.carla.standin.world import World
+from chatscene.simulate.carla.standin.world import TAGS, World
 
 HEIGHT = 25.0  # [m]
 _LARGEST = 4096  # pixels to a side
@@ -21,8 +21,7 @@ _HEADER = struct.Struct("<IIf")
 _LANE_EVERY = 2.0  # [m]
 _GRASS, _ASPHALT = (52, 70, 48), (96, 96, 96)
 _VEHICLE, _WALKER, _THING = (17, 37, 103), (214, 120, 40), (150, 130, 90)
-_NO_TAG, _ROAD_TAG = 0, 1  # CARLA's labels of what a pixel shows
-_TAGS = {"vehicle": 14, "walker": 12, "static": 20}
+_NO_TAG, _ROAD_TAG = 0, 1
 
 Colour = tuple[int, int, int]
 
@@ -85,7 +84,7 @@ def _corners(body: BodyActor) -> list[tuple[float, float]]:
 def _colour(body: BodyActor, tags: bool) -> Colour:
     group = body.blueprint.group
     if tags:
-        return _TAGS[group], 0, 0
+        return TAGS[group], 0, 0
     if group != "vehicle":
         return _WALKER if group == "walker" else _THING
     parts: list[Any] = body.attribute("color").split(",")

@@ -9,17 +9,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor
 from chatscene.simulate.carla.standin.calls_actors import described
 from chatscene.simulate.carla.standin.pictures import drawn, size_of
-from chatscene.simulate.carla.standin.rays import Lidar
+from chatscene.simulate.carla.standin.rays import Lidar, Radar
 from chatscene.simulate.carla.standin.world import Contact, World
 
 GRAVITY = 9.81  # [m/s²]
 _PARALLEL = 1e-9
+_RAYS: dict[str, Callable[[Actor], Lidar | Radar]] = {
+    "sensor.lidar.ray_cast": partial(Lidar, semantic=False),
+    "sensor.lidar.ray_cast_semantic": partial(Lidar, semantic=True),
+    "sensor.other.radar": Radar,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,13 +55,15 @@ class Sensors:
     def __init__(self, world: World, port: int, pack: Callable[[Any], bytes]) -> None:
         self._world, self._port, self._pack = world, port, pack
         self._told: dict[int, float] = {}
-        self._lidars: dict[int, Lidar] = {}
+        self._looking: dict[int, Lidar | Radar] = {}
         self._always: dict[str, tuple[int, Callable[[Actor], bytes]]] = {
             "sensor.other.gnss": (wire.GNSS, self._on_earth),
             "sensor.other.imu": (wire.IMU, self._inertia),
             "sensor.camera.rgb": (wire.PICTURE, self._picture),
             "sensor.camera.semantic_segmentation": (wire.TAGS, self._tags),
             "sensor.lidar.ray_cast": (wire.LIDAR, self._points),
+            "sensor.lidar.ray_cast_semantic": (wire.LABELLED_LIDAR, self._points),
+            "sensor.other.radar": (wire.RADAR, self._points),
         }
 
     def readings(self, contacts: list[Contact], heard: Container[int]) -> Iterator[Reading]:
@@ -74,7 +82,7 @@ class Sensors:
     def forget(self) -> None:
         """Begin anew, after a loading."""
         self._told.clear()
-        self._lidars.clear()
+        self._looking.clear()
 
     @staticmethod
     def check(sensor: Actor) -> None:
@@ -87,8 +95,8 @@ class Sensors:
         try:
             if name.startswith("sensor.camera."):
                 size_of(sensor)
-            elif name.startswith("sensor.lidar."):
-                Lidar(sensor)
+            elif name in _RAYS:
+                _RAYS[name](sensor)
         except ValueError as error:
             raise wire.Refused(f"{name} cannot be made: {error}") from error
 
@@ -138,8 +146,9 @@ class Sensors:
         return drawn(self._world, sensor, tags=True)
 
     def _points(self, sensor: Actor) -> bytes:
-        lidar = self._lidars.setdefault(sensor.id, Lidar(sensor))
-        return lidar.looked(self._world, max(self._world.dt, _number(sensor, "sensor_tick", 0.0)))
+        if sensor.id not in self._looking:
+            self._looking[sensor.id] = _RAYS[sensor.blueprint.id](sensor)
+        return self._looking[sensor.id].looked(self._world, max(self._world.dt, _number(sensor, "sensor_tick", 0.0)))
 
 
 def _inertia(sensor: Actor) -> list[Any]:

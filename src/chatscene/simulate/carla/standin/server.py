@@ -152,8 +152,9 @@ class Server:
 
     def _load(self, client: Client, *arguments: Any) -> None:
         load_new_episode(self._world, *arguments)
-        self._streams.loaded(client.number)
-        client.number = self._next_stream()
+        anew = self._next_stream()
+        self._streams.loaded(client.number, anew)
+        client.number = anew
 
     def _spawn(self, _: Client, what: Any, place: Any, parent: Any = 0, *__: Any) -> list[Any]:
         return self._described(self._world.spawn(what, place, wire.whole(parent)))

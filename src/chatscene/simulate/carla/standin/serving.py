@@ -19,7 +19,7 @@ def serve(
     maps: Sequence[str],
     host: str,
     port: int,
-    simulator: str,
+    settings: SimulationSettings,
     *,
     ready: Callable[[World], None],
     log: Callable[[str], None],
@@ -30,7 +30,7 @@ def serve(
         maps: Names or files of maps (see `chatscene.maps.network.resolve_map`); the first is loaded, the others can be.
         host: Where to listen.
         port: Of the calls; streams are on the next.
-        simulator: Whose bodies move; one that is made of a physics.
+        settings: Whose bodies move, and how; the simulator has to be one that is made of a physics.
         ready: Called once clients can call.
         log: Is told what clients are refused.
 
@@ -40,17 +40,17 @@ def serve(
         SettingsError: The simulator brings no bodies, or the port cannot be had.
     """
     paths = [resolve_map(name) for name in maps]
-    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], simulator))
+    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings))
     try:
         asyncio.run(Server(world, host, port, log).run(lambda: ready(world)))
     except OSError as error:
         raise SettingsError(f"cannot listen on {host}, ports {port} and {port + 1}: {error.strerror}") from error
 
 
-def _bodies_of(path: Path, simulator: str) -> PhysicsOf:
-    physics_of: PhysicsOf | None = getattr(
-        load_simulator(path, SimulationSettings(simulator=simulator)), "physics_of", None
-    )
+def _bodies_of(path: Path, settings: SimulationSettings) -> PhysicsOf:
+    physics_of: PhysicsOf | None = getattr(load_simulator(path, settings), "physics_of", None)
     if physics_of is None:
-        raise SettingsError(f"the simulator {simulator!r} brings no bodies that a stand-in for CARLA could move")
+        raise SettingsError(
+            f"the simulator {settings.simulator!r} brings no bodies that a stand-in for CARLA could move"
+        )
     return physics_of

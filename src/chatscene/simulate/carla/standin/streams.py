@@ -35,6 +35,7 @@ class Streams:
         self._world = world
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
+        self._loaders: set[int] = set()
         self._resting: set[int] = set()
         self._dropped: set[int] = set()
         world.on_step = self._publish
@@ -57,18 +58,25 @@ class Streams:
                 self._open[number].remove(writer)
             writer.close()
 
-    def loaded(self, client: int) -> None:
-        """A client loaded a map: it gets another stream, and those of the others rest until they call again.
+    def loaded(self, client: int, anew: int) -> None:
+        """A client loaded a map: it gets another stream, and those of others that once loaded one rest until they call.
 
         The wheel ends in a segmentation fault where a frame arrives while it takes a stream down. So the old stream of
         the client is dropped, not closed, also if it is only opened now; what is under way has time to arrive; and
-        clients that are gone but not yet collected by their process, which never call again, are sent nothing.
+        a client whose world this was before, which may be gone but not yet collected by its process and then never
+        calls again, is sent nothing. Who only looks on, or drives in another's world, goes on hearing.
+
+        Args:
+            client: Its stream until now.
+            anew: Its stream from now on.
         """
         self._sensors.forget()
         self._open = {number: writers for number, writers in self._open.items() if number >= FIRST_CLIENT}
         self._open.pop(client, None)
         self._dropped.add(client)
-        self._resting = set(self._open)
+        self._loaders.discard(client)
+        self._resting = self._loaders & set(self._open)
+        self._loaders.add(anew)
         time.sleep(_UNDER_WAY)
 
     def wake(self, client: int) -> None:

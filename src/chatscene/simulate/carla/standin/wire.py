@@ -15,7 +15,8 @@ VERSION = "0.9.16"
 FARTHEST = 1e7  # [m]; also the largest number of any other kind that is taken
 
 # Positions in the wheel's registry of sensors.
-COLLISION, GNSS, IMU, OBSTACLE, LIDAR, PICTURE, TAGS, WORLD_OBSERVER = 0, 4, 5, 7, 11, 13, 14, 17
+COLLISION, GNSS, IMU, OBSTACLE, RADAR, LABELLED_LIDAR, LIDAR, PICTURE, TAGS = 0, 4, 5, 7, 9, 10, 11, 13, 14
+WORLD_OBSERVER = 17
 
 _TCP = 1
 _HOST_OF_CLIENT = 0
@@ -147,6 +148,19 @@ def text(value: Any) -> str:
     if not isinstance(value, str):
         raise Refused("a text is needed")
     return value
+
+
+def letter(value: Any) -> str:
+    """One letter out of a message, which C++ may send as its number.
+
+    Raises:
+        Refused: It is anything else.
+    """
+    if isinstance(value, int) and not isinstance(value, bool) and 0 < value < 128:
+        return chr(value)
+    if isinstance(value, str) and len(value) == 1:
+        return value
+    raise Refused("one letter is needed")
 
 
 def transform(value: Any) -> tuple[list[float], list[float]]:

@@ -12,6 +12,7 @@ from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
 from chatscene.simulate.carla.standin.blueprints import catalogue, definitions
 from chatscene.simulate.carla.standin.lights import Light, Lights
+from chatscene.simulate.carla.standin.recorder import Recorder
 from chatscene.simulate.carla.standin.roads import Roads
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.contact import touch
@@ -21,9 +22,11 @@ STEP = 0.05  # [s], where a client names none
 SHORTEST, LONGEST = 0.001, 1.0  # [s]
 OPENDRIVE = "OpenDriveMap"
 SENSORS = frozenset(
-    {"sensor.camera.rgb", "sensor.camera.semantic_segmentation", "sensor.lidar.ray_cast"}
-    | {f"sensor.other.{name}" for name in ("collision", "lane_invasion", "obstacle", "gnss", "imu")}
+    {"sensor.camera.rgb", "sensor.camera.semantic_segmentation"}
+    | {"sensor.lidar.ray_cast", "sensor.lidar.ray_cast_semantic"}
+    | {f"sensor.other.{name}" for name in ("collision", "lane_invasion", "obstacle", "gnss", "imu", "radar")}
 )
+TAGS = {"vehicle": 14, "walker": 12, "static": 20}  # CARLA's labels of what a pixel or a point shows
 SPECTATOR_HEIGHT = 50.0  # [m]
 SPEED_LIMIT = 30.0  # [km/h], CARLA's outside its speed signs
 _IMMOVABLE = 1e6  # [kg], of what stands
@@ -64,6 +67,7 @@ class World:
         self.maps = dict(maps)
         self.on_spawn: Callable[[Actor], None] = lambda _: None
         self.on_step: Callable[[list[Contact]], None] = lambda _: None
+        self.recorder = Recorder()
         self.opendrive = ""
         self.episode = 0
         self.frame = 0
@@ -86,6 +90,7 @@ class World:
             Refused: There is no such map, or it cannot be used; the old world goes on.
         """
         roads = self._find(name)
+        self.recorder.stop()
         for number in list(self.actors):
             self.destroy(number)
         self.actors.clear()
@@ -244,7 +249,10 @@ class World:
                 reach, body = actor.extent[0], actor.body
                 front = (actor.location[0] + reach * body.cos, actor.location[1] - reach * body.sin)
                 actor.light = self.lights.waits_at(*front, actor.rotation[1])
-        self.on_step(contacts(bodies))
+        met = contacts(bodies)
+        touching = [(contact.one.id, contact.other.id) for contact in met]
+        self.recorder.write(self.time, self.actors, self.lights.by_actor, self.lights.frozen, touching)
+        self.on_step(met)
         return self.frame
 
 
