@@ -110,7 +110,11 @@ def test_who_only_looks_on_hears_every_tick_of_another_clients_new_world(port: i
     onlooker: Any = carla.Client("127.0.0.1", port)
     onlooker.set_timeout(60.0)
     seen: list[int] = []
-    onlooker.get_world().on_tick(lambda snapshot: seen.append(snapshot.frame))
+
+    def hear(snapshot: Any) -> None:
+        seen.append(snapshot.frame)
+
+    onlooker.get_world().on_tick(hear)
     for _ in range(3):
         _, world = connected(port, client=first)
         frames = [world.tick() for _ in range(5)]

@@ -344,6 +344,18 @@ def test_the_same_calls_give_the_same_frames_bit_for_bit(port: int) -> None:
     assert driven(port) == driven(port)
 
 
+def test_a_sensor_that_is_heard_late_begins_with_the_step_that_was_last_taken(world: Any) -> None:
+    car = spawned(world)
+    world.tick()
+    for name in ("sensor.camera.rgb", "sensor.other.imu"):
+        sensor = world.spawn_actor(world.get_blueprint_library().find(name), carla.Transform(), attach_to=car)
+        frame = world.tick()
+        heard = [sensor]
+        sensor.listen(heard.append)
+        (told,) = settled(heard, 1)
+        assert told.frame == frame
+
+
 def test_a_camera_draws_what_is_below_it_with_its_own_direction_upwards(world: Any) -> None:
     car = spawned(world)
     ahead = spawned(world, ahead=15.0)

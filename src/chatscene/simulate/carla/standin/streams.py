@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import struct
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from chatscene.simulate.carla.standin import wire
@@ -48,8 +48,7 @@ class Streams:
             (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
             if number not in self._dropped:
                 self._open.setdefault(number, []).append(writer)
-                if number >= FIRST_CLIENT:
-                    _send([writer], self._frame())
+                self._begin(number, writer)
             await reader.read(1)  # clients send nothing more; this ends when they go
         except (ConnectionError, asyncio.IncompleteReadError):
             pass
@@ -57,6 +56,13 @@ class Streams:
             if writer in self._open.get(number, []):
                 self._open[number].remove(writer)
             writer.close()
+
+    def _begin(self, number: int, writer: asyncio.StreamWriter) -> None:
+        """Tell of the step that was last taken: a client that ticks at once would else wait for it in vain."""
+        if number >= FIRST_CLIENT:
+            _send([writer], self._frame())
+        elif number in self._world.actors and self._world.actors[number].born < self._world.frame:
+            self._tell([], {number: [writer]})
 
     def loaded(self, client: int, anew: int) -> None:
         """A client loaded a map: it gets another stream, and those of others that once loaded one rest until they call.
@@ -87,14 +93,16 @@ class Streams:
 
     def _publish(self, contacts: list[Contact]) -> None:
         self._to_worlds(self._frame())
-        heard = {number for number, writers in self._open.items() if writers}
+        self._tell(contacts, self._open)
+
+    def _tell(self, contacts: list[Contact], to: Mapping[int, list[asyncio.StreamWriter]]) -> None:
+        """Send what sensors that are heard have to say."""
+        heard = {number for number, writers in to.items() if writers}
         for reading in self._sensors.readings(contacts, heard):
-            writers = self._open.get(reading.sensor.id)
-            if writers:
-                sensor = reading.sensor
-                pose = (*sensor.location, *sensor.rotation)
-                head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
-                _send(writers, head + reading.content)
+            sensor = reading.sensor
+            pose = (*sensor.location, *sensor.rotation)
+            head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
+            _send(to[sensor.id], head + reading.content)
 
     def _to_worlds(self, frame: bytes) -> None:
         for number, writers in self._open.items():

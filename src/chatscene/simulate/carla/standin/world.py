@@ -203,6 +203,7 @@ class World:
         return [actor for actor in self.actors.values() if isinstance(actor, BodyActor)]
 
     def _add(self, actor: Any) -> Any:
+        actor.born = self.frame
         self.actors[actor.id] = self._all[actor.id] = actor
         self._next += 1
         return actor
