@@ -17,6 +17,7 @@
     ├ SimulationError
     │  ├ StuckBehavior         code does not come back in its time
     │  ├ Diverged              a replay differs from what was stored
+    │  ├ ServerError           a simulator's server is not there, is another version, or was lost
     │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
     ├ RunError                 a run folder cannot be written, read or continued
@@ -127,6 +128,10 @@ class StuckBehavior(SimulationError):  # noqa: N818
 
 class Diverged(SimulationError):  # noqa: N818
     """A replay differs from the stored tracks."""
+
+
+class ServerError(SimulationError):
+    """A simulator's server is not there, is another than the one that is needed, refuses something, or was lost."""
 
 
 class SandboxError(SimulationError):

@@ -28,7 +28,7 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
 from chatscene.search.generator import climb, load_generator, simulator_of
 from chatscene.settings import Settings
-from chatscene.simulate.simulator import routes_of
+from chatscene.simulate.simulator import check_jobs, routes_of
 
 
 def understand(text: str, settings: Settings | None = None, *, generator: str = "chatscene") -> Understood:
@@ -52,6 +52,7 @@ def run(asked: runs.RunRecord, folder: Path, *, jobs: int = 1, progress: Progres
         NothingFits: The library cannot serve the sentence; the folder says why.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
+    check_jobs(runs.settings_of(asked).simulation, jobs)
     with runs.alone(folder):
         return _carry_on(runs.take_up(folder, asked), jobs, progress)
 
@@ -65,6 +66,7 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated
     """
     kept = runs.open_run(folder, runs.RunRecord)
     follow(repeated or Repeated(), egos_of=[kept], simulators_of=[kept], reading_of=[kept])
+    check_jobs(runs.settings_of(runs.read_record(kept)).simulation, jobs)
     with runs.alone(folder):
         return _carry_on(kept, jobs, progress)
 

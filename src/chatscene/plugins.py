@@ -38,6 +38,7 @@ class Kind(Generic[Plugin]):
             brackets the extra that it needs, if any.
         forms: What else a user may type besides a name and ``package.module:factory``, in words.
         error: What is raised for one that cannot be had.
+        addressed: Which of the built-in ones are servers elsewhere, so that an address may follow after a colon.
     """
 
     noun: str
@@ -46,11 +47,18 @@ class Kind(Generic[Plugin]):
     built_in: Mapping[str, str]
     forms: tuple[str, ...] = ()
     error: type[ChatSceneError] = SettingsError
+    addressed: frozenset[str] = frozenset()
 
 
 def names(kind: Kind[Any]) -> list[str]:
     """What is built in or installed, by name, sorted."""
     return sorted({*kind.built_in, *entry_points(group=kind.group).names})
+
+
+def without_address(kind: Kind[Any], name: str) -> str:
+    """The name of what is built in, where it stands before an address; any other as it is."""
+    bare = name.partition(":")[0]
+    return bare if bare in kind.addressed else name
 
 
 def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin:
@@ -83,8 +91,9 @@ def make(kind: Kind[Plugin], name: str, *arguments: Any, **named: Any) -> Plugin
 
 def _find(kind: Kind[Any], name: str) -> EntryPoint:
     """Where a name leads; one that the user points at is of no group."""
-    if name in kind.built_in:
-        return EntryPoint(name, kind.built_in[name], kind.group)
+    bare = without_address(kind, name)
+    if bare in kind.built_in:
+        return EntryPoint(bare, kind.built_in[bare], kind.group)
     found = list(entry_points(group=kind.group, name=name))
     if len(found) > 1:
         places = ", ".join(sorted(entry.value for entry in found))

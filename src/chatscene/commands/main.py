@@ -62,7 +62,8 @@ SIMULATOR = click.option(
     "--simulator",
     default=SimulationSettings().simulator,
     show_default=True,
-    help="What scenes run in: this, confined (behind the sandbox's walls), or package.module:factory.",
+    help="What scenes run in: this, confined (behind the sandbox's walls), carla[:HOST[:PORT]] (a CARLA server), or "
+    "package.module:factory.",
 )
 
 
@@ -156,6 +157,7 @@ def run(
     chatscene run --program mine.scenic --routes 4
     """
     from chatscene import api, runs
+    from chatscene.simulate.simulator import has_one_world
 
     if (text is None) == (program is None):
         raise click.UsageError("say what to run: either a TEXT or --program FILE")
@@ -175,7 +177,7 @@ def run(
                 sampler=sampler,
                 simulator=simulator,
                 physics=physics,
-                jobs=jobs or _jobs(scenes, routes),
+                jobs=jobs or (1 if has_one_world(simulator) else _jobs(scenes, routes)),
                 progress=progress(),
                 **reading,
             )
@@ -461,6 +463,8 @@ def replay(
     as_json: bool,
 ) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
+
+    In a CARLA server, which does not repeat itself to the bit, they have to be the same within half a metre.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017

@@ -25,6 +25,7 @@ class StopLine:
         x1: Right end [m].
         y1: Right end [m].
         heading: Driving direction across it [rad, 0 = +x, counter-clockwise].
+        lights: Ids of its traffic lights in OpenDRIVE.
     """
 
     lane: str
@@ -35,6 +36,7 @@ class StopLine:
     x1: float
     y1: float
     heading: float
+    lights: tuple[str, ...]
 
 
 def junction_control(junction: Any) -> Control:
@@ -64,16 +66,18 @@ def junction_signals(network: Any, junction: str) -> tuple[StopLine, ...]:
 
 def _stop_line(lane: Any, junction: Any) -> StopLine:
     ways = [m.connectingLane.road for m in junction.maneuvers if m.startLane is lane]
+    signals = [signal for road in ways for signal in road.signals]
     (x0, y0, *_), (x1, y1, *_) = lane.leftEdge.points[-1], lane.rightEdge.points[-1]
     return StopLine(
         lane=lane.uid,
         junction=junction.uid,
-        control=_strongest([signal for road in ways for signal in road.signals]),
+        control=_strongest(signals),
         x0=float(x0),
         y0=float(y0),
         x1=float(x1),
         y1=float(y1),
         heading=math.atan2(x1 - x0, y0 - y1),  # a quarter turn to the left of the way from left to right
+        lights=tuple(sorted({str(signal.openDriveID) for signal in signals if signal.isTrafficLight})),
     )
 
 

@@ -21,6 +21,9 @@ from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected
 
+WITHIN = 0.5  # [m], of actors at the same step, in a simulator that does not repeat itself to the bit
+STEPS_APART = 2  # ... and of its events and endings
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Replayed:
@@ -28,17 +31,21 @@ class Replayed:
 
     Attributes:
         scene_id: Which.
-        difference: Where the tracks first differ, in words; empty if every number is the same.
+        difference: Where the tracks first differ, in words; empty if every number is the same within the tolerance.
+        within: The tolerance [m]; 0 where the simulator repeats itself to the bit.
+        apart: The largest distance [m] between where an actor was and is at the same step.
         versions: What the run was made with and is otherwise now: by name, the version then and now.
     """
 
     scene_id: str
     difference: str
+    within: float
+    apart: float
     versions: Mapping[str, tuple[str, str]]
 
     @property
     def identical(self) -> bool:
-        """Whether the tracks are the same, bit for bit."""
+        """Whether the tracks are the same, as far as the simulator repeats itself."""
         return not self.difference
 
     def as_dict(self) -> dict[str, Any]:
@@ -47,18 +54,23 @@ class Replayed:
             "scene_id": self.scene_id,
             "identical": self.identical,
             "difference": self.difference,
+            "within": self.within,
+            "apart": self.apart,
             "versions": {name: {"then": then, "now": now} for name, (then, now) in self.versions.items()},
         }
 
     def in_words(self) -> str:
         """One line for a person."""
         if self.identical:
-            return f"{self.scene_id}: identical"
+            how = f"the same within {self.within:g} m; actors are {self.apart:.3f} m apart at most"
+            return f"{self.scene_id}: {how if self.within else 'identical'}"
         return f"{self.scene_id}: differs: {self.difference}{since(self.versions)}"
 
 
 def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Replayed:
     """Simulate a scene of a run again from its stored values, and compare every number of every track.
+
+    Where the simulator is not exact, what counts is that actors are within `WITHIN` and events within `STEPS_APART`.
 
     Raises:
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
@@ -74,7 +86,36 @@ def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> 
     scene = scene_of(row, program)
     simulator = simulator_of(load_generator(record.generator), map_of(record), settings)
     again = simulate(simulator, program, scene, load_ego(record.ego))
-    return Replayed(scene_id=scene_id, difference=_difference(stored, again), versions=changed_versions(record))
+    exact = simulator.identity.exact
+    return Replayed(
+        scene_id=scene_id,
+        difference=(_difference if exact else _far_difference)(stored, again),
+        within=0.0 if exact else WITHIN,
+        apart=0.0 if isinstance(again, Rejected) else max(map(apart, stored.tracks, again.tracks)),
+        versions=changed_versions(record),
+    )
+
+
+def _far_difference(stored: Episode, again: Episode | Rejected) -> str:
+    """Where two episodes first differ by more than a simulator may that does not repeat itself to the bit."""
+    if isinstance(again, Rejected):
+        return f"it is now rejected: {again.reason}"
+    if [track.actor for track in stored.tracks] != [track.actor for track in again.tracks]:
+        return "other actors now"
+    for old, new in zip(stored.tracks, again.tracks, strict=True):
+        if abs(len(old.x) - len(new.x)) > STEPS_APART:
+            return f"{len(old.x)} steps then, {len(new.x)} steps now"
+        if (away := apart(old, new)) > WITHIN:
+            return f"{old.actor}: {away:.2f} m away from where it was"
+    then, now = ([(e.kind, e.other, e.side) for e in one.events] for one in (stored, again))
+    far = any(abs(old.step - new.step) > STEPS_APART for old, new in zip(stored.events, again.events, strict=False))
+    return "the events differ" if then != now or far else ""
+
+
+def apart(old: Track, new: Track) -> float:
+    """The largest distance [m] of an actor from where it was at the same step."""
+    steps = min(len(old.x), len(new.x))
+    return float(np.hypot(old.x[:steps] - new.x[:steps], old.y[:steps] - new.y[:steps]).max())
 
 
 def _difference(stored: Episode, again: Episode | Rejected) -> str:

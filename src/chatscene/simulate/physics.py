@@ -8,6 +8,10 @@ from typing import Protocol
 from chatscene.world.bodies import Body, Placement
 
 
+class CannotPlace(Exception):  # noqa: N818 - reads as what it says
+    """A thing of a scene has no room where the scene puts it; the scene is rejected, and this is why."""
+
+
 class Physics(Protocol):
     """The bodies of one scene.
 
@@ -20,6 +24,7 @@ class Physics(Protocol):
         """Make the body of a thing; the ego's comes first.
 
         Raises:
+            CannotPlace: It has no room there.
             ValueError: There can be no such thing.
         """
         ...

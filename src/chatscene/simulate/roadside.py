@@ -6,6 +6,7 @@ Events other than collisions change nothing while a drive goes on, so they are f
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -63,21 +64,34 @@ class RouteSurroundings:
         Raises:
             MapError: `mode` is none of `MODES`.
         """
-        if mode not in MODES:
-            raise MapError(f"a program sets signals to {mode!r}; they can be {', '.join(MODES)}")
-        if self._control is not Control.SIGNAL:
-            return ()
         return tuple(
             SignalTrack(
                 x0=line.x0,
                 y0=line.y0,
                 x1=line.x1,
                 y1=line.y1,
-                state=signal_states(mode, abs(math.cos(line.heading - self._approach)) > _AXIS, steps, dt),
+                state=states,
                 role="ego" if self._own(line) else "other",
             )
-            for line in self._lines
+            for line, states in self._states(mode, steps, dt)
         )
+
+    def lights(self, mode: str, steps: int, dt: float) -> dict[str, str]:
+        """The states of each traffic light at the route's junction, by its id in OpenDRIVE.
+
+        Raises:
+            MapError: `mode` is none of `MODES`.
+        """
+        return {light: states for line, states in self._states(mode, steps, dt) for light in line.lights}
+
+    def _states(self, mode: str, steps: int, dt: float) -> Iterator[tuple[StopLine, str]]:
+        """Each signalled stop line at the route's junction with its states."""
+        if mode not in MODES:
+            raise MapError(f"a program sets signals to {mode!r}; they can be {', '.join(MODES)}")
+        if self._control is Control.SIGNAL:
+            for line in self._lines:
+                own_axis = abs(math.cos(line.heading - self._approach)) > _AXIS
+                yield line, signal_states(mode, own_axis, steps, dt)
 
     def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""

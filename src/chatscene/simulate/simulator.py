@@ -8,8 +8,8 @@ from typing import Any, Protocol
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
-from chatscene.errors import EgoError, MapError, StuckBehavior
-from chatscene.plugins import Kind, make
+from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
+from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.episode import Ending, Episode
@@ -179,8 +179,29 @@ SIMULATORS: Kind[Simulator] = Kind(
     built_in={
         "embedded": "chatscene.simulate.embedded.physics:make_simulator",
         "confined": "chatscene.simulate.confined.simulator:ConfinedSimulator",
+        "carla": "chatscene.simulate.carla.simulator:CarlaSimulator [carla]",
     },
+    forms=("carla:HOST:PORT",),
+    addressed=frozenset({"carla"}),
 )
+
+
+def has_one_world(simulator: str) -> bool:
+    """Whether a simulator is a server elsewhere, whose one world serves one process at a time."""
+    return without_address(SIMULATORS, simulator) in SIMULATORS.addressed
+
+
+def check_jobs(settings: SimulationSettings, jobs: int) -> None:
+    """Hold how many processes are asked for against how many worlds there are.
+
+    Raises:
+        SettingsError: There are more processes.
+    """
+    if jobs > 1 and has_one_world(settings.simulator):
+        raise SettingsError(
+            f"the simulator {settings.simulator!r} has one world, so that {jobs} processes would drive in each other's "
+            "scenes; use --jobs 1, and for more a server and a run each"
+        )
 
 
 def load_simulator(map_path: Path, settings: SimulationSettings) -> Simulator:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from chatscene.errors import ChatSceneError, ProgramError
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.physics import PhysicsOf
+from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
@@ -69,7 +70,9 @@ class SteppedSimulator:
             placed = self._stage.place(program, scene)
             if isinstance(placed, Rejected):
                 return placed
-            simulation = SteppedSimulation(placed, self.physics_of(), self._settings.dt).__enter__()
+            simulation = SteppedSimulation(placed, self.physics_for(scene, placed), self._settings.dt).__enter__()
+        except CannotPlace as error:
+            return Rejected(scene=scene, reason=str(error))
         except SteppedSimulation.REJECTIONS as error:
             return Rejected(scene=scene, reason=f"the program rejects the episode before it begins: {error}")
         except (ChatSceneError, MemoryError):
@@ -79,7 +82,14 @@ class SteppedSimulator:
         route: Route = placed.egoObject.route.route
         try:
             session = SteppedSession(
-                simulation, route, self._around(route), self._settings, observation, pedals, through_collisions, label
+                simulation,
+                route,
+                self.surroundings(route),
+                self._settings,
+                observation,
+                pedals,
+                through_collisions,
+                label,
             )
         except BaseException:
             simulation.__exit__()
@@ -90,7 +100,12 @@ class SteppedSimulator:
         take_process(session.close)
         return session
 
-    def _around(self, route: Route) -> RouteSurroundings:
+    def physics_for(self, scene: Scene, placed: Any) -> Physics:  # noqa: ARG002 - for those that need to know more
+        """The physics of a scene, which Scenic has placed."""
+        return self.physics_of()
+
+    def surroundings(self, route: Route) -> RouteSurroundings:
+        """What lies along a route."""
         if route.id not in self._surroundings:
             network = load_network(self._map_path)
             self._lane_map = self._lane_map or LaneMap(network)

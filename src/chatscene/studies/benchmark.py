@@ -23,6 +23,7 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on, working
 from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.simulate.simulator import check_jobs
 from chatscene.studies.evaluation import EGOS, Evaluated, evaluate
 from chatscene.terms.scenario import BaseScenario
 
@@ -102,6 +103,7 @@ def benchmark(
         search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler),
         simulation=SimulationSettings(simulator=simulator, physics=physics),
     )
+    check_jobs(settings.simulation, jobs)
     asked = runs.asked_benchmark(
         generator, budget, egos=egos, surrogate=surrogate, settings=settings, map_name=map_name
     )

@@ -18,7 +18,7 @@ from chatscene.runs.atomic import write_bytes
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.simulator import load_simulator
+from chatscene.simulate.simulator import check_jobs, load_simulator
 from chatscene.terms.episode import Episode
 from chatscene.terms.results import ResultTable
 
@@ -69,6 +69,7 @@ def drive(
     for ego in egos:
         load_ego(ego)
     simulation = simulation or SimulationSettings()
+    check_jobs(simulation, jobs)
     load_simulator(resolve_map(map_name), simulation)  # an unknown one is told here, and once
     setup = _Setup(map_name=map_name, simulation=simulation, scenes=scenes, seed=seed, folder=folder)
     results: dict[str, OrdinaryResult] = {}

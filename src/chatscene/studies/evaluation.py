@@ -34,7 +34,7 @@ from chatscene.runs.working import working
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator, simulator_of
 from chatscene.settings import Settings, SimulationSettings
-from chatscene.simulate.simulator import Simulator
+from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
 from chatscene.terms.scenario import BaseScenario, Scenario
@@ -130,6 +130,7 @@ def evaluate(
             )
     map_of(records[0])  # it must still be the file that they were made on
     settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
+    check_jobs(settings.simulation, jobs)
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
@@ -167,8 +168,10 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated
         RunError: It is damaged, or one of its sources is; another process is at work on it; or one of them names what
             must be repeated (`chatscene.runs.trust.follow`).
     """
+    run = runs.open_run(folder, runs.EvaluationRecord)
+    check_jobs(runs.settings_of(runs.read_record(run, runs.EvaluationRecord)).simulation, jobs)
     with runs.alone(folder):
-        return _carry_on(runs.open_run(folder, runs.EvaluationRecord), jobs, progress, repeated or Repeated())
+        return _carry_on(run, jobs, progress, repeated or Repeated())
 
 
 def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:

@@ -28,9 +28,9 @@ def free_port() -> int:
 
 
 @contextmanager
-def serving(*options: str) -> Generator[tuple[int, subprocess.Popen[str]]]:
-    """A server on a free port, which says that it is ready, and is gone afterwards."""
-    port = free_port()
+def serving(*options: str, port: int = 0) -> Generator[tuple[int, subprocess.Popen[str]]]:
+    """A server, on a free port unless one is named, which says that it is ready, and is gone afterwards."""
+    port = port or free_port()
     command = [sys.executable, "-m", "chatscene", "serve-carla", "--port", str(port), *options]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
         try:

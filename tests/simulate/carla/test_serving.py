@@ -38,6 +38,7 @@ def test_a_port_that_is_taken_is_named() -> None:
     [
         (["--map", "twon"], "did you mean 'town'?"),
         (["--simulator", "confined"], "brings no bodies that a stand-in for CARLA could move"),
+        (["--simulator", "carla"], "brings no bodies that a stand-in for CARLA could move"),
     ],
 )
 def test_what_cannot_be_served_is_said_before_anybody_calls(options: list[str], says: str) -> None:

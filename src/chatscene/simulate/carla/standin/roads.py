@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import Any
 
 from chatscene.errors import MapError, MissingExtra
-from chatscene.simulate.carla.standin.served import as_served
+from chatscene.simulate.carla.served import as_served
 
 TRAFFIC_LIGHT = "1000001"
 _APART = 12.0  # [m] between places to begin at

@@ -29,6 +29,7 @@ SENSORS = frozenset(
 TAGS = {"vehicle": 14, "walker": 12, "static": 20}  # CARLA's labels of what a pixel or a point shows
 SPECTATOR_HEIGHT = 50.0  # [m]
 SPEED_LIMIT = 30.0  # [km/h], CARLA's outside its speed signs
+_STANDS_IN = [["stands_in_for", 4, "CARLA"]]  # by which a client can tell; CARLA's spectator has no attributes
 _IMMOVABLE = 1e6  # [kg], of what stands
 
 
@@ -102,7 +103,7 @@ class World:
         self.weather = [0.0] * 14
         above = [0.0, 0.0, SPECTATOR_HEIGHT]
         self.spectator = self._add(
-            Actor(self._next, self._own("spectator"), catalogue()["spectator"], above, [0.0] * 3)
+            Actor(self._next, [*self._own("spectator")[:2], _STANDS_IN], catalogue()["spectator"], above, [0.0] * 3)
         )
         self.lights = Lights(dict(self._raise_lights()))
 

@@ -1,13 +1,22 @@
-"""A map's text as the wheel needs it: two things that OpenDRIVE allows break or worry it."""
+"""A map's text as the wheel needs it, and as a server gives it back.
+
+Two things that OpenDRIVE allows break or worry the wheel; so a map that went through a server is not the same text.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
 
 # Those of the wheel where a map says nothing, written out so that it need not warn.
 _REFERENCE = "+proj=tmerc +lat_0=42 +lon_0=2 +k=1 +x_0=0 +y_0=0 +datum=WGS84"
+
+_SHAPE = frozenset(
+    {"geometry", "arc", "spiral", "poly3", "paramPoly3", "elevation", "laneOffset", "laneSection", "lane", "width"}
+)
+_SAYS_NO_PLACE = frozenset({"level", "singleSide"})
 
 
 def as_served(text: str) -> str:
@@ -46,3 +55,39 @@ def _clashing(root: Xml.Element) -> dict[str, str]:
     junctions = [junction.get("id", "") for junction in root.iter("junction")]
     above = 1 + max((int(name) for name in (*roads, *junctions) if name.isdigit()), default=0)
     return {name: str(above + i) for i, name in enumerate(name for name in junctions if name in roads)}
+
+
+def same_roads(one: str, other: str) -> bool:
+    """Whether two maps have the same lanes in the same places, to a millimetre, whatever else they say.
+
+    Raises:
+        MapError: One is no XML.
+    """
+    return _roads(one) == _roads(other)
+
+
+def _roads(text: str) -> dict[str, list[object]]:
+    """Of each road by its id, the elements that say where its lanes are."""
+    try:
+        root = Xml.fromstring(text.encode())
+    except (Xml.ParseError, UnicodeEncodeError) as error:
+        raise MapError(f"the map is no XML: {error}") from error
+    return {road.get("id", ""): [_rounded(element) for element in _shape(road)] for road in root.iter("road")}
+
+
+def _shape(road: Xml.Element) -> Iterator[Xml.Element]:
+    for place in ("planView", "elevationProfile", "lanes"):
+        for part in road.iterfind(place):
+            yield from (element for element in part.iter() if element.tag in _SHAPE)
+
+
+def _rounded(element: Xml.Element) -> tuple[object, ...]:
+    kept = sorted((name, value) for name, value in element.attrib.items() if name not in _SAYS_NO_PLACE)
+    return element.tag, *((name, _number(value)) for name, value in kept)
+
+
+def _number(value: str) -> float | str:
+    try:
+        return round(float(value), 3) + 0.0  # no negative zero
+    except ValueError:
+        return value
