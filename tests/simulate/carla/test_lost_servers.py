@@ -40,7 +40,7 @@ def load(name: str) -> Any:
     return load_simulator(TOWN, SimulationSettings(simulator=name))
 
 
-def asked(simulator: str, scenes: int = 3) -> runs.RunRecord:
+def asked(simulator: str, scenes: int = 2) -> runs.RunRecord:
     few = Settings(
         search=SearchSettings(scenes=scenes, block=1, keep=1), simulation=SimulationSettings(simulator=simulator)
     )
@@ -150,7 +150,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Generator[tuple[str, P
             pipeline.run(asked(simulator), through)
 
             def kill(_: str, done: int, total: int) -> None:
-                if (done, total) == (1, 3):
+                if (done, total) == (1, 2):
                     server.kill()
                     server.wait()
 
