@@ -9,6 +9,7 @@ from collections.abc import Callable, Generator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from standing_in import serving
@@ -205,7 +206,7 @@ def test_a_contact_that_carla_s_sensor_does_not_confirm_is_told(
     wall = AHEAD.format(kind="Container", at=12)
     assert driven(simulator, wall).ending is Ending.COLLISION
     assert simulator.disagreements == []
-    monkeypatch.setattr(CarlaPhysics, "_hear", lambda *_: None)
+    monkeypatch.setattr(CarlaPhysics, "_hear", Mock())
     assert driven(simulator, wall).ending is Ending.COLLISION
     assert "the ego's box meets that of a Container" in caplog.text
     assert len(simulator.disagreements) == 1
@@ -215,7 +216,7 @@ def test_a_contact_that_carla_s_sensor_does_not_confirm_is_told(
 def test_a_contact_that_only_carla_s_sensor_tells_of_is_told(simulator: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from chatscene.simulate.carla import physics
 
-    monkeypatch.setattr(physics, "touch", lambda *_: False)
+    monkeypatch.setattr(physics, "touch", Mock(return_value=False))
     driven(simulator, AHEAD.format(kind="Container", at=12))
     assert ["their boxes never do" in told for told in simulator.disagreements] == [True]
     simulator.disagreements.clear()

@@ -19,6 +19,7 @@ from chatscene import pipeline, runs
 from chatscene.commands.main import main
 from chatscene.errors import MapError, RunError, ServerError, SettingsError
 from chatscene.maps.network import resolve_map
+from chatscene.runs.progress import silent
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
 from chatscene.search.generator import load_generator, simulator_of
@@ -131,7 +132,7 @@ def test_more_processes_than_worlds_are_refused(tmp_path: Path) -> None:
     check_jobs(SimulationSettings(simulator="carla"), 1)
     check_jobs(SimulationSettings(), 2)
     with pytest.raises(SettingsError, match="use --jobs 1"):
-        drive(["idm"], simulation=SimulationSettings(simulator="carla"), jobs=2, progress=lambda *_: None)
+        drive(["idm"], simulation=SimulationSettings(simulator="carla"), jobs=2, progress=silent)
     done = CliRunner().invoke(
         main, ["benchmark", "--simulator", "carla", "--jobs", "2", "--out", str(tmp_path / "benchmark")]
     )
@@ -188,12 +189,15 @@ def test_a_replay_is_the_same_within_a_tolerance(finished: tuple[str, Path, Path
 
 
 def test_a_replay_that_strays_is_told(finished: tuple[str, Path, Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    from chatscene.simulate.carla import physics
-
     simulator, through, _ = finished
     scene = next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(through)) if row["status"] == "ran")
-    monkeypatch.setattr(physics, "pedals", lambda *_: (0.0, 0.0))
-    monkeypatch.setattr(physics.carla, "VehicleControl", lambda **_: physics._HELD)
+    carla: Any = sys.modules["carla"]
+    control = carla.VehicleControl
+
+    def weaker(*, throttle: float = 0.0, **given: Any) -> Any:
+        return control(throttle=throttle / 4, **given)
+
+    monkeypatch.setattr(carla, "VehicleControl", weaker)
     again = replay(through, scene, repeated=Repeated(simulator=(simulator,)))
     assert not again.identical
     assert again.difference
@@ -208,11 +212,11 @@ def test_an_address_in_a_record_is_called_only_if_the_user_names_it_too(finished
 def test_egos_are_measured_in_a_server(finished: tuple[str, Path, Path], tmp_path: Path) -> None:
     simulator, through, _ = finished
     with pytest.raises(SettingsError, match="use --jobs 1"):
-        evaluate([through], tmp_path / "two", egos=["idm"], simulator=simulator, jobs=2, progress=lambda *_: None)
-    done = evaluate([through], tmp_path / "one", egos=["idm"], simulator=simulator, progress=lambda *_: None)
+        evaluate([through], tmp_path / "two", egos=["idm"], simulator=simulator, jobs=2, progress=silent)
+    done = evaluate([through], tmp_path / "one", egos=["idm"], simulator=simulator, progress=silent)
     assert not done.failures
     assert all(isinstance(table, ResultTable) for table in done.tables.values())
-    assert runs.read_record(runs.Workspace(tmp_path / "one"), runs.Record).simulator.name == "carla"
+    assert runs.read_record(runs.Workspace(tmp_path / "one"), runs.EvaluationRecord).simulator.name == "carla"
 
 
 def test_strangers_programs_are_not_run_in_a_server(finished: tuple[str, Path, Path]) -> None:
