@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from chatscene.errors import MapError
+from chatscene.maps.furniture import furniture_of
 from chatscene.terms.scenario import Control
 
 STOP_SIGN = "206"  # OpenDRIVE's catalogue follows the German one, as do CARLA's maps
@@ -40,15 +41,28 @@ class StopLine:
 
 
 def junction_control(junction: Any) -> Control:
-    """How one of Scenic's intersections is controlled; a traffic light outranks a stop sign."""
+    """How one of Scenic's intersections is controlled; a traffic light outranks a stop sign.
+
+    Signals stand on the roads through it or, as some maps have them, at the end of the roads into it.
+    """
+    if any(_lights(maneuver) for maneuver in junction.maneuvers):
+        return Control.SIGNAL
     return _strongest(list(junction.signals))
+
+
+def _lights(maneuver: Any) -> tuple[str, ...]:
+    """OpenDRIVE's ids of the lights of a way through a junction, on the way itself or at the end of its first lane."""
+    lights = furniture_of(maneuver.startLane.network).lights
+    before, way = maneuver.startLane, maneuver.connectingLane.road.id
+    places = ((before.road.id, before.group is before.road.forwardLanes), (way, True), (way, False))
+    return tuple(light for place in places for light in lights.get(place, ()))
 
 
 def junction_signals(network: Any, junction: str) -> tuple[StopLine, ...]:
     """The stop lines of a junction, one for each incoming lane, sorted by lane id.
 
-    A lane is under the control of the signals on the connecting roads that lead on from it, which is where
-    Scenic keeps them. Lanes that nothing controls have a line with control ``none``.
+    A lane is under the control of the signals on the connecting roads that lead on from it, and of the lights at its
+    own end. Lanes that nothing controls have a line with control ``none``.
 
     Args:
         network: Scenic's road network.
@@ -65,19 +79,20 @@ def junction_signals(network: Any, junction: str) -> tuple[StopLine, ...]:
 
 
 def _stop_line(lane: Any, junction: Any) -> StopLine:
-    ways = [m.connectingLane.road for m in junction.maneuvers if m.startLane is lane]
-    signals = [signal for road in ways for signal in road.signals]
+    ways = [m for m in junction.maneuvers if m.startLane is lane]
+    signals = [signal for maneuver in ways for signal in maneuver.connectingLane.road.signals]
+    lights = {light for maneuver in ways for light in _lights(maneuver)}
     (x0, y0, *_), (x1, y1, *_) = lane.leftEdge.points[-1], lane.rightEdge.points[-1]
     return StopLine(
         lane=lane.uid,
         junction=junction.uid,
-        control=_strongest(signals),
+        control=Control.SIGNAL if lights else _strongest(signals),
         x0=float(x0),
         y0=float(y0),
         x1=float(x1),
         y1=float(y1),
         heading=math.atan2(x1 - x0, y0 - y1),  # a quarter turn to the left of the way from left to right
-        lights=tuple(sorted({str(signal.openDriveID) for signal in signals if signal.isTrafficLight})),
+        lights=tuple(sorted(lights | {str(signal.openDriveID) for signal in signals if signal.isTrafficLight})),
     )
 
 

@@ -19,6 +19,7 @@ from xml.etree import ElementTree as Xml
 from chatscene.errors import MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder
+from chatscene.maps.furniture import read_furniture
 
 LONGEST = 1e5  # [m] of a road
 FARTHEST = 1e8  # [m] from the origin; projected coordinates have it far away
@@ -78,6 +79,7 @@ def _parse(digest: str, path: Path) -> Any:
     copy = _private_copy(path, digest)
     try:
         network = _parse_quietly(parse, copy or path, cached=copy is not None)
+        furniture = read_furniture(path, network)
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
         message = str(error) or type(error).__name__
         raise MapError(
@@ -87,6 +89,7 @@ def _parse(digest: str, path: Path) -> Any:
         raise MapError(f"map {path.name!r} has no lane to drive on ({path})")
     assert isinstance(network, Network)
     _remember_union(network)
+    setattr(network, "furniture", furniture)  # noqa: B010 - a class of somebody else's
     return network
 
 

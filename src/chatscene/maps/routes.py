@@ -20,6 +20,7 @@ from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
+from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
@@ -146,13 +147,14 @@ def _in_words(query: RouteQuery) -> str:
 
 
 def _place_of(intersection: Any) -> Place:
-    if intersection.is4Way:
-        return Place.FOUR_WAY
-    return Place.THREE_WAY if intersection.is3Way else Place.JUNCTION
+    return {3: Place.THREE_WAY, 4: Place.FOUR_WAY}.get(arms(intersection), Place.JUNCTION)
 
 
 def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
+    kinds = junction_kinds(network)
     for intersection in sorted(network.intersections, key=lambda i: str(i.uid)):
+        if kinds[intersection.uid] is not JunctionKind.CROSSING:
+            continue
         place, control = _place_of(intersection), junction_control(intersection)
         if query.place not in (None, Place.JUNCTION, place) or query.control not in (None, control):
             continue

@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.errors import MapError
+from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
+from chatscene.maps.layout import (
+    JunctionKind,
+    arms,
+    junction_kinds,
+    motorway_groups,
+    roundabouts,
+    weaving_sections,
+)
 from chatscene.maps.network import load_network
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.terms.route import RouteQuery
@@ -29,7 +38,16 @@ class MapDescription:
         lane_kilometres: Their length together [km].
         sidewalks: Sidewalks along roads and round corners.
         shoulders: Shoulders and parking strips.
-        junctions: How many junctions there are by arms and control, e.g. ``4-way signal``.
+        junctions: How many junctions there are by arms and control, e.g. ``4-way signal``; those at which roads
+            merge or part and those of roundabouts are not among them.
+        roundabouts: How many there are.
+        merges: Where roads become one, as at an on-ramp.
+        diverges: Where one road becomes several, as at an off-ramp.
+        weaving_sections: Where an on-ramp and an off-ramp share a lane.
+        motorway_kilometres: Length of all carriageways of motorways together [km].
+        crosswalks: On roads outside junctions.
+        parking_strips: Along roads.
+        bus_bays: Along roads.
         routes: How many routes each base scenario finds, ten being all that are asked for; where it is made of
             several manoeuvres, all of them together, ten each.
     """
@@ -42,6 +60,14 @@ class MapDescription:
     sidewalks: int
     shoulders: int
     junctions: dict[str, int]
+    roundabouts: int
+    merges: int
+    diverges: int
+    weaving_sections: int
+    motorway_kilometres: float
+    crosswalks: int
+    parking_strips: int
+    bus_bays: int
     routes: dict[str, int]
 
 
@@ -53,6 +79,9 @@ def describe_map(path: Path) -> MapDescription:
     """
     network = load_network(path)
     lanes = [lane for road in network.roads for lane in road.lanes]
+    kinds = Counter(junction_kinds(network).values())
+    furniture = furniture_of(network)
+    standing = Counter(place.use for place in furniture.standing)
     return MapDescription(
         name=path.stem,
         file=str(path),
@@ -62,6 +91,14 @@ def describe_map(path: Path) -> MapDescription:
         sidewalks=len(network.sidewalks),
         shoulders=len(network.shoulders),
         junctions=_junctions(network),
+        roundabouts=len(roundabouts(network)),
+        merges=kinds[JunctionKind.MERGE],
+        diverges=kinds[JunctionKind.DIVERGE],
+        weaving_sections=len(weaving_sections(network)),
+        motorway_kilometres=round(sum(g.centerline.length for g in motorway_groups(network)) / 1000, 2),
+        crosswalks=len(furniture.crosswalks),
+        parking_strips=standing[Stand.PARKING],
+        bus_bays=standing[Stand.BUS],
         routes={
             base.value: sum(_count(network, path.stem, query) for query in queries)
             for base, queries in BASE_SCENARIO_QUERIES.items()
@@ -85,8 +122,9 @@ def check_map(path: Path) -> tuple[str, ...]:
 
 
 def _junctions(network: Any) -> dict[str, int]:
-    kinds = Counter(f"{len(j.roads)}-way {junction_control(j).value}" for j in network.intersections)
-    return dict(sorted(kinds.items()))
+    kinds = junction_kinds(network)
+    crossings = [j for j in network.intersections if kinds[j.uid] is JunctionKind.CROSSING]
+    return dict(sorted(Counter(f"{arms(j)}-way {junction_control(j).value}" for j in crossings).items()))
 
 
 def _count(network: Any, name: str, query: RouteQuery) -> int:

@@ -1,0 +1,170 @@
+"""What an OpenDRIVE file says and Scenic's network leaves out: crosswalks, where vehicles stand, lights on approaches.
+
+Source: ASAM OpenDRIVE 1.7.0, sections 9.5 (lane types and access), 11 (objects), 12 (signals).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as Xml
+
+import shapely
+
+from chatscene.terms.polyline import Polyline
+
+TRAFFIC_LIGHT = "1000001"
+_PEDESTRIANS_LIGHT = "1000002"
+_LIGHTS = "10000"  # what OpenDRIVE's own types of signals begin with; all are lights
+_BEFORE_END = 50.0  # [m], within which a light belongs to the junction at the end of its road
+_BUS_BAY = 120.0  # [m]; a longer lane for buses is one to drive on
+
+
+class Stand(StrEnum):
+    """What a place beside the lanes is for."""
+
+    PARKING = "parking"
+    BUS = "bus"
+
+
+@dataclass(frozen=True, slots=True)
+class StandingPlace:
+    """A strip beside the lanes where vehicles stand.
+
+    Attributes:
+        use: What for.
+        road: OpenDRIVE id of its road.
+        forward: Whether it lies on the side of the road's own direction.
+        start: Where it begins [m along the road's reference line].
+        end: Where it ends [m].
+    """
+
+    use: Stand
+    road: int
+    forward: bool
+    start: float
+    end: float
+
+
+@dataclass(frozen=True, slots=True)
+class Furniture:
+    """What stands and is marked on a map's roads.
+
+    Attributes:
+        crosswalks: By OpenDRIVE id of the road each lies on, its area [m], map frame.
+        standing: Where vehicles stand beside the lanes.
+        lights: OpenDRIVE's ids of traffic lights, by that of the road and whether they hold for its own direction.
+            Those of a road outside junctions hold for the junction to which that direction leads.
+    """
+
+    crosswalks: tuple[tuple[int, shapely.Polygon], ...] = ()
+    standing: tuple[StandingPlace, ...] = ()
+    lights: Mapping[tuple[int, bool], tuple[str, ...]] = field(default_factory=dict[tuple[int, bool], tuple[str, ...]])
+
+
+def furniture_of(network: Any) -> Furniture:
+    """What stands on the roads of a network that `chatscene.maps.network.load_network` gave."""
+    return getattr(network, "furniture", Furniture())
+
+
+def read_furniture(path: Path, network: Any) -> Furniture:
+    """What a map's file says of crosswalks, standing places and lights.
+
+    Args:
+        path: An OpenDRIVE file that has been checked.
+        network: Scenic's road network of it.
+    """
+    lines = {road.id: Polyline([p[:2] for p in road.centerline.points]) for road in network.roads}
+    crosswalks: list[tuple[int, shapely.Polygon]] = []
+    standing: list[StandingPlace] = []
+    lights: dict[tuple[int, bool], tuple[str, ...]] = {}
+    for road in Xml.parse(path).getroot().iter("road"):
+        number = int(road.get("id", "0"))
+        for light, forward in _lights(road, inside=number not in lines):
+            lights[number, forward] = (*lights.get((number, forward), ()), light)
+        if number in lines:
+            standing += _standing(road, number)
+            crosswalks += [(number, area) for area in _crosswalks(road, lines[number])]
+    return Furniture(tuple(crosswalks), tuple(standing), lights)
+
+
+def _lights(road: Xml.Element, *, inside: bool) -> Iterator[tuple[str, bool]]:
+    """The lights of a road, those that lie at its end, and whether each holds for its own direction."""
+    length = float(road.get("length", "0"))
+    for signal in road.iterfind("signals/signal"):
+        kind = signal.get("type", "")
+        dynamic = signal.get("dynamic") == "yes" and kind.startswith(_LIGHTS) and kind != _PEDESTRIANS_LIGHT
+        if kind != TRAFFIC_LIGHT and not dynamic:
+            continue
+        s, orientation = float(signal.get("s", "0")), signal.get("orientation")
+        if orientation != "-" and (inside or length - s < _BEFORE_END):
+            yield signal.get("id", ""), True
+        if orientation != "+" and (inside or s < _BEFORE_END):
+            yield signal.get("id", ""), False
+
+
+def _standing(road: Xml.Element, number: int) -> list[StandingPlace]:
+    """The strips of a road, those that follow one another joined."""
+    sections = road.findall("lanes/laneSection")
+    starts = [float(section.get("s", "0")) for section in sections]
+    ends = [*starts[1:], float(road.get("length", "0"))]
+    found: dict[tuple[Stand, bool], list[tuple[float, float]]] = {}
+    for section, start, end in zip(sections, starts, ends, strict=True):
+        for lane in section.iter("lane"):
+            use = _use(lane, end - start)
+            if use is None:
+                continue
+            strips = found.setdefault((use, int(lane.get("id", "0")) < 0), [])
+            if strips and strips[-1][1] >= start:
+                strips[-1] = (strips[-1][0], end)
+            else:
+                strips.append((start, end))
+    return [StandingPlace(use, number, forward, *strip) for (use, forward), strips in found.items() for strip in strips]
+
+
+def _use(lane: Xml.Element, length: float) -> Stand | None:
+    kind = lane.get("type")
+    if kind == "bus" and length <= _BUS_BAY:
+        return Stand.BUS
+    if kind != "parking":
+        return None
+    entered_by = {access.get("restriction") for access in lane.iter("access") if access.get("rule") == "allow"}
+    return Stand.BUS if entered_by == {"bus"} else Stand.PARKING
+
+
+def _crosswalks(road: Xml.Element, line: Polyline) -> Iterator[shapely.Polygon]:
+    for thing in road.iterfind("objects/object"):
+        if thing.get("type") == "crosswalk":
+            area = shapely.Polygon(_corners(thing, line))
+            if area.is_valid and area.area > 0:
+                yield area
+
+
+def _corners(thing: Xml.Element, line: Polyline) -> list[tuple[float, float]]:
+    """The corners of an object [m], map frame: of its outline, or of its box."""
+    outline = next(thing.iter("outline"), None)
+    if outline is not None and outline.find("cornerRoad") is not None:
+        return [_beside(line, _number(c, "s"), _number(c, "t")) for c in outline.iter("cornerRoad")]
+    if outline is not None:
+        local = [(_number(c, "u"), _number(c, "v")) for c in outline.iter("cornerLocal")]
+    else:
+        u, v = _number(thing, "length") / 2, _number(thing, "width") / 2
+        local = [(-u, -v), (u, -v), (u, v), (-u, v)]
+    s = _number(thing, "s")
+    (x, y), turned = _beside(line, s, _number(thing, "t")), line.heading_at(s) + _number(thing, "hdg")
+    cos, sin = math.cos(turned), math.sin(turned)
+    corners = [(x + u * cos - v * sin, y + u * sin + v * cos) for u, v in local]
+    return corners if len(corners) > 2 else [(x, y)] * 3
+
+
+def _beside(line: Polyline, s: float, t: float) -> tuple[float, float]:
+    (x, y), heading = line.point_at(s), line.heading_at(s)
+    return x - t * math.sin(heading), y + t * math.cos(heading)
+
+
+def _number(element: Xml.Element, name: str) -> float:
+    return float(element.get(name, "0"))
