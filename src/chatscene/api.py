@@ -237,6 +237,8 @@ def run(
     folder: Name | None = None,
     *,
     program: Name | None = None,
+    trust: bool = False,
+    as_written: bool = False,
     map: str | Path = "town",  # noqa: A002 - the word of the command line
     ego: Name = "sac",
     scenes: int | None = None,
@@ -259,7 +261,9 @@ def run(
         text: The sentence.
         folder: Run folder, new or empty, or one to go on in.
         program: File of a Scenic program of one's own, in place of the sentence.
-        map: Packaged ``town``, or an ``.xodr`` file.
+        trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
+        as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
+        map: Packaged ``town``, or an ``.xodr`` file; where a program names a map that is there, that one is taken.
         ego: An ego by name, file or ``package.module:factory``.
         scenes: Simulations per scenario and route.
         routes: Routes per scenario.
@@ -280,6 +284,9 @@ def run(
         NothingFits: The library cannot serve the sentence.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
+    from chatscene.search.generators.foreign import read_foreign
+    from chatscene.search.generators.own_program import generator_for
+
     if text and program is not None:
         raise SettingsError("say what to run: either a text or a program, not both")
     settings = settings or Settings()
@@ -289,13 +296,19 @@ def run(
     )
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
+    own = None if program is None else read_foreign(Path(program), trusted=trust, as_written=as_written)
+    if own and own.map_path:
+        if own.map_path.is_file():
+            map = own.map_path  # noqa: A001
+        else:
+            progress(f"the program's map {own.map_path.name} is not there; it runs on {map}", 0, 0)
     asked = runs.asked_run(
         text,
-        program=None if program is None else _own(Path(program)),
+        program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=reading),
         map_name=str(map),
         ego=str(ego),
-        generator="chatscene" if program is None else "program",
+        generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
     )
     pipeline.run(asked, where, jobs=jobs, progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=reading.library or ())
@@ -636,13 +649,3 @@ def _names(names: Names) -> tuple[str, ...]:
 def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
     return [one.folder if isinstance(one, Run) else Path(one) for one in every]
-
-
-def _own(path: Path) -> runs.ProgramRecord:
-    """A program of the user's own."""
-    from chatscene.search.generators.foreign import read_foreign
-
-    own, *others = read_foreign(path)
-    if others:
-        raise SettingsError(f"{path} holds {len(others) + 1} programs; run them one by one")
-    return runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source)

@@ -103,7 +103,7 @@ def search(kept: runs.Workspace, jobs: int, progress: Progress) -> None:
     routes = routes_of(simulator, written.program, settings.search.routes)
     if len(routes) < settings.search.routes:
         progress(f"map {record.map_name!r} has {len(routes)} of the {settings.search.routes} routes asked for", 0, 0)
-    named = {f"{scenario.id}/{runs.route_id(number)}": route for number, route in routes.items()}
+    named = {f"{scenario.id}/{runs.route_id(number)}": route for number, route in routes.items() if route}
     runs.write_drawing(kept, routes_drawing(load_network(map_path), named))
 
     work = Work.of(kept, scenario.slots, written.program, routes)

@@ -303,7 +303,7 @@ class Shown:
     def close(self) -> None:
         pass
 
-    def route(self, *_: object) -> Route:
+    def route_in(self, *_: object) -> Route:
         return ROUTE
 
 

@@ -417,18 +417,48 @@ def test_an_ego_that_drives_itself_is_refused(simulator: Simulator) -> None:
     assert isinstance(simulate(simulator, program(HEAD + EGO), scene(), RuleBased()), Episode)
 
 
-@pytest.mark.parametrize(
-    ("part", "message"),
-    [
-        ("scenario Main():\n    setup:\n        x = 1\n", "line 5 of <toy>: modular scenarios are not supported"),
-        ("scenario Sub():\n    compose:\n        wait\n", "modular scenarios are not supported"),
-        ("behavior B():\n    override ego with behavior Park()\n    wait\n", "modular scenarios are not supported"),
-        ("record final ego.speed as fastest\n", "a program records nothing"),
-    ],
-)
-def test_what_a_drive_here_has_not_is_refused_by_name(simulator: Simulator, part: str, message: str) -> None:
-    with pytest.raises(DoesNotCompile, match=message):
-        simulate(simulator, program(HEAD + EGO + part), scene(), RuleBased())
+COMPOSED = """
+scenario Main():
+    setup:
+        ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with route egoRoute
+        lead = new Car at pointOn(egoRoute, 30), facing directionOn(egoRoute, 30), with behavior DrivePath(egoRoute, 6)
+        record final (distance from ego to lead) as left
+    compose:
+        do Stops(lead) for 2 seconds
+        do Blocks()
+
+scenario Stops(lead):
+    setup:
+        override lead with behavior Park()
+
+scenario Blocks():
+    setup:
+        new Container at pointOn(egoRoute, 70), facing directionOn(egoRoute, 70)
+        terminate after 3 seconds
+"""
+
+
+def test_a_program_that_is_composed_of_scenarios_does_what_they_say_one_after_the_other(simulator: Simulator) -> None:
+    drive = simulate(simulator, program(HEAD + COMPOSED), scene(), Coast())
+    assert isinstance(drive, Episode)
+    assert drive.ending is Ending.SCENARIO_DONE
+    assert len(drive.ego_track.x) == 52  # 2 s, 3 s, and the step in which the one hands over to the other
+    _, lead, block = drive.tracks
+    assert lead.speed[:20].max() == 0.0  # parked while the first scenario runs
+    assert lead.speed[-1] > 3.0  # then it drives again
+    assert block.kind == "Container"  # placed two seconds after the start
+
+
+def test_a_vehicle_that_comes_later_stands_still_until_it_is_there(simulator: Simulator) -> None:
+    late = COMPOSED.replace("new Container at pointOn(egoRoute, 70)", "new Car at pointOn(egoRoute, 70)").replace(
+        "facing directionOn(egoRoute, 70)\n", "facing directionOn(egoRoute, 70), with behavior DrivePath(egoRoute, 6)\n"
+    )
+    drive = simulate(simulator, program(HEAD + late), scene(), Coast())
+    assert isinstance(drive, Episode)
+    came = drive.tracks[2]
+    assert came.speed[:21].max() == 0.0
+    assert np.ptp(came.x[:21]) == np.ptp(came.y[:21]) == 0.0
+    assert came.speed[-1] > 3.0
 
 
 def test_a_vehicle_on_no_lane_cannot_follow_one_and_is_told_so(simulator: Simulator) -> None:

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from chatscene.errors import MapError
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.simulate.embedded.dynamics import VehicleBody
-from chatscene.simulate.signals import MODES, signal_states
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.polyline import Polyline
 from chatscene.world.control import CURVE_ACCELERATION, Tracker, curve_speeds, pedals
@@ -24,6 +23,7 @@ from chatscene.world.places import (
     trafficFrom,
     wayOf,
 )
+from chatscene.world.signals import MODES, signal_states
 
 DT = 0.1
 EAST = Polyline([(float(x), 0.0) for x in range(200)])

@@ -108,6 +108,8 @@ def main() -> None:
     default=None,
     help="Your own .scenic program, or a folder of them, in place of TEXT.",
 )
+@click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
+@click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
 @MAP
 @click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
@@ -134,6 +136,8 @@ def main() -> None:
 def run(
     text: str | None,
     program: Path | None,
+    trust: bool,
+    as_written: bool,
     map_name: str,
     ego: str,
     scenes: int,
@@ -155,19 +159,25 @@ def run(
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run --program mine.scenic --routes 4
+    chatscene run --program theirs.scenic --map Town05.xodr --as-written
     """
     from chatscene import api, runs
     from chatscene.simulate.simulator import has_one_world
 
     if (text is None) == (program is None):
         raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    if (trust or as_written) and program is None:
+        raise click.UsageError("--trust and --as-written are about a --program")
+    failed = False
     for name, one in _programs(program).items() if program else [(text or "", None)]:
         folder = (out / name if program and program.is_dir() else out) if out else None
-        with _refusing(text or "", reading["embedder"], as_json):
+        with _refusing(text or "", reading["embedder"], as_json), _going_on(program) as gone:
             done = api.run(
                 text or "",
                 folder or runs.free_folder(Path("runs"), name),
                 program=one,
+                trust=trust,
+                as_written=as_written,
                 map=map_name,
                 ego=ego,
                 scenes=scenes,
@@ -181,7 +191,10 @@ def run(
                 progress=progress(),
                 **reading,
             )
-        _say_done(done, as_json)
+            _say_done(done, as_json)
+        failed = failed or bool(gone)
+    if failed:
+        sys.exit(1)
 
 
 @main.command()
@@ -608,10 +621,26 @@ def doctor(as_json: bool) -> None:
 
 
 def _programs(program: Path) -> dict[str, Path]:
-    """The files of a program or of a folder of them, by a name for the run's folder; all are read before any is run."""
-    from chatscene.search.generators.foreign import read_foreign
+    """The files of a program or of a folder of them, by a name for the run's folder."""
+    from chatscene.search.generators.foreign import foreign_files
 
-    return {own.path.stem: own.path for own in read_foreign(program)}
+    return {
+        "-".join(file.relative_to(program).with_suffix("").parts) if program.is_dir() else file.stem: file
+        for file in foreign_files(program)
+    }
+
+
+@contextmanager
+def _going_on(program: Path | None) -> Generator[list[ChatSceneError]]:
+    """Within a folder of programs, says what is wrong with one and goes on with the next; gives what was wrong."""
+    gone: list[ChatSceneError] = []
+    try:
+        yield gone
+    except ChatSceneError as error:
+        if program is None or not program.is_dir():
+            raise
+        _complain(error)
+        gone.append(error)
 
 
 @contextmanager

@@ -133,7 +133,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             if not isinstance(drive, Rejected):
                 self._drive = drive
                 self._scene_id = scene.id
-                self._route = self._simulator.route(course.program, course.route)
+                self._route = self._simulator.route_in(course.program, scene)
                 self._drawing = None
                 self._last = drive.observation.astype(np.float32)
                 return self._last, {"scene": scene.id, "values": dict(scene.values)}

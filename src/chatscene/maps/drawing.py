@@ -83,12 +83,14 @@ def routes_drawing(network: Any, routes: Mapping[str, Route]) -> dict[str, Any]:
 
     Args:
         network: Scenic's road network.
-        routes: By name.
+        routes: By name; none for the whole map.
 
     Returns:
         As `map_drawing`, and ``routes``: by name, points [x, y] in metres.
     """
-    drawing = drawing_around(network, np.concatenate([route.line.points for route in routes.values()]))
+    lines = [route.line.points for route in routes.values()]
+    x0, y0, x1, y1 = network.drivableRegion.polygons.bounds
+    drawing = drawing_around(network, np.concatenate(lines or [np.array(((x0, y0), (x1, y1)))]))
     return {**drawing, "routes": {name: route.line.points.round(2).tolist() for name, route in routes.items()}}
 
 

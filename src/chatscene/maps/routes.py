@@ -146,7 +146,8 @@ def _in_words(query: RouteQuery) -> str:
 # Junctions
 
 
-def _place_of(intersection: Any) -> Place:
+def place_of(intersection: Any) -> Place:
+    """How many arms one of Scenic's intersections has, as a place."""
     return {3: Place.THREE_WAY, 4: Place.FOUR_WAY}.get(arms(intersection), Place.JUNCTION)
 
 
@@ -155,7 +156,7 @@ def _through_junctions(network: Any, map_name: str, query: RouteQuery, variant: 
     for intersection in sorted(network.intersections, key=lambda i: str(i.uid)):
         if kinds[intersection.uid] is not JunctionKind.CROSSING:
             continue
-        place, control = _place_of(intersection), junction_control(intersection)
+        place, control = place_of(intersection), junction_control(intersection)
         if query.place not in (None, Place.JUNCTION, place) or query.control not in (None, control):
             continue
         maneuvers = [m for m in intersection.maneuvers if TURNS.get(m.type.name) is query.maneuver]

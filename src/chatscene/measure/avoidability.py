@@ -82,7 +82,7 @@ def avoidable(
     crash = episode.collision
     if crash is None:
         return None
-    risk = risk_step(episode, simulator.route(program, scene.route).line)
+    risk = risk_step(episode, simulator.route_in(program, scene).line)
     if risk is None:
         return False
     braking = risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / episode.dt - 1e-9)

@@ -67,7 +67,7 @@ def drive(
         episode=episode,
         measurements=measurements,
         metrics=columns(measurements),
-        meaning=check_meaning(slots, episode, simulator.route(program, scene.route)),
+        meaning=check_meaning(slots, episode, simulator.route_in(program, scene)),
         criticality=criticality(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),

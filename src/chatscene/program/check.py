@@ -28,6 +28,7 @@ PROBES = (
     0.1,
     0.9,
 )  # where in every range the probing scenes lie, the middle first
+DRAWN_PROBES = 3  # of them, for a program that draws where its things stand: each takes its time to be drawn
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,12 +76,14 @@ def check(
     """
     episodes: list[Episode] = []
     rejected: list[Rejected] = []
-    for scene in probe_scenes(program, route):
+    placed: list[Scene] = []
+    for scene in probe_scenes(program, route)[: DRAWN_PROBES if program.drawn else None]:
         outcome = simulate(simulator, program, scene, ego, through_collisions=True)
         if isinstance(outcome, Rejected):
             rejected.append(outcome)
         else:
             episodes.append(outcome)
+            placed.append(scene)
         if len(episodes) == drives:
             break
     if not episodes:
@@ -88,7 +91,7 @@ def check(
             f"program {program.scenario_id!r}: none of {len(rejected)} probing scenes could be placed; "
             f"most often: {_commonest([r.reason for r in rejected])}"
         )
-    way = simulator.route(program, route)
+    way = simulator.route_in(program, placed[0])
     if failures := unshown(slots, episodes, way):
         raise MeansSomethingElse(
             f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "

@@ -53,6 +53,8 @@ def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool
         One sentence per failure; empty if the episode means what was said.
     """
     failures = list(_route_failures(slots, route))
+    if not slots.said():
+        return tuple(failures)  # nothing was said that a drive could fail to show
     if not episode.adversaries:
         return (*failures, "adversary: there is none")
     contact = episode.collision.step if episode.collision and not through else None

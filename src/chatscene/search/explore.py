@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.measure.drive import Ran, drive
@@ -19,6 +20,8 @@ from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
+
+DRAWN_TRIES = 3  # scenes to try for one place where each is drawn until it meets the requirements or time is up
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,7 +119,7 @@ def _run_block(
     ran: list[Ran] = []
     rejected: list[Rejected] = []
     for place in places:
-        for scene in _draws(place, proposal, settings):
+        for scene in islice(_draws(place, proposal, settings), DRAWN_TRIES if program.drawn else None):
             outcome = drive(program, slots, scene, simulator=simulator, ego=ego)
             if isinstance(outcome, Ran):
                 ran.append(outcome)

@@ -198,6 +198,7 @@ GENERATORS: Kind[Generator] = Kind(
         "adversarial-trajectory": "chatscene.search.generators.baselines.adversarial_trajectory:AdversarialTrajectory",
         "carla-scenario-generator": "chatscene.search.generators.baselines.scenario_runner:ScenarioRunner",
         "program": "chatscene.search.generators.own_program:OwnProgram",
+        "program-as-written": "chatscene.search.generators.own_program:as_written",
     },
 )
 

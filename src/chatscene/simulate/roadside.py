@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
-from chatscene.simulate.signals import MODES, signal_states
 from chatscene.terms.episode import Event, EventKind, SignalTrack, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control
+from chatscene.world.lights import TrafficLights
+from chatscene.world.signals import MODES, signal_states
 
 HALTED = 0.1  # [m/s], slow enough to count as a stop at a stop sign (SafeBench, RunningStopTest)
 STOP_ZONE = 6.0  # [m] before the line within which the ego must have halted
@@ -58,8 +59,15 @@ class RouteSurroundings:
             shapely.contains_xy(lane, other_x, other_y) and shapely.contains_xy(lane, x, y) for lane in self._lanes
         )
 
-    def signal_tracks(self, mode: str, steps: int, dt: float) -> tuple[SignalTrack, ...]:
-        """The signals at the route's junction, for as many states.
+    @property
+    def axis(self) -> float:
+        """The direction [rad, 0 = +x, counter-clockwise] in which the ego comes to its junction."""
+        return self._approach
+
+    def signal_tracks(
+        self, mode: str, steps: int, dt: float, lights: TrafficLights | None = None
+    ) -> tuple[SignalTrack, ...]:
+        """The signals at the route's junction, for as many states; as a program set them, if it did.
 
         Raises:
             MapError: `mode` is none of `MODES`.
@@ -73,7 +81,7 @@ class RouteSurroundings:
                 state=states,
                 role="ego" if self._own(line) else "other",
             )
-            for line, states in self._states(mode, steps, dt)
+            for line, states in self._states(mode, steps, dt, lights)
         )
 
     def lights(self, mode: str, steps: int, dt: float) -> dict[str, str]:
@@ -84,14 +92,19 @@ class RouteSurroundings:
         """
         return {light: states for line, states in self._states(mode, steps, dt) for light in line.lights}
 
-    def _states(self, mode: str, steps: int, dt: float) -> Iterator[tuple[StopLine, str]]:
+    def _states(
+        self, mode: str, steps: int, dt: float, lights: TrafficLights | None = None
+    ) -> Iterator[tuple[StopLine, str]]:
         """Each signalled stop line at the route's junction with its states."""
         if mode not in MODES:
             raise MapError(f"a program sets signals to {mode!r}; they can be {', '.join(MODES)}")
         if self._control is Control.SIGNAL:
             for line in self._lines:
                 own_axis = abs(math.cos(line.heading - self._approach)) > _AXIS
-                yield line, signal_states(mode, own_axis, steps, dt)
+                if lights is not None and line.control is Control.SIGNAL:
+                    yield line, "".join(lights.state(line, step) for step in range(steps))
+                else:
+                    yield line, signal_states(mode, own_axis, steps, dt)
 
     def events(self, ego: Track, signals: tuple[SignalTrack, ...]) -> tuple[NDArray[np.bool_], list[Event]]:
         """Whether the ego was off the road at each step, and everything it did wrong but collide."""

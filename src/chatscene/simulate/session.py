@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
 from chatscene.ego.policy import controls
@@ -18,6 +19,7 @@ from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import kind_of
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.route import Route
+from chatscene.terms.scene import ScenicProgram
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
@@ -36,6 +38,7 @@ class SteppedSession:
         pedals: One of `chatscene.ego.policy.PEDALS`.
         through: Whether to go on after a collision.
         label: The program and scene, for messages.
+        program: What it is a scene of.
 
     Attributes:
         observation: What the ego sees now.
@@ -56,12 +59,13 @@ class SteppedSession:
         pedals: str,
         through: bool,
         label: str,
+        program: ScenicProgram,
     ) -> None:
         objects, bodies = simulation.objects, simulation.bodies
         body, own = bodies[0], objects[0].behavior
         if not isinstance(body, Vehicle):
             raise ProgramError(f"{label} fails: the ego must be a vehicle, not a {type(objects[0]).__name__}")
-        if own is not None:
+        if own is not None and not program.as_written:
             raise ProgramError(
                 f"{label} fails: the ego has a behavior of its own, {type(own).__name__}, and the ego under test is to "
                 "drive it; leave its `with behavior …` away"
@@ -74,20 +78,26 @@ class SteppedSession:
         self._pedals = pedals
         self._through = through
         self._label = label
-        self._names = _names(objects)
+        self._drawn = program.drawn
+        self._as_written = program.as_written
+        self._names: list[tuple[str, Role]] = []
         self._limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
         self._view = RouteView(route.line)
         self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
-        self._moving = [body for body in bodies if body.moves]
-        self._vehicles = [body for obj, body in zip(objects, bodies, strict=True) if obj.isVehicle][1:]
-        self._others = [(body, obj.isWalker) for obj, body in zip(objects, bodies, strict=True)][1:]
+        self._moving: list[Body] = []
+        self._vehicles: list[Body] = []
+        self._others: list[tuple[Body, bool]] = []
         self._rows: list[float] = []
+        self._since: list[int] = []
         self._offsets: list[float] = []
         self._contacts: list[Event] = []
         self._touching: set[int] = set()
         self._closed = False
         self.step_number = 0
         self.ending: Ending | None = None
+        if route.junction is not None:
+            simulation.axes = {route.junction: around.axis}
+        self._meet()
         self.rejection = _overlap(objects, bodies, self._names)
         self.observation: Observation
         if not self.rejection:
@@ -121,7 +131,9 @@ class SteppedSession:
                 "time; start it again, and give each environment a process of its own with vector_env"
             )
         body, simulation = self._ego, self._simulation
-        body.throttle, body.brake, body.steer = controls(action, self._pedals)
+        pressed = controls(action, self._pedals)
+        if not self._as_written:
+            body.throttle, body.brake, body.steer = pressed
         if not self._go_on(simulation.advance):
             return
         if simulation.done is not None:  # a behavior ended the scenario, and nothing moved
@@ -140,13 +152,30 @@ class SteppedSession:
         """Take in the state that a step left: what the ego sees, what is kept, whether it is over."""
         body, view = self._ego, self._view
         view.locate(body.x, body.y)
+        goes_on = self._go_on(self._simulation.check)  # may place things
+        if len(self._names) < len(self._simulation.bodies):
+            self._meet()
         add = self._rows.extend
         for moving in self._moving:
             add((moving.x, moving.y, moving.heading, moving.speed))
         self._offsets.append(view.offset)
         self.observation = self._see()  # after the last step too: a learner's value of a cut episode rests on it
-        if self._go_on(self._simulation.check) and (ending := self._ended()) is not None:
+        if goes_on and (ending := self._ended()) is not None:
             self._end(ending)
+
+    def _meet(self) -> None:
+        """Take in who is there and was not before; a program that is composed of others places things as it goes on."""
+        simulation = self._simulation
+        known = len(self._names)
+        self._names = _names(simulation.objects, self._drawn)
+        for obj, body in list(zip(simulation.objects, simulation.bodies, strict=True))[known:]:
+            if body.moves:
+                self._moving.append(body)
+                self._since.append(len(self._offsets))
+            if body is not self._ego:
+                self._others.append((body, getattr(obj, "isWalker", False)))
+                if getattr(obj, "isVehicle", False):
+                    self._vehicles.append(body)
 
     def _go_on(self, part: Callable[[], None]) -> bool:
         """Run a part of the program's own code; whether it goes on.
@@ -217,7 +246,8 @@ class SteppedSession:
         """Everything that happened so far, with the events that follow from the tracks."""
         tracks = self._tracks()
         signals = str(self._simulation.scene.params["signals"])
-        states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt)
+        lights = self._simulation.lights
+        states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt, lights)
         off_road, events = self._around.events(tracks[0], states)
         return Episode(
             scene_id=scene_id,
@@ -234,9 +264,24 @@ class SteppedSession:
             off_road=off_road,
         )
 
+    def _states(self, steps: int) -> list[NDArray[np.float64]]:
+        """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""
+        if not any(self._since):
+            return list(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
+        states = np.empty((len(self._moving), 4, steps))
+        rows = iter(self._rows)
+        for step in range(steps):
+            for i, since in enumerate(self._since):
+                if step >= since:
+                    states[i, :, step] = [next(rows) for _ in range(4)]
+        for state, since in zip(states, self._since, strict=True):
+            state[:3, :since] = state[:3, since : since + 1]
+            state[3, :since] = 0.0
+        return list(states)
+
     def _tracks(self) -> tuple[Track, ...]:
         steps = len(self._offsets)
-        moving = iter(np.array(self._rows).reshape(steps, len(self._moving), 4).transpose(1, 2, 0))
+        moving = iter(self._states(steps))
         tracks: list[Track] = []
         for obj, body, (name, role) in zip(self._simulation.objects, self._simulation.bodies, self._names, strict=True):
             if not body.moves:
@@ -260,19 +305,27 @@ class SteppedSession:
         return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
 
 
-def _names(objects: list[Any]) -> list[tuple[str, Role]]:
-    """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary."""
+def _names(objects: list[Any], drawn: bool) -> list[tuple[str, Role]]:
+    """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary.
+
+    In a program that was not written for our world model, that is whoever acts; where nobody does, whatever there is.
+    """
+    acting = [obj for obj in objects[1:] if obj.behavior is not None]
+    adversaries = acting or objects[1:]
     named: list[tuple[str, Role]] = []
     seen: dict[str, int] = {}
     for i, obj in enumerate(objects):
+        own = getattr(obj, "label", "") or type(obj).__name__.lower()
         if i == 0:
             name, role = "ego", Role.EGO
+        elif drawn and obj in adversaries:
+            name, role = own, Role.ADVERSARY
         elif type(obj.behavior).__name__ == "AdvBehavior":
             name, role = "adversary", Role.ADVERSARY
         elif obj.behavior is not None:
-            name, role = obj.label or type(obj).__name__.lower(), Role.BACKGROUND
+            name, role = own, Role.BACKGROUND
         else:
-            name, role = obj.label or type(obj).__name__.lower(), Role.OCCLUDER
+            name, role = own, Role.OCCLUDER
         seen[name] = seen.get(name, 0) + 1
         named.append((name if seen[name] == 1 else f"{name}-{seen[name]}", role))
     return named

@@ -1,15 +1,16 @@
 """Scenic's loop over the bodies of any physics, and the same loop stepped from outside.
 
-Scenic runs a simulation to its end inside the constructor. `SteppedSimulation` restates that loop as open, advance,
-close, so that a policy outside decides at each step, and leaves out what our programs do not use (sensors, recorders,
-replays). Objects are not copied back from the simulator at each step: their poses are properties that read the
-moving body when somebody asks, which takes most of the time out of a step.
+Scenic runs a simulation to its end inside the constructor. `SteppedLoop` restates that loop as open, advance, close, so
+that a policy outside decides at each step, and leaves out what a drive here has not (sensors, replays). Objects are not
+copied back from the simulator at each step: their poses are properties that read the moving body when somebody asks,
+which takes most of the time out of a step.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections import defaultdict
+from typing import Any, Self
 
 import scenic.core.dynamics as scenic_dynamics
 from scenic.core.distributions import RejectionException
@@ -17,9 +18,13 @@ from scenic.core.dynamics.actions import (  # Scenic has no public names for wha
     _EndScenarioAction,  # pyright: ignore[reportPrivateUsage]
     _EndSimulationAction,  # pyright: ignore[reportPrivateUsage]
 )
+from scenic.core.dynamics.behaviors import Behavior
 from scenic.core.dynamics.guards import GuardViolation
 from scenic.core.dynamics.utils import RejectSimulationException
+from scenic.core.errors import InvalidScenarioError
 from scenic.core.object_types import disableDynamicProxyFor, setDynamicProxyFor
+from scenic.core.requirements import RequirementType
+from scenic.core.simulators import Simulation, TerminationType
 from scenic.core.vectors import Orientation, Vector
 from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulator
 from scenic.syntax import veneer
@@ -29,6 +34,8 @@ from chatscene.terms.actors import kind_of
 from chatscene.world.actors import QUARTER
 from chatscene.world.bodies import Body, Placement
 from chatscene.world.control import Pose
+from chatscene.world.lights import TrafficLights
+from chatscene.world.pilots import Pilot
 
 SIDEWAYS = 0.01  # share of a velocity across the heading that is put down to rounding
 _ENDINGS = (_EndSimulationAction, _EndScenarioAction)
@@ -126,9 +133,16 @@ class PhysicsSimulation(DrivingSimulation):
         scene: A scene that Scenic generated.
         physics: Its bodies, none made yet.
         options: Of Scenic's `Simulation`.
+
+    Attributes:
+        bodies: The body of each object of the scene, the ego's first.
+        lights: The traffic lights, once a program asks for them.
+        axes: By junction, the direction [rad] that has green first, where it matters to somebody.
     """
 
     bodies: list[Body]
+    lights: TrafficLights | None
+    axes: dict[str, float]
 
     def __init__(self, scene: Any, *, physics: Physics, **options: Any) -> None:
         self._physics = physics
@@ -137,8 +151,17 @@ class PhysicsSimulation(DrivingSimulation):
     def setup(self) -> None:
         """Create every object of the scene, the ego first."""
         self.bodies = []
+        self.lights = None
+        self.axes = {}
+        self._pilots: dict[Any, Pilot] = {}
         self._proxies: list[tuple[Any, int]] = []
         super().setup()
+
+    def set_pilot(self, agent: Any, pilot: Pilot | None) -> None:
+        """Have somebody be driven by a pilot from now on, or not any more."""
+        self._pilots.pop(agent, None)
+        if pilot is not None:
+            self._pilots[agent] = pilot
 
     def createObjectInSimulator(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
         """Give an object its body and its live pose."""
@@ -163,7 +186,9 @@ class PhysicsSimulation(DrivingSimulation):
         self._proxies.append((proxy, len(original)))
 
     def step(self) -> None:
-        """Move every body by one step."""
+        """Ask the pilots, then move every body by one step."""
+        for pilot in self._pilots.values():
+            pilot.drive()
         self._physics.step(self.timestep)
 
     def destroy(self) -> None:
@@ -200,56 +225,66 @@ class PhysicsSimulator(DrivingSimulator):
         return PhysicsSimulation(scene, physics=self._physics_of(), **options)
 
 
-class SteppedSimulation(PhysicsSimulation):
-    """One simulation, stepped from outside. Use as a context manager: one at a time per process.
+class SteppedLoop(Simulation):
+    """Scenic's loop, stepped from outside; a mix-in before the `Simulation` that makes objects and moves them.
 
-    Args:
-        scene: A scene that Scenic generated.
-        physics: Its bodies, none made yet.
-        dt: Step [s].
+    Use as a context manager: one at a time per process. The order is Scenic's: `check` judges a state, the first
+    included, before anybody acts on it; `advance` makes the next; `finish` judges the whole, once.
 
     Attributes:
-        bodies: The body of each object of the scene, the ego's first.
-        done: Why the program ended the scenario, or None while it goes on.
-
-    The order is Scenic's: `check` judges a state, the first included, before anybody acts on it; `advance` makes the
-    next; `finish` judges the whole, once.
+        done: What of the program ended the scenario, or None while it goes on.
+        how: Which kind of thing that was, as Scenic tells them apart.
     """
 
     REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation)
 
-    def __init__(self, scene: Any, physics: Physics, dt: float) -> None:  # Scenic's own would run it to its end
-        self._physics = physics
+    scene: Any
+    objects: list[Any]
+    agents: list[Any]
+    done: str | None
+    how: TerminationType | None
+
+    def __init__(self, scene: Any, dt: float) -> None:  # Scenic's own would run it to its end
+        self.screen = None
+        self.result = None
         self.scene = scene
         self.timestep = dt
         self.currentTime = 0
         self.objects = []
         self.agents = []
+        self.trajectory = []
+        self.records = defaultdict(list)
+        self.actionSequence = []
         self.verbosity = 0
         self.name = "session"
         self.replaying = False
         self._replayOut = None
-        self.done: str | None = None
+        self._checkDivergence = False
+        self.done = None
+        self.how = None
 
-    def __enter__(self) -> SteppedSimulation:
+    def __enter__(self) -> Self:
         # Our steps have no time limit of their own (a watchdog guards whole episodes), and signal handlers are dear.
         scenic_dynamics.stuckBehaviorWarningTimeout = 0
         veneer.beginSimulation(self)
         try:
-            self.setup()
             self._scenario = self.scene.dynamicScenario
+            self.setup()
             self._scenario._start()
         except BaseException:
             self.__exit__()
             raise
+        self._composed = self._scenario._compose is not None
         self._behaviors = [(agent, agent.behavior) for agent in self.agents]
-        scenario = self._scenario
-        self._has_conditions = bool(
-            scenario._requirementMonitors
-            or scenario._terminationConditions
-            or scenario._terminateSimulationConditions
-            or scenario._monitors
-            or scenario._timeLimitInSteps
+        self._watched = self._composed or bool(
+            self._scenario._requirementMonitors
+            or self._scenario._terminationConditions
+            or self._scenario._terminateSimulationConditions
+            or self._scenario._monitors
+            or self._scenario._timeLimitInSteps
+            or self._scenario._endWithBehaviors
+            or self._scenario._recordedExprs
+            or self._scenario._recordedInitialExprs
         )
         return self
 
@@ -270,15 +305,18 @@ class SteppedSimulation(PhysicsSimulation):
         Raises:
             RejectionException: One of `REJECTIONS`: a requirement or a monitor of the program is violated.
         """
-        if not self._has_conditions:
+        if not self._watched:
             return
         scenario = self._scenario
-        reason = scenario._step()
-        reason = scenario._runMonitors() or reason  # also after the scenario's end: a monitor may still reject
+        reason, how = scenario._step(), TerminationType.scenarioComplete
+        self.recordCurrentState()
+        if (monitored := scenario._runMonitors()) is not None:  # also after the scenario's end: it may still reject
+            reason, how = monitored, TerminationType.terminatedByMonitor
         if reason is None:
             reason = scenario._checkSimulationTerminationConditions()
+            how = TerminationType.simulationTerminationCondition
         if reason is not None:
-            self.done = str(reason)
+            self.done, self.how = str(reason), how
 
     def advance(self) -> None:
         """Let every agent act, then move every body; if a behavior ends the scenario (see `done`), nothing moves.
@@ -286,23 +324,36 @@ class SteppedSimulation(PhysicsSimulation):
         Raises:
             RejectionException: One of `REJECTIONS`: a requirement or guard of the program is violated.
         """
+        for obj in self.objects:
+            obj.lastActions = ()
+        if self._composed:  # only what composes places things, and gives them behaviors, while it runs
+            self.agents += [obj for obj in self.objects if obj.behavior and obj not in self.agents]
+            self._behaviors = [(agent, agent.behavior) for agent in self.agents if agent.behavior]
+        chosen: list[tuple[Any, tuple[Any, ...]]] = []
         for agent, behavior in self._behaviors:
-            veneer.currentBehavior = behavior
-            try:
-                actions = behavior._runningIterator.send(None)
-            except StopIteration:
+            if agent.behavior is not behavior:  # its scenario was ended by an agent before it, and took it back
                 continue
+            actions = _next_actions(behavior)
             if isinstance(actions, _ENDINGS):
-                self._end(actions)
-                return
+                if self._ends(actions):
+                    return
+                actions = ()
             if len(actions) == 1 and isinstance(actions[0], list | tuple):
-                actions = actions[0]
-            for action in actions:
-                action.applyTo(agent, self)
-        veneer.currentBehavior = None
-        self._physics.step(self.timestep)
+                actions = tuple(actions[0])
+            if not self.actionsAreCompatible(agent, actions):
+                raise InvalidScenarioError(f"{agent} cannot take the actions {', '.join(map(str, actions))}")
+            chosen.append((agent, actions))
+            agent.lastActions = actions
+        self.act(chosen)
+        self.step()
         self.currentTime += 1
         self.updateObjects()
+
+    def act(self, chosen: list[tuple[Any, tuple[Any, ...]]]) -> None:
+        """Hand over what each agent chose to do."""
+        for agent, actions in chosen:
+            for action in actions:
+                action.applyTo(agent, self)
 
     def finish(self) -> None:
         """End the program's scenario as Scenic ends a simulation, whatever ended it.
@@ -312,10 +363,53 @@ class SteppedSimulation(PhysicsSimulation):
         """
         for scenario in tuple(reversed(veneer.runningScenarios)):
             scenario._stop("the session is over")
+        final = self._scenario._evaluateRecordedExprs(RequirementType.recordFinal, self.currentTime)
+        self.records.update(final)
 
-    def _end(self, action: Any) -> None:
-        """What `terminate` in a behavior does: the scenario stops, and its requirements are judged."""
+    def _ends(self, ending: Any) -> bool:
+        """What `terminate` in a behavior does: a scenario stops; whether it was the whole, and nothing goes on."""
+        if isinstance(ending, _EndScenarioAction):
+            if ending.scenario._isRunning:
+                ending.scenario._stop(ending)
+            if ending.scenario is not self._scenario:
+                return False
+        self.done, self.how = str(ending), TerminationType.terminatedByBehavior
+        return True
+
+
+def _next_actions(behavior: Any) -> Any:
+    """What a behavior does next; nothing once it has ended."""
+    veneer.currentBehavior = behavior
+    try:
+        return behavior._runningIterator.send(None)
+    except StopIteration:
+        return ()
+    except AttributeError as error:
+        if isinstance(error.obj, Behavior):  # a local name that was never set, as Scenic reports it
+            missing = NameError(f"name {error.name!r} is not defined", name=error.name)
+            raise missing.with_traceback(error.__traceback__) from None
+        raise
+    finally:
         veneer.currentBehavior = None
-        self.done = str(action)
-        if isinstance(action, _EndScenarioAction) and self._scenario._isRunning:
-            self._scenario._stop(action)
+
+
+class SteppedSimulation(SteppedLoop, PhysicsSimulation):
+    """One simulation over a physics, stepped from outside (see `SteppedLoop`).
+
+    Args:
+        scene: A scene that Scenic generated.
+        physics: Its bodies, none made yet.
+        dt: Step [s].
+    """
+
+    def __init__(self, scene: Any, physics: Physics, dt: float) -> None:
+        super().__init__(scene, dt)
+        self._physics = physics
+
+    def recordCurrentState(self) -> None:  # noqa: N802 - Scenic's name
+        """Evaluate what the program records; tracks are kept by the session."""
+        scenario = self._scenario
+        if self.currentTime == 0:
+            self.records.update(scenario._evaluateRecordedExprs(RequirementType.recordInitial, 0))
+        for name, value in scenario._evaluateRecordedExprs(RequirementType.record, self.currentTime).items():
+            self.records[name].append((self.currentTime, value))

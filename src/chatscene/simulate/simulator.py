@@ -105,6 +105,14 @@ class Simulator(Protocol):
         """How many routes the map has for a program's geometry, at most ten."""
         ...
 
+    def route_in(self, program: ScenicProgram, scene: Scene) -> Route:
+        """The route of the ego in a scene: that of its index, or of its own where the program draws where things stand.
+
+        Raises:
+            MapError: The scene is rejected, so that there is none.
+        """
+        ...
+
 
 def simulate(
     simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
@@ -142,9 +150,14 @@ def simulate(
             session.close()
 
 
-def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route]:
-    """The first routes of a program's geometry on which its adversary has a way, by number; as many as there are."""
-    found: dict[int, Route] = {}
+def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict[int, Route | None]:
+    """The first routes of a program's geometry on which its adversary has a way, by number; as many as there are.
+
+    A program that draws where its things stand has one for each scene; its routes are sequences of draws.
+    """
+    if program.drawn:
+        return dict.fromkeys(range(min(wanted, simulator.routes(program))))
+    found: dict[int, Route | None] = {}
     for index in range(simulator.routes(program)):
         if len(found) < wanted:
             with suppress(MapError):

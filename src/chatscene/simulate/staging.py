@@ -1,25 +1,35 @@
-"""From a scene's concrete values to Scenic's scene: nothing is drawn, everything is set."""
+"""From a scene's concrete values to Scenic's scene.
+
+In a program for our own world model nothing is drawn, everything is set. What a program for another model draws beside
+its parameters, places above all, it draws with the scene's seed, again and again until its requirements hold.
+"""
 
 from __future__ import annotations
 
 import random
-from collections import OrderedDict
+import time
+from collections import Counter, OrderedDict
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from scenic.core.distributions import RejectionException
 from scenic.core.sample_checking import SampleChecker
 
-from chatscene.errors import ProgramError
+from chatscene.errors import MapError, ProgramError
 from chatscene.maps.network import load_network
+from chatscene.simulate.heading_for import route_of_ego
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
+from chatscene.world.places import EgoRoute
 
 _open: list[Callable[[], None]] = []  # how to end the session that is open in this process
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
+PLACED = 64  # drawn scenes kept per process, since many egos drive the same
+DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
 
 
 def take_process(end: Callable[[], None]) -> None:
@@ -39,12 +49,21 @@ class _InOrder(SampleChecker):
 
     Scenic's checker orders them by measured time, which would make the reason of a rejection a matter of luck;
     overlaps are checked on the bodies instead (`chatscene.simulate.session`).
+
+    Args:
+        drawn: Whether places are drawn, so that what Scenic requires of every thing is checked too, after the
+            program's own: that it stands in its region, is seen where it must be, and overlaps nothing.
     """
 
-    reason = ""
+    def __init__(self, drawn: bool) -> None:
+        super().__init__()
+        self.reason = ""
+        self._drawn = drawn
 
     def setRequirements(self, requirements: Any) -> None:  # noqa: N802 - Scenic's name
-        super().setRequirements([req for req in requirements if hasattr(req, "prob")])
+        own = [req for req in requirements if hasattr(req, "prob")]
+        others = [req for req in requirements if not hasattr(req, "prob") and not req.optional]
+        super().setRequirements([*own, *others] if self._drawn else own)
 
     def checkRequirementsInner(self, sample: Any) -> Any:  # noqa: N802
         for req in self.requirements or ():
@@ -60,6 +79,7 @@ class Stage:
     def __init__(self, map_path: Path) -> None:
         self._map_path = map_path
         self._compiled: OrderedDict[tuple[str, int], Any] = OrderedDict()
+        self._placed: OrderedDict[tuple[object, ...], Any | Rejected] = OrderedDict()
 
     def compiled(self, program: ScenicProgram, route: int) -> Any:
         """Scenic's scenario for a program on one of its routes.
@@ -69,15 +89,19 @@ class Stage:
             MapError: The map has no such route.
             StuckBehavior: It does not come to its end.
         """
-        key = (program.digest, route)
+        key = (program.digest, 0 if program.drawn else route)
         if key not in self._compiled:
             free_process()
             load_network(self._map_path)  # a large map takes its time, which is not the program's
             with time_limit(f"program {program.scenario_id!r}, being compiled,"):
                 scenario = compile_program(
-                    program.source, map_path=self._map_path, route=route, filename=f"<{program.scenario_id}>"
+                    program.source,
+                    map_path=self._map_path,
+                    route=route,
+                    filename=f"<{program.scenario_id}>",
+                    model=program.model,
                 )
-            scenario.setSampleChecker(_InOrder())
+            scenario.setSampleChecker(_InOrder(program.drawn))
             self._compiled[key] = scenario
             while len(self._compiled) > COMPILED:
                 self._compiled.popitem(last=False)
@@ -98,9 +122,56 @@ class Stage:
             )
         if scene.values:
             scenario.conditionOn(params=dict(scene.values))
+        if program.drawn:
+            return self._draw(program, scenario, scene)
         random.seed(scene.seed)  # nothing of ours draws from it; a stranger's program might
         scenario.checker.reason = NO_PLACE
         try:
             return scenario.generate(maxIterations=1)[0]
         except RejectionException:
             return Rejected(scene=scene, reason=scenario.checker.reason)
+
+    def _draw(self, program: ScenicProgram, scenario: Any, scene: Scene) -> Any | Rejected:
+        """A scene whose places Scenic draws; the same for the same seed and values."""
+        key = (program.digest, program.as_written, scene.seed, *sorted(scene.values.items()))
+        if key not in self._placed:
+            with time_limit(f"program {program.scenario_id!r}, being drawn,"):
+                self._placed[key] = self._drawn(program, scenario, scene)
+            while len(self._placed) > PLACED:
+                self._placed.popitem(last=False)
+        self._placed.move_to_end(key)
+        _seed(scene.seed, 1)  # whatever was drawn until here, and by whom, the drive draws from its own beginning
+        found = self._placed[key]
+        return Rejected(scene=scene, reason=found.reason) if isinstance(found, Rejected) else found
+
+    def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> Any | Rejected:
+        """The first scene that Scenic draws and that meets the requirements, its ego with a route."""
+        _seed(scene.seed, 0)
+        reasons: Counter[str] = Counter()
+        began = time.process_time()
+        while (spent := time.process_time() - began) < DRAWING:
+            scenario.checker.reason = NO_PLACE
+            try:
+                drawn = scenario.generate(maxIterations=1)[0]
+                route = route_of_ego(drawn, self._map_path.stem)
+            except RejectionException:
+                reasons[scenario.checker.reason] += 1
+            except MapError as error:
+                reasons[str(error)] += 1
+            else:
+                ego = drawn.egoObject
+                object.__setattr__(ego, "route", EgoRoute(route, drawn.workspace.network, 1))
+                if not program.as_written:  # the ego under test drives in its place
+                    object.__setattr__(ego, "behavior", None)
+                return drawn
+        why = "; ".join(f"{times} times: {reason}" for reason, times in reasons.most_common(3))
+        return Rejected(
+            scene=scene,
+            reason=f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})",
+        )
+
+
+def _seed(seed: int, part: int) -> None:
+    """Begin the random numbers of a part of a scene, those of Python and of numpy, which Scenic both draws from."""
+    random.seed(f"{seed}/{part}")
+    np.random.seed((seed + part) % 2**32)

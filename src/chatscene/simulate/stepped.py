@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
-from chatscene.errors import ChatSceneError, ProgramError
+from chatscene.errors import ChatSceneError, MapError, ProgramError
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
@@ -17,6 +18,9 @@ from chatscene.simulate.staging import Stage, free_process, take_process
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.simulator import SimulatorIdentity
+
+DRAWN = 10  # routes of a program that draws where its ego stands; each is a sequence of draws of its own
+KEPT = 64  # routes whose surroundings are kept per process
 
 
 class SteppedSimulator:
@@ -42,17 +46,30 @@ class SteppedSimulator:
         self._map_path = map_path
         self._stage = Stage(map_path)
         self._lane_map: LaneMap | None = None
-        self._surroundings: dict[str, RouteSurroundings] = {}
+        self._surroundings: OrderedDict[str, RouteSurroundings] = OrderedDict()
 
     def route(self, program: ScenicProgram, index: int) -> Route:
         """The route a program's geometry picks under this index."""
+        if program.drawn:
+            raise ProgramError(f"program {program.scenario_id!r} draws where its ego stands; each scene has a route")
         route: Route = self._stage.compiled(program, index).egoObject.route.route
         return route
 
     def routes(self, program: ScenicProgram) -> int:
         """How many routes the map has for a program's geometry, at most ten."""
-        count: int = self._stage.compiled(program, 0).egoObject.route.count
+        scenario = self._stage.compiled(program, 0)
+        count: int = DRAWN if program.drawn else scenario.egoObject.route.count
         return count
+
+    def route_in(self, program: ScenicProgram, scene: Scene) -> Route:
+        """The route of the ego in a scene."""
+        if not program.drawn:
+            return self.route(program, scene.route)
+        placed = self._stage.place(program, scene)
+        if isinstance(placed, Rejected):
+            raise MapError(f"scene {scene.id!r} has no route, since it is rejected: {placed.reason}")
+        route: Route = placed.egoObject.route.route
+        return route
 
     def open(
         self,
@@ -90,6 +107,7 @@ class SteppedSimulator:
                 pedals,
                 through_collisions,
                 label,
+                program,
             )
         except BaseException:
             simulation.__exit__()
@@ -110,4 +128,6 @@ class SteppedSimulator:
             network = load_network(self._map_path)
             self._lane_map = self._lane_map or LaneMap(network)
             self._surroundings[route.id] = RouteSurroundings(network, route, self._lane_map)
+            while len(self._surroundings) > KEPT:
+                self._surroundings.popitem(last=False)
         return self._surroundings[route.id]

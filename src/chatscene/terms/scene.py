@@ -10,10 +10,13 @@ from dataclasses import dataclass
 
 from chatscene.terms.snippet import ParameterRange
 
+OWN_MODEL = "chatscene.world.model"
+"""The world model of programs whose scenes are their parameters, no more: Scenic draws nothing in them."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScenicProgram:
-    """A complete Scenic program, joined from a triple of snippets.
+    """A complete Scenic program, joined from a triple of snippets or written by a user.
 
     Attributes:
         scenario_id: The scenario it expresses.
@@ -21,6 +24,8 @@ class ScenicProgram:
         parameters: The declared ranges of everything that can be tuned in it.
         snippet_ids: Behavior, geometry, spawn.
         digest: Hash of `source`, hexadecimal.
+        model: The world model that it is written for, as its `model` line says.
+        as_written: Whether its own ego drives, as the program has it, and the ego under test only rides along.
     """
 
     scenario_id: str
@@ -28,6 +33,13 @@ class ScenicProgram:
     parameters: tuple[ParameterRange, ...]
     snippet_ids: tuple[str, ...]
     digest: str
+    model: str = OWN_MODEL
+    as_written: bool = False
+
+    @property
+    def drawn(self) -> bool:
+        """Whether Scenic draws where things stand, so that each scene has a place and a route of its own."""
+        return self.model != OWN_MODEL
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,7 +51,8 @@ class Scene:
         scenario_id: The scenario it belongs to.
         route: Index of the route on the map, for the program's geometry.
         block: Which of the blocks between two range updates it was drawn in.
-        seed: The seed its values were drawn with; they are stored, never drawn again.
+        seed: The seed its values were drawn with; they are stored, never drawn again. Whatever else a program draws,
+            it draws with this seed.
         values: The concrete value of each ``OPT_`` parameter, in the unit its range declares.
     """
 

@@ -24,6 +24,14 @@ class Placed:
         """X [m], y [m], heading [rad, 0 = +x, counter-clockwise], speed [m/s]."""
         return self.position.x, self.position.y, self.heading + QUARTER, self.speed
 
+    def setPosition(self, position: Any, elevation: Any) -> None:  # noqa: N802, ARG002 - Scenic's name
+        """Refuse to jump.
+
+        Raises:
+            ValueError: Always.
+        """
+        raise ValueError("nothing jumps here: an action that sets a position is not simulated; drive or walk there")
+
 
 class Driven(Placed, Steers):
     """A vehicle or two-wheeler: Scenic's driving actions, which its body follows within its limits."""

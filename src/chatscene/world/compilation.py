@@ -17,9 +17,9 @@ from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.maps.network import install_network_memo
-from chatscene.world.unsupported import UNSUPPORTED
-
-MODEL = "chatscene.world.model"
+from chatscene.terms.scene import OWN_MODEL
+from chatscene.world.models import STANDS_IN
+from chatscene.world.searched import make_searchable
 
 _code: dict[tuple[bytes, str], tuple[Any, Any, bytes]] = {}
 
@@ -54,16 +54,16 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
             f"Scenic's parser breaks off in {filename} with {type(error).__name__}: {error}; look for an unclosed "
             "bracket or quote, and for an empty line within brackets; chatscene library lint says which snippet it is"
         ) from error
-    for node in ast.walk(parsed):
-        if (why := UNSUPPORTED.get(type(node).__name__)) is not None:
-            raise DoesNotCompile(f"line {getattr(node, 'lineno', '?')} of {filename}: {why}")
+    make_searchable(parsed)
     tree: Any
     tree, requirements = translator.compileScenicAST(parsed, filename=filename)
     digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()
     return translator.compileTranslatedTree(tree, filename), requirements, digest
 
 
-def compile_program(source: str, *, map_path: Path, route: int, filename: str = "<program>") -> Any:
+def compile_program(
+    source: str, *, map_path: Path, route: int, filename: str = "<program>", model: str = OWN_MODEL
+) -> Any:
     """Compile a program for one route of one map.
 
     Args:
@@ -71,6 +71,7 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
         map_path: The map.
         route: Which of the routes that its geometry asks for.
         filename: Named in error messages.
+        model: The world model that it is written for; ours that stands in for it is loaded.
 
     Returns:
         Scenic's scenario.
@@ -83,7 +84,9 @@ def compile_program(source: str, *, map_path: Path, route: int, filename: str = 
     install_network_memo()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
     try:
-        return translator.scenarioFromString(source, filename=filename, params=parameters, model=MODEL, mode2D=True)
+        return translator.scenarioFromString(
+            source, filename=filename, params=parameters, model=STANDS_IN[model], mode2D=True
+        )
     except (ChatSceneError, MemoryError):
         raise
     except ScenicError as error:

@@ -11,7 +11,7 @@ from chatscene.errors import ForeignCodeRefused
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import probe_scenes
 from chatscene.search.explore import explore
-from chatscene.search.generators.foreign import ADVERSARY_BEHAVIOR, foreign_program, read_foreign
+from chatscene.search.generators.foreign import ADVERSARY_BEHAVIOR, foreign_files, foreign_program, read_foreign
 from chatscene.settings import SearchSettings, SimulationSettings
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import simulate
@@ -49,7 +49,7 @@ def written(folder: Path, text: str, name: str = "My scene.scenic") -> Path:
 
 
 def test_a_file_becomes_a_program_with_the_ranges_it_declares(tmp_path: Path) -> None:
-    (read,) = read_foreign(written(tmp_path, MINE))
+    read = read_foreign(written(tmp_path, MINE))
     assert read.program.scenario_id == "my-scene"
     assert [(p.name, p.low, p.high) for p in read.program.parameters] == [
         ("OPT_DISTANCE", 10.0, 30.0),
@@ -59,30 +59,33 @@ def test_a_file_becomes_a_program_with_the_ranges_it_declares(tmp_path: Path) ->
 
 
 def test_the_only_behavior_is_the_adversarys_whatever_it_is_called(tmp_path: Path) -> None:
-    (read,) = read_foreign(written(tmp_path, MINE))
+    read = read_foreign(written(tmp_path, MINE))
     assert read.renamed == "PullOut"
     assert read.program.source == MINE.replace("PullOut", ADVERSARY_BEHAVIOR)
-    (named,) = read_foreign(written(tmp_path, read.program.source))
+    named = read_foreign(written(tmp_path, read.program.source))
     assert named.renamed == ""
     assert named.program.digest == read.program.digest
 
 
 def test_a_behavior_is_given_with_brackets_or_without(tmp_path: Path) -> None:
     bare = MINE.replace("PullOut(way)", "PullOut()").replace("with behavior PullOut(egoRoute)", "with behavior PullOut")
-    (read,) = read_foreign(written(tmp_path, bare.replace("DrivePath(way", "DrivePath(egoRoute")))
+    read = read_foreign(written(tmp_path, bare.replace("DrivePath(way", "DrivePath(egoRoute")))
     assert read.renamed == "PullOut"
 
 
 def test_a_folder_is_read_in_order_of_names(tmp_path: Path) -> None:
     for name in ("b.scenic", "a.scenic", "note.txt"):
         written(tmp_path, MINE, name)
-    assert [read.path.name for read in read_foreign(tmp_path)] == ["a.scenic", "b.scenic"]
+    (tmp_path / "more").mkdir()
+    written(tmp_path / "more", "import library\n" + MINE, "c.scenic")
+    written(tmp_path / "more", "x = 3\n", "library.scenic")
+    assert [file.name for file in foreign_files(tmp_path)] == ["a.scenic", "b.scenic", "c.scenic"]
 
 
 def test_line_ends_and_marks_of_windows_are_understood(tmp_path: Path) -> None:
     path = tmp_path / "w.scenic"
     path.write_bytes(b"\xef\xbb\xbf" + MINE.replace("\n", "\r\n").encode())
-    assert read_foreign(path)[0].program.digest == foreign_program("w", MINE).digest
+    assert read_foreign(path).program.digest == foreign_program("w", MINE).digest
 
 
 def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: ConfinedSimulator) -> None:
@@ -99,9 +102,9 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: Confin
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "begins with one line `model chatscene.world.model`"),
+        ("", "is empty"),
         ("ego = new Car\n", "begins with one line `model chatscene.world.model`"),
-        (MINE.replace("chatscene.world.model", "scenic.simulators.carla.model"), "and no other"),
+        (MINE.replace("chatscene.world.model", "scenic.simulators.webots.model"), "and no other"),
         (MINE.replace("ego = new", "other = new"), "has no ego; add: ego = new Car"),
         (MINE.replace(", with route egoRoute", ""), "the ego at line 8 has no route"),
         (MINE.replace(",\n    with behavior PullOut(egoRoute)", ""), "which road user is the adversary?"),
@@ -139,9 +142,10 @@ def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "latin.scenic").write_bytes("# Fußgänger".encode("latin-1"))
     for name, message in (
         ("none.scenic", "there is no file"),
-        ("empty", "holds no .scenic file"),
         ("pipe.scenic", "there is no file"),
         ("latin.scenic", "no text in UTF-8"),
     ):
         with pytest.raises(ForeignCodeRefused, match=message):
             read_foreign(tmp_path / name)
+    with pytest.raises(ForeignCodeRefused, match="holds no .scenic file"):
+        foreign_files(tmp_path / "empty")

@@ -1,8 +1,8 @@
-"""A stranger's programs: a `.scenic` file of a user's own, or a folder of them, made fit for the search.
+"""A user's own programs: a `.scenic` file, or a folder of them, made fit for the search.
 
 Nothing of them is run here. They are read, held against the allow-list, and what the search needs is found in their
-text: the ego and its route, the adversary and its behavior, the ranges of the parameters. They are to be run by
-`chatscene.simulate.confined.simulator.ConfinedSimulator` and by nothing else.
+text: the world model, the ego, the adversary, the ranges of the parameters, the map. They are to be run by
+`chatscene.simulate.confined.simulator.ConfinedSimulator` and by nothing else, unless the user trusts them.
 """
 
 from __future__ import annotations
@@ -17,13 +17,18 @@ from typing import Any
 
 from chatscene.errors import ForeignCodeRefused
 from chatscene.library.load import names_of
-from chatscene.simulate.confined.allow_list import check_foreign, refused
-from chatscene.simulate.confined.plain_text import MAX_CHARACTERS
-from chatscene.terms.scene import ScenicProgram
+from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
+from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal
+from chatscene.simulate.confined.rules import OTHERS, is_map
+from chatscene.terms.scene import OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
+from chatscene.world.models import STANDS_IN
+from chatscene.world.searched import searched
 
 ADVERSARY_BEHAVIOR = "AdvBehavior"  # by which a drive tells the adversary from the rest of the traffic
 MOST_PROGRAMS = 1_000  # in one folder
+
+_IMPORTED = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_]\w*)", re.MULTILINE)
 
 _EGO_LINE = "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute"
 
@@ -36,44 +41,54 @@ class ForeignProgram:
         path: Where it was read.
         program: It, with its parameters; it has no snippets, and nothing was said that it could be held against.
         renamed: What its adversary's behavior was called before it was renamed to `ADVERSARY_BEHAVIOR`, or empty.
+        map_path: The map that it asks for, absolute; None if it names none.
     """
 
     path: Path
     program: ScenicProgram
     renamed: str = ""
+    map_path: Path | None = None
 
 
-def read_foreign(path: Path) -> tuple[ForeignProgram, ...]:
-    """Read a program, or every ``.scenic`` file of a folder in order of names.
+def foreign_files(path: Path) -> tuple[Path, ...]:
+    """A program's file, or those of a folder and the folders in it, in order of names, without what others import.
 
     Raises:
-        ForeignCodeRefused: A file cannot be read, uses what strangers may not use, or lacks an ego, a route or an
-            adversary; the message says how to put it right.
+        ForeignCodeRefused: The folder holds none, or too many.
     """
     if not path.is_dir():
-        return (_read(path),)
-    files = sorted(path.glob("*.scenic"))
-    if not files:
+        return (path,)
+    files = [file for file in sorted(path.rglob("*.scenic")) if file.is_file()]
+    imported = {name for file in files for name in _IMPORTED.findall(_beginning(file))}
+    programs = tuple(file for file in files if file.stem not in imported)
+    if not programs:
         raise ForeignCodeRefused(f"the folder {path} holds no .scenic file")
-    if len(files) > MOST_PROGRAMS:
-        raise ForeignCodeRefused(f"the folder {path} holds {len(files)} programs; at most {MOST_PROGRAMS} are read")
-    return tuple(_read(file) for file in files)
+    if len(programs) > MOST_PROGRAMS:
+        raise ForeignCodeRefused(f"the folder {path} holds {len(programs)} programs; at most {MOST_PROGRAMS} are read")
+    return programs
 
 
-def foreign_program(name: str, source: str) -> ScenicProgram:
-    """A stranger's text as a program.
+def _beginning(file: Path) -> str:
+    """As much of a file as a program can have; nothing of one that cannot be read, which is said when it is."""
+    try:
+        with file.open("rb") as opened:
+            return opened.read(4 * MAX_CHARACTERS).decode("utf-8", errors="replace")
+    except OSError:
+        return ""
+
+
+def read_foreign(path: Path, *, trusted: bool = False, as_written: bool = False) -> ForeignProgram:
+    """Read a program.
 
     Args:
-        name: How to call it; becomes the scenario's id.
-        source: Scenic text.
+        path: Its file.
+        trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
+        as_written: Whether its own ego drives.
 
     Raises:
-        ForeignCodeRefused: It uses what strangers may not use, or lacks an ego, a route or an adversary.
+        ForeignCodeRefused: It cannot be read, uses what strangers may not use, or lacks an ego, a route or an
+            adversary; the message says how to put it right.
     """
-    return _made(name, source)[0]
-
-
-def _read(path: Path) -> ForeignProgram:
     try:
         if not path.is_file():
             raise ForeignCodeRefused(f"there is no file {path}; give a .scenic file or a folder of them")
@@ -83,17 +98,55 @@ def _read(path: Path) -> ForeignProgram:
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
-    program, renamed = _made(path.stem, text.replace("\r\n", "\n"))
-    return ForeignProgram(path=path, program=program, renamed=renamed)
+    program, renamed, asked = _made(path.stem, text.replace("\r\n", "\n"), trusted, as_written)
+    return ForeignProgram(
+        path=path, program=program, renamed=renamed, map_path=None if asked is None else (path.parent / asked).resolve()
+    )
 
 
-def _made(name: str, source: str) -> tuple[ScenicProgram, str]:
-    if refusals := check_foreign(source):
+def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:
+    """A user's text as a program.
+
+    Args:
+        name: How to call it; becomes the scenario's id.
+        source: Scenic text.
+        trusted: Whether it may use all of Scenic and Python; else it is held against the allow-list.
+        as_written: Whether its own ego drives.
+
+    Raises:
+        ForeignCodeRefused: It uses what strangers may not use, or lacks an ego, a route or an adversary.
+    """
+    return _made(name, source, trusted, as_written)[0]
+
+
+def _made(name: str, source: str, trusted: bool, as_written: bool) -> tuple[ScenicProgram, str, str | None]:
+    """The program, what its adversary's behavior was called if it was renamed, and the map that it asks for."""
+    if not source.strip():
+        raise ForeignCodeRefused(f"program {name!r} is empty")
+    if not trusted and (refusals := check_foreign(source)):
         raise ForeignCodeRefused(refused(name, refusals))
-    behavior = _adversary_behavior(name, source)
-    if behavior != ADVERSARY_BEHAVIOR:
-        source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
-    ranges = names_of(source, ()).parameters
+    tree = parse_foreign(source)
+    if isinstance(tree, Refusal):
+        raise ForeignCodeRefused(refused(name, (tree,)))
+    model = model_of(tree)
+    if model not in STANDS_IN:
+        raise ForeignCodeRefused(
+            f"program {name!r} is written for the world model {model!r}; known: {', '.join(STANDS_IN)}"
+            if model
+            else f"program {name!r} does not say what it is written for; begin it with `model {OWN_MODEL}`, {OTHERS}"
+        )
+    behavior = ADVERSARY_BEHAVIOR
+    if model != OWN_MODEL:
+        _check_ego(name, tree)
+    else:
+        behavior = _adversary_behavior(name, tree, as_written)
+        if behavior != ADVERSARY_BEHAVIOR:
+            source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
+    ranges = (
+        names_of(source, ()).parameters
+        if model == OWN_MODEL
+        else {one.name: (one.low, one.high) for one in searched(tree)}
+    )
     program = ScenicProgram(
         scenario_id=_slug(name),
         source=source,
@@ -103,27 +156,47 @@ def _made(name: str, source: str) -> tuple[ScenicProgram, str]:
         ),
         snippet_ids=(),
         digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
+        model=model,
+        as_written=as_written,
     )
-    return program, behavior if behavior != ADVERSARY_BEHAVIOR else ""
+    return program, behavior if behavior != ADVERSARY_BEHAVIOR else "", _map_of(tree)
+
+
+def _map_of(tree: Any) -> str | None:
+    """The map that a program asks for: a path to an OpenDRIVE file, as it is written there."""
+    for node in tree.body:
+        for parameter in node.elts if type(node).__name__ == "Param" else ():
+            if is_map(parameter):
+                value = parameter.value
+                path = str(getattr(value.args[0] if isinstance(value, ast.Call) else value, "value", ""))
+                return path if path.endswith(".xodr") else None
+    return None
+
+
+def _check_ego(name: str, tree: Any) -> None:
+    """Refuse a program that places no ego at its top level, nor in the first scenario of one that is composed."""
+    composed = [node for node in tree.body if type(node).__name__ == "ScenarioDef"]
+    whole = [node.setup or [] for node in composed if node.name == "Main" or len(composed) == 1]
+    for node in (*tree.body, *(part for setup in whole for part in setup)):
+        if type(node).__name__ == "TrackedAssign" and type(node.target).__name__ == "Ego":
+            return
+    raise ForeignCodeRefused(f"program {name!r} has no ego; add: ego = new Car")
 
 
 def _slug(name: str) -> str:
     return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60].strip("-") or "foreign"
 
 
-def _adversary_behavior(name: str, source: str) -> str:
+def _adversary_behavior(name: str, tree: Any, as_written: bool) -> str:
     """The behavior of the program's own that its adversary has.
 
     Raises:
         ForeignCodeRefused: It has no ego with a route, or not exactly one kind of adversary.
     """
-    from scenic.syntax.parser import parse_string
-
-    tree = parse_string(source, "exec")
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
         raise ForeignCodeRefused(f"program {name!r} has no ego; add: {_EGO_LINE}")
-    if "behavior" in dict(_properties(ego[0].value)):
+    if not as_written and "behavior" in dict(_properties(ego[0].value)):
         raise ForeignCodeRefused(
             f"program {name!r}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
             "to drive it; leave its `with behavior …` away"

@@ -1,4 +1,8 @@
-"""A user's own Scenic program as a generator: nothing is retrieved, and all of it is run behind the sandbox's walls."""
+"""A user's own Scenic program as a generator: nothing is retrieved.
+
+It is run behind the sandbox's walls. Who trusts a program says so, and names the generator that does; a run folder
+that names it is not followed unless the user says so again, since it is not one of the table.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +23,21 @@ _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spa
 
 
 class OwnProgram:
-    """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract."""
+    """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract.
+
+    Args:
+        trusted: Whether it may use all of Scenic and Python, in the command's own process.
+        as_written: Whether its own ego drives.
+    """
 
     reference = SearchSettings()
+
+    def __init__(self, *, trusted: bool = False, as_written: bool = False) -> None:
+        self._trusted = trusted
+        self._as_written = as_written
+
+    def _program(self, name: str, source: str) -> ScenicProgram:
+        return foreign_program(name, source, trusted=self._trusted, as_written=self._as_written)
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:  # noqa: ARG002
         """None: a program of one's own belongs to no base scenario."""
@@ -29,20 +45,20 @@ class OwnProgram:
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:  # noqa: ARG002 - nothing is retrieved
         """The scenario of a program, whose text is its code; nothing was said, so nothing is held against it."""
-        program = foreign_program("program", text)
+        program = self._program("program", text)
         return Scenario(id=program.scenario_id, text=text, base=None, parts=_PARTS, slots=Slots())
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
         """The program itself."""
-        return Written(program=foreign_program(scenario.id, scenario.text), retrieval=None)
+        return Written(program=self._program(scenario.id, scenario.text), retrieval=None)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The program itself."""
-        return foreign_program(scenario.id, scenario.text)
+        return self._program(scenario.id, scenario.text)
 
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
-        """Never: whoever wrote the program is a stranger."""
-        return False
+        """Whether the user trusts who wrote it."""
+        return self._trusted
 
     def explore(
         self,
@@ -57,3 +73,25 @@ class OwnProgram:
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+
+
+def as_written() -> OwnProgram:
+    """A program whose own ego drives."""
+    return OwnProgram(as_written=True)
+
+
+def trusted() -> OwnProgram:
+    """A program that the user trusts."""
+    return OwnProgram(trusted=True)
+
+
+def trusted_as_written() -> OwnProgram:
+    """A program that the user trusts and whose own ego drives."""
+    return OwnProgram(trusted=True, as_written=True)
+
+
+def generator_for(*, trusted: bool, as_written: bool) -> str:
+    """The name of the generator of a program of the user's own."""
+    if trusted:
+        return f"{__name__}:{'trusted_as_written' if as_written else 'trusted'}"
+    return "program-as-written" if as_written else "program"

@@ -13,13 +13,16 @@ from collections.abc import Collection, Iterator
 from typing import Any
 
 from chatscene.simulate.confined.plain_text import REPORTED, Refusal, check_text
-from chatscene.simulate.confined.rules import MODEL, RULES, TEXTS, Reading, is_parameter
-from chatscene.simulate.confined.words import INSTEAD, syntax
+from chatscene.simulate.confined.rules import OTHERS, RULES, TEXTS, Reading, is_map, is_parameter
+from chatscene.simulate.confined.words import INSTEAD, Dialect, dialect_of
+from chatscene.terms.scene import OWN_MODEL
+from chatscene.world.models import STANDS_IN
 
 MAX_NODES = 8_000
 MAX_DEPTH = 60  # of the syntax tree
 
-_ONLY_AT_TOP = frozenset(("Model", "Param", "TrackedAssign", "BehaviorDef"))
+_ONLY_AT_TOP = frozenset(("Model", "Param", "BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
+_DEFINING = frozenset(("BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
 
 
 def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = True) -> tuple[Refusal, ...]:
@@ -28,19 +31,21 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
     Args:
         source: Scenic text.
         given: Names that partners define, if it is a part of a program.
-        whole: Whether it is a whole program, which says ``model chatscene.world.model``, or a part, which does not.
+        whole: Whether it is a whole program, which says what model it is written for, or a part, which does not.
 
     Returns:
         The refusals, in order of lines, at most `REPORTED`; empty if it may be run in a confined process.
     """
     if refusals := check_text(source):
         return refusals
-    tree = _parse(source)
+    tree = parse_foreign(source)
     if isinstance(tree, Refusal):
         return (tree,)
-    reading = Reading(given=frozenset(given) | _defined(tree))
+    model = model_of(tree) if whole else OWN_MODEL
+    dialect = dialect_of(STANDS_IN.get(model, OWN_MODEL))
+    reading = Reading(given=frozenset(given) | _defined(tree), dialect=dialect)
     _check_model(tree, reading, whole=whole)
-    for parts, (node, depth) in enumerate(_walk(tree), 1):
+    for parts, (node, depth) in enumerate(_walk(tree, reading.dialect), 1):
         reading.line = getattr(node, "lineno", reading.line)
         if parts > MAX_NODES or depth > MAX_DEPTH:
             reading.refuse("the size", f"a program has at most {MAX_NODES} parts, {MAX_DEPTH} deep in one another")
@@ -55,7 +60,8 @@ def refused(name: str, refusals: tuple[Refusal, ...]) -> str:
     return f"program {name!r} uses what a stranger's program may not: {'; '.join(map(str, refusals[:3]))}{more}"
 
 
-def _parse(source: str) -> Any | Refusal:
+def parse_foreign(source: str) -> Any | Refusal:
+    """Scenic's syntax tree of a text, or why it has none."""
     from scenic.syntax.parser import parse_string
 
     try:
@@ -73,16 +79,22 @@ def _defined(tree: Any) -> frozenset[str]:
             names.add(node.id)
         elif isinstance(node, ast.arg):
             names.add(node.arg)
-        elif type(node).__name__ == "BehaviorDef":
+        elif type(node).__name__ in _DEFINING:
             names.add(node.name)  # type: ignore[attr-defined]
     return frozenset(names)
+
+
+def model_of(tree: Any) -> str:
+    """The world model that a program is written for, as it says; empty if it does not, or more than once."""
+    models = [node.name for node in tree.body if type(node).__name__ == "Model"]
+    return models[0] if len(models) == 1 else ""
 
 
 def _check_model(tree: Any, reading: Reading, *, whole: bool) -> None:
     models = [node for node in tree.body if type(node).__name__ == "Model"]
     begins = [node for node in tree.body if not _is_docstring(node)][:1]
-    if whole and (len(models) != 1 or begins != models):
-        reading.refuse("the beginning", f"a program begins with one line `model {MODEL}`")
+    if whole and (len(models) != 1 or not (reading.dialect.free or begins == models)):
+        reading.refuse("the beginning", f"a program begins with one line `model {OWN_MODEL}`, {OTHERS}")
     if not whole and models:
         reading.refuse("model", "a part of a program has no model statement of its own")
 
@@ -90,10 +102,10 @@ def _check_model(tree: Any, reading: Reading, *, whole: bool) -> None:
 def _check_node(node: Any, depth: int, reading: Reading) -> None:
     kind = type(node).__name__
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()  # FunctionDef: a function def
-    if type(node) not in syntax():
+    if type(node) not in reading.dialect.syntax:
         reading.refuse(words, INSTEAD.get(kind, "this is not part of what a stranger's program may use"))
         return
-    if kind in _ONLY_AT_TOP and depth != 1:
+    if (kind in _ONLY_AT_TOP and depth != 1) or (kind == "TrackedAssign" and depth != 1 and not reading.dialect.free):
         reading.refuse(words, "it stands at the top level of a program")
     if kind in RULES:
         RULES[kind](node, reading)
@@ -102,7 +114,7 @@ def _check_node(node: Any, depth: int, reading: Reading) -> None:
             reading.refuse(words, "it holds text that nobody has looked at")
 
 
-def _walk(tree: Any) -> Iterator[tuple[Any, int]]:
+def _walk(tree: Any, dialect: Dialect) -> Iterator[tuple[Any, int]]:
     """Every node and how deep it lies; without what does nothing, what its owner has read, and below what is refused.
 
     Does not recurse, since a program may be deeper than Python's stack.
@@ -111,7 +123,7 @@ def _walk(tree: Any) -> Iterator[tuple[Any, int]]:
     while left:
         node, depth = left.pop()
         yield node, depth
-        if _is_docstring(node) or is_parameter(node) or type(node) not in syntax():
+        if _is_docstring(node) or is_parameter(node) or is_map(node) or type(node) not in dialect.syntax:
             continue
         left += [(child, depth + 1) for child in reversed(list(ast.iter_child_nodes(node)))]
 

@@ -17,6 +17,7 @@ import sys
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -54,6 +55,10 @@ AdvAgent = new Pedestrian at besideRoad(egoRoute, 30, "right", 1), facing crossi
     with behavior AdvBehavior()
 require (distance from ego to AdvAgent) > 1
 """
+
+
+# The model that loads all others: only compiled, since it may have no place on a map.
+WARM_UP_DRAWN = "model scenic.simulators.carla.model\nego = new Car"
 
 
 def main() -> None:
@@ -98,6 +103,8 @@ def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simula
     del os.environ["XDG_CACHE_HOME"]
     simulator = load_simulator(map_path, settings)
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=(), digest="warm-up")
+    drawn = replace(program, source=WARM_UP_DRAWN, digest="drawn", model="scenic.simulators.carla.model")
+    simulator.routes(drawn)
     scene = Scene(id="warm-up", scenario_id="warm-up", route=0, block=0, seed=0, values={"OPT_SPEED": 1.5})
     try:
         session = simulator.open(program, scene)
@@ -182,6 +189,9 @@ class _Confined:
 
     def _do_route(self, index: int) -> Message:
         return route_to_json(self._simulator.route(self._loaded(), index))
+
+    def _do_route_in(self, scene: Message) -> Message:
+        return route_to_json(self._simulator.route_in(self._loaded(), scene_from_json(scene)))
 
     def _do_open(self, scene: Message, observation: str, pedals: str, through: bool) -> Message:
         session = self._simulator.open(

@@ -14,6 +14,7 @@ MAX_BRACKETS = 20  # open at once
 MAX_SIGNS = 8  # minus signs or `not` in a row
 REPORTED = 20  # refusals; who wrote more needs no longer list
 
+_DOCSTRING = re.compile(r"\s*(?P<quotes>\"\"\"|\'\'\')(?:(?!(?P=quotes))[^\\])*(?P=quotes)")
 _SIGNS = re.compile(rf"(?:(?:[-+~]|\bnot\b)\s*){{{MAX_SIGNS + 1}}}")
 
 
@@ -42,20 +43,27 @@ def check_text(source: str) -> tuple[Refusal, ...]:
     lines = source.split("\n")
     if len(lines) > MAX_LINES:
         return (Refusal(0, f"{len(lines)} lines", f"a program has at most {MAX_LINES}"),)
-    found = [refusal for number, line in enumerate(lines, 1) for refusal in _check_line(number, line)]
+    prose = _docstring_lines(source)
+    found = [refusal for number, line in enumerate(lines, 1) for refusal in _check_line(number, line, number <= prose)]
     return (*found[:REPORTED], *_check_brackets(lines))
 
 
-def _check_line(number: int, line: str) -> Iterator[Refusal]:
+def _docstring_lines(source: str) -> int:
+    """How many lines, from the first, lie wholly within a docstring at the beginning, where only prose stands."""
+    begun = _DOCSTRING.match(source)
+    return begun[0].count("\n") if begun else 0
+
+
+def _check_line(number: int, line: str, prose: bool) -> Iterator[Refusal]:
     if len(line) > MAX_LINE:
         yield Refusal(number, f"{len(line)} characters in a line", f"a line has at most {MAX_LINE}")
-    code = line.partition("#")[0]
+    code = "" if prose else line.partition("#")[0]
     for character in sorted(set(line)):
         if character not in "\t " and unicodedata.category(character)[0] in "CZ":
             yield Refusal(number, _named(character), "invisible and control characters can hide what a line does")
         elif character in code and not character.isascii():
             yield Refusal(number, _named(character), "code is written in ASCII; other letters only in comments")
-    if "\\" in code:
+    if "\\" in code.removesuffix("\\"):
         yield Refusal(number, "a backslash", "nothing in a program needs one; put brackets around a long line")
     if _SIGNS.search(code):
         yield Refusal(number, "a pile of signs", f"at most {MAX_SIGNS} stand in a row")

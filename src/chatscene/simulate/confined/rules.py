@@ -9,26 +9,20 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene.simulate.confined.plain_text import Refusal
-from chatscene.simulate.confined.words import (
-    ATTRIBUTES,
-    METHODS,
-    PARAMETERS,
-    PROPERTIES,
-    PYTHON_NAMES,
-    RESERVED,
-    SCENIC_NAMES,
-    world_words,
-)
+from chatscene.simulate.confined.words import PARAMETERS, Dialect
+from chatscene.terms.scene import OWN_MODEL
+from chatscene.world.models import STANDS_IN
 
-MODEL = "chatscene.world.model"
 MAX_NUMBER = 1e6
 MAX_EXPONENT = 4
 MAX_TURNS = 100  # of a `for` loop
 MAX_OBJECTS = 50
 
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}\Z")
+_NAME = re.compile(r"(?:[A-Za-z][A-Za-z0-9_]{0,63}|_)\Z")
 _OPT = re.compile(r"OPT_[A-Z0-9_]{1,60}\Z")
-_TEXT = re.compile(r"[A-Za-z0-9 ,.:_-]{0,60}\Z")
+_TEXT = re.compile(r"[A-Za-z0-9 ,.:!?_-]{0,120}\Z")
+OTHERS = "or the model of Scenic's driving domain, of CARLA, of MetaDrive or of the Newtonian simulator"
+
 _YIELDING = frozenset(
     ("Take", "Wait", "WaitFor", "WaitUntil", "Do", "DoFor", "DoUntil", "Abort", "Terminate", "TerminateSimulation")
 )
@@ -41,6 +35,7 @@ class Reading:
 
     Attributes:
         given: Names that it or its partners define.
+        dialect: What it may use.
         line: Where the reader is.
         refusals: What was found.
         objects: How many things it places.
@@ -49,6 +44,7 @@ class Reading:
     """
 
     given: frozenset[str]
+    dialect: Dialect
     line: int = 0
     refusals: list[Refusal] = field(default_factory=list[Refusal])
     objects: int = 0
@@ -62,7 +58,7 @@ class Reading:
 
     def known(self, name: str) -> None:
         """Refuse a name that nothing a stranger may use defines."""
-        if name not in self.given and name not in _words_given():
+        if name not in self.given and name not in self.dialect.names:
             self.refuse(
                 f"the name {shown(name)}",
                 "neither the program nor the part of the world model that strangers may use defines it",
@@ -72,13 +68,8 @@ class Reading:
         """Refuse to define a name that is odd, or that means something already."""
         if not _NAME.match(name):
             self.refuse(f"the name {shown(name)}", "a name is made of ASCII letters and digits, a letter first")
-        elif name in _words_given() or name in RESERVED:
+        elif name in self.dialect.kept:
             self.refuse(f"the name {name}", "a program may not put something else in the place of what is given")
-
-
-def _words_given() -> frozenset[str]:
-    """Names that every program finds defined."""
-    return world_words() | SCENIC_NAMES | PYTHON_NAMES | {"ego"}
 
 
 def shown(text: str) -> str:
@@ -113,7 +104,7 @@ def _constant(node: ast.Constant, reading: Reading) -> None:
     value: Any = node.value
     if isinstance(value, str):
         if not _TEXT.match(value):
-            reading.refuse(f"the text {shown(value)}", "a text is at most 60 plain characters")
+            reading.refuse(f"the text {shown(value)}", "a text is at most 120 plain characters")
     elif not (value is None or (isinstance(value, int | float) and abs(value) <= MAX_NUMBER)):
         reading.refuse(f"the constant {shown(repr(value))}", f"numbers lie between ±{MAX_NUMBER:g}")
 
@@ -122,10 +113,20 @@ def _attribute(node: ast.Attribute, reading: Reading) -> None:
     if not isinstance(node.ctx, ast.Load):
         reading.refuse(f".{shown(node.attr)} =", "what belongs to a thing is set with `with`, when it is made")
     elif is_parameter(node):
-        if not _OPT.match(node.attr):
+        if not (_NAME if reading.dialect.free else _OPT).match(node.attr):
             reading.refuse(f"globalParameters.{shown(node.attr)}", "only OPT_ parameters may be read")
-    elif node.attr not in ATTRIBUTES | METHODS:
-        reading.refuse(f".{shown(node.attr)}", f"of a thing may be read: {', '.join(sorted(ATTRIBUTES))}")
+    elif node.attr not in reading.dialect.attributes | reading.dialect.methods:
+        known = "" if reading.dialect.free else f": {', '.join(sorted(reading.dialect.attributes))}"
+        reading.refuse(f".{shown(node.attr)}", f"of a thing may be read what is on the list{known}")
+
+
+def is_map(node: Any) -> bool:
+    """Whether it says where a map lies, as in ``param map = localPath('Town01.xodr')``: a run has its own."""
+    if type(node).__name__ != "parameter" or node.identifier != "map":
+        return False
+    value = node.value
+    path = value.args[0] if _calls(value, "localPath") and len(value.args) == 1 and not value.keywords else value
+    return isinstance(path, ast.Constant) and isinstance(path.value, str)
 
 
 def is_parameter(node: Any) -> bool:
@@ -140,7 +141,9 @@ def _subscript(node: ast.Subscript, reading: Reading) -> None:
 
 def _call(node: ast.Call, reading: Reading) -> None:
     called = node.func
-    if not (isinstance(called, ast.Name) or (isinstance(called, ast.Attribute) and called.attr in METHODS)):
+    if not (
+        isinstance(called, ast.Name) or (isinstance(called, ast.Attribute) and called.attr in reading.dialect.methods)
+    ):
         reading.refuse("a call of something without a name", "only named functions, behaviors and actions are called")
     if any(keyword.arg is None or not _NAME.match(keyword.arg) for keyword in node.keywords):
         reading.refuse("** or an odd name in a call", "a call lists its arguments")
@@ -165,7 +168,7 @@ def _operation(node: ast.BinOp | ast.AugAssign, reading: Reading) -> None:
 
 
 def _for(node: ast.For, reading: Reading) -> None:
-    if not (_calls(node.iter, "range") or isinstance(node.iter, ast.Tuple | ast.List)):
+    if not (reading.dialect.free or _calls(node.iter, "range") or isinstance(node.iter, ast.Tuple | ast.List)):
         reading.refuse("for", f"a loop runs over range(number), at most {MAX_TURNS}, or over a list written out")
 
 
@@ -189,8 +192,8 @@ def _behavior(node: Any, reading: Reading) -> None:
 
 
 def _model(node: Any, reading: Reading) -> None:
-    if node.name != MODEL:
-        reading.refuse(f"model {shown(node.name)}", f"a program says `model {MODEL}` and no other")
+    if node.name not in STANDS_IN:
+        reading.refuse(f"model {shown(node.name)}", f"a program says `model {OWN_MODEL}` and no other; {OTHERS}")
 
 
 def _parameter(node: Any, reading: Reading) -> None:
@@ -198,7 +201,10 @@ def _parameter(node: Any, reading: Reading) -> None:
     if name in reading.parameters:
         reading.refuse(f"param {shown(name)}", "it is given twice")
     reading.parameters.add(name)
-    if name in PARAMETERS:
+    if reading.dialect.free:
+        if not _NAME.match(name):
+            reading.refuse(f"param {shown(name)}", "a name is made of ASCII letters and digits, a letter first")
+    elif name in PARAMETERS:
         if not (isinstance(value, ast.Constant) and value.value in PARAMETERS[name]):
             reading.refuse(f"param {name}", f"it is one of {', '.join(sorted(PARAMETERS[name]))}")
     elif not _OPT.match(name):
@@ -215,14 +221,31 @@ def _new(node: Any, reading: Reading) -> None:
 
 
 def _with(node: Any, reading: Reading) -> None:
-    if node.prop not in PROPERTIES:
-        reading.refuse(f"with {shown(node.prop)}", f"known properties: {', '.join(sorted(PROPERTIES))}")
+    if node.prop not in reading.dialect.properties:
+        known = ", ".join(sorted(reading.dialect.properties))
+        reading.refuse(f"with {shown(node.prop)}", f"known properties: {known}")
 
 
 def _ego(node: Any, reading: Reading) -> None:
     reading.egos += 1
     if type(node.value).__name__ != "New" or reading.egos > 1:
         reading.refuse("ego", "it is placed once, with `ego = new ...`")
+
+
+def _defined(node: Any, reading: Reading) -> None:
+    reading.bind(node.name)
+
+
+def _function(node: ast.FunctionDef, reading: Reading) -> None:
+    reading.bind(node.name)
+    if node.decorator_list or node.returns:
+        reading.refuse("a decorator or an annotation", "a function has parameters and a body, no more")
+
+
+def _record(node: Any, reading: Reading) -> None:
+    _named(node, reading)
+    if node.recorder is not None:
+        reading.refuse("record to", "nothing is written while a drive goes on")
 
 
 def _named(node: Any, reading: Reading) -> None:
@@ -278,6 +301,13 @@ RULES: dict[str, Callable[[Any, Reading], None]] = {
     "While": _while,
     "TryInterrupt": _interrupts,
     "BehaviorDef": _behavior,
+    "MonitorDef": _behavior,
+    "ScenarioDef": _defined,
+    "FunctionDef": _function,
+    "Record": _record,
+    "RecordInitial": _named,
+    "RecordFinal": _named,
+    "RequireMonitor": _named,
     "Model": _model,
     "parameter": _parameter,
     "New": _new,
@@ -295,6 +325,15 @@ TEXTS = frozenset(
         ("arg", "arg"),
         ("BehaviorDef", "name"),
         ("BehaviorDef", "docstring"),
+        ("MonitorDef", "name"),
+        ("MonitorDef", "docstring"),
+        ("ScenarioDef", "name"),
+        ("ScenarioDef", "docstring"),
+        ("FunctionDef", "name"),
+        ("Record", "name"),
+        ("RecordInitial", "name"),
+        ("RecordFinal", "name"),
+        ("RequireMonitor", "name"),
         ("Constant", "value"),
         ("Attribute", "attr"),
         ("keyword", "arg"),

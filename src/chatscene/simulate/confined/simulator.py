@@ -98,6 +98,12 @@ class ConfinedSimulator:
             raise nonsense("the number of routes")
         return int(count)
 
+    def route_in(self, program: ScenicProgram, scene: Scene) -> Route:
+        """The route of the ego in a scene."""
+        if not program.drawn:
+            return self.route(program, scene.route)
+        return route_from_json(self._at(program).ask("route_in", scene=scene_to_json(scene)))
+
     def layers(self, program: ScenicProgram) -> tuple[str, ...]:
         """The layers of the second wall that are in force for a program."""
         return self._at(program).layers

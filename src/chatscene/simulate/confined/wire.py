@@ -91,6 +91,8 @@ def program_from_json(message: Message) -> ScenicProgram:
         parameters=(),
         snippet_ids=tuple(message["snippet_ids"]),
         digest=message["digest"],
+        model=message["model"],
+        as_written=message["as_written"],
     )
 
 

@@ -1,16 +1,20 @@
 """The part of Scenic that a stranger's program may use, as lists: syntax, names, attributes, properties.
 
-What is not listed is refused, so that a name or a construct that comes new into Scenic is refused until somebody has
-looked at it. What our own world model defines is ours and reviewed; its public names are read from its text.
+There are two such parts. `OURS` is for programs and parts of programs for our own world model, whose scenes are their
+parameters; `DRIVING` is for programs that were written for Scenic's driving domain or a simulator of it, which pick
+places from the road network and say what happens with monitors and scenarios of scenarios. What is not listed is
+refused, so that a name or a construct that comes new into Scenic is refused until somebody has looked at it. What our
+own world model defines is ours and reviewed; its public names are read from its text.
 """
 
 from __future__ import annotations
 
 import ast
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
-from chatscene.world.unsupported import UNSUPPORTED
+from chatscene.terms.scene import OWN_MODEL
 
 
 def _set(words: str) -> frozenset[str]:
@@ -43,7 +47,14 @@ _SCENIC_SYNTAX = """
 """
 
 _PLACE = "a thing stands at a place: at, ahead of, behind, left of, right of, beyond, offset by or following"
-INSTEAD = UNSUPPORTED | {
+_RECORDS = "a program records nothing: the run keeps every track, event and metric of a drive"
+INSTEAD = {
+    "ScenarioDef": "modular scenarios are not supported; write what `setup` places at the top level of the program, "
+    "and what `compose` has happen as behaviors",
+    "Override": "modular scenarios are not supported, nor what they override; let a behavior change what it does",
+    "Record": _RECORDS,
+    "RecordInitial": _RECORDS,
+    "RecordFinal": _RECORDS,
     "ClassDef": "a program uses the world model's classes; size and speed are set with `with`, when a thing is made",
     "MonitorDef": "there are no monitors; say it with `require always`, `terminate when` or a behavior",
     "RequireMonitor": "there are no monitors; say it with `require always`, `terminate when` or a behavior",
@@ -85,21 +96,129 @@ PARAMETERS = {"signals": frozenset(("clock", "ego-green", "ego-red"))}
 """Parameters besides ``OPT_…``, and their values."""
 
 
-@lru_cache(maxsize=1)
-def syntax() -> frozenset[type[ast.AST]]:
-    """The kinds of nodes that a program's syntax tree may have."""
+# What programs of the driving domain need besides. Functions and lambdas compute; no classes of Python's own, no
+# decorators, no imports, no exceptions.
+_DRIVING_PYTHON: tuple[type[ast.AST], ...] = (
+    ast.Lambda, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.In, ast.NotIn, ast.Is, ast.IsNot, ast.Dict,
+    ast.Set, ast.Assert, ast.FunctionDef, ast.Return,
+)  # fmt: skip
+_DRIVING_SCENIC = """
+    MonitorDef RequireMonitor ScenarioDef Override Record RecordInitial RecordFinal DoChoose DoShuffle Mutate
+    TryInterrupt InSpecifier OnSpecifier ContainedInSpecifier VisibleSpecifier NotVisibleSpecifier VisibleOp
+    NotVisibleOp VisibleFromOp NotVisibleFromOp
+"""
+_DRIVING_PYTHON_NAMES = _set("all any dict enumerate filter isinstance list map set sorted str tuple zip")
+_DRIVING_NAMES = _set(
+    """
+    Color DiscreteRange Normal Object Options Point PolygonalRegion PolylineRegion RectangularRegion CircularRegion
+    TruncatedNormal Uniform Vector VerifaiDiscreteRange VerifaiOptions VerifaiRange everywhere nowhere max min
+    network road curb sidewalk shoulder roadOrShoulder intersection roadDirection ManeuverType
+    DrivingObject Vehicle Car NPCCar Pedestrian Prop Debris
+    SetVelocityAction SetSpeedAction SetThrottleAction SetSteerAction SetBrakeAction SetHandBrakeAction SetReverseAction
+    RegulatedControlAction SetWalkingDirectionAction SetWalkingSpeedAction SetPositionAction OffsetAction
+    ConstantThrottleBehavior DriveAvoidingCollisions AccelerateForwardBehavior WalkForwardBehavior FollowLaneBehavior
+    FollowTrajectoryBehavior TurnBehavior LaneChangeBehavior
+    withinDistanceToAnyCars withinDistanceToAnyObjs withinDistanceToAnyPedestrians withinDistanceToObjsInLane
+    SetLocationAction SetAutopilotAction SetWalkAction SetTrafficLightAction SetVehicleLightStateAction
+    SetManualGearShiftAction SetGearAction SetManualFirstGearShiftAction SetJumpAction SetTransformAction
+    SetAngularVelocityAction TrackWaypointsAction
+    simulation localPath
+    """
+)
+_DRIVING_ATTRIBUTES = _set(
+    """
+    currentTime currentRealTime timestep objects agents
+    roads connectingRoads allRoads lanes lane laneSection laneGroup laneGroups road roadSections laneSections sections
+    section intersection intersections crossings crossing sidewalks sidewalk shoulders shoulder curb curbRegion
+    drivableRegion walkableRegion roadRegion laneRegion intersectionRegion crossingRegion sidewalkRegion shoulderRegion
+    roadDirection elements element tolerance
+    maneuvers maneuversAt type startLane endLane connectingLane intersection conflictingManeuvers reverseManeuvers
+    incomingLanes outgoingLanes is3Way is4Way isSignalized signals isTrafficLight openDriveID country
+    forwardLanes backwardLanes forwardShoulder backwardShoulder group opposite oppositeLaneGroup adjacentLanes
+    fasterLane slowerLane laneToLeft laneToRight isForward isLeft isRight successor predecessor
+    _fasterLane _slowerLane _laneToLeft _laneToRight _sidewalk _shoulder _opposite _lane _laneSection _laneGroup _road
+    _intersection _crossing _element
+    centerline leftEdge rightEdge points polygon region orientation uid id name speedLimit tags vehicleTypes parent
+    STRAIGHT LEFT_TURN RIGHT_TURN U_TURN
+    behavior blueprint rolename color height velocity yaw pitch roll angularSpeed angularVelocity lastActions
+    isCar isVehicle isWalker isPedestrian visibleRegion visibleDistance viewAngle roadDeviation
+    throttle brake steer left right front back frontLeft frontRight backLeft backRight z
+    """
+)
+_DRIVING_METHODS = _set(
+    """
+    append index count keys values items get
+    laneAt laneSectionAt laneGroupAt roadAt intersectionAt crossingAt sidewalkAt shoulderAt elementAt sectionAt
+    nominalDirectionsAt connectingLaneAt flowFrom shiftedBy distanceToClosest distanceTo signedDistanceTo containsPoint
+    containsObject intersects nearestSegmentTo pointAlongBy rotatedBy offsetRotated norm normalized angleTo angleWith
+    union intersect
+    """
+)
+_DRIVING_PROPERTIES = _set(
+    """
+    blueprint rolename color height regionContainedIn requireVisible visibleDistance viewAngle viewAngles position
+    physics snapToGround mutator mutationScale yaw shape name
+    """
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """A part of Scenic.
+
+    Attributes:
+        syntax: The kinds of nodes that a program's syntax tree may have.
+        names: What every program finds defined.
+        kept: Names that a program may not define anew.
+        attributes: What may be read of a thing.
+        methods: What may be called on a thing.
+        properties: What may follow ``with``.
+        free: Whether parameters have any name and value, and loops run over any list.
+    """
+
+    syntax: frozenset[type[ast.AST]]
+    names: frozenset[str]
+    kept: frozenset[str]
+    attributes: frozenset[str]
+    methods: frozenset[str]
+    properties: frozenset[str]
+    free: bool
+
+
+@lru_cache(maxsize=2)
+def dialect_of(model: str) -> Dialect:
+    """What a program may use that is written for a world model."""
     from scenic.syntax import ast as scenic
 
-    return frozenset((*_PYTHON_SYNTAX, *(getattr(scenic, name) for name in _SCENIC_SYNTAX.split())))
+    syntax = frozenset((*_PYTHON_SYNTAX, *(getattr(scenic, name) for name in _SCENIC_SYNTAX.split())))
+    names = SCENIC_NAMES | PYTHON_NAMES | {"ego"}
+    if model == OWN_MODEL:
+        given = names | world_words()
+        return Dialect(syntax, given, given | RESERVED, ATTRIBUTES, METHODS, PROPERTIES, free=False)
+    more = (getattr(scenic, name) for name in _DRIVING_SCENIC.split())
+    builtin = names | _DRIVING_PYTHON_NAMES
+    return Dialect(
+        syntax | frozenset((*_DRIVING_PYTHON, *more)),
+        builtin | _DRIVING_NAMES | _defined_in("driving.scenic", "carla_model.scenic", "carla_behaviors.scenic"),
+        (builtin | RESERVED | {"simulation", "localPath"}) - {"ego"},
+        ATTRIBUTES | _DRIVING_ATTRIBUTES,
+        METHODS | _DRIVING_METHODS,
+        PROPERTIES | _DRIVING_PROPERTIES,
+        free=True,
+    )
 
 
 @lru_cache(maxsize=1)
 def world_words() -> frozenset[str]:
     """Public names of our world model: its classes, its behaviors, and the functions it takes from our packages."""
+    return _defined_in("model.scenic", "behaviors.scenic")
+
+
+def _defined_in(*models: str) -> frozenset[str]:
     from scenic.syntax.parser import parse_string
 
     names: set[str] = set()
-    for file in ("model.scenic", "behaviors.scenic"):
+    for file in models:
         source = files("chatscene.world").joinpath(file).read_text(encoding="utf-8")
         for node in parse_string(source, "exec").body:
             if isinstance(node, ast.ImportFrom) and str(node.module).startswith("chatscene."):
@@ -109,4 +228,4 @@ def world_words() -> frozenset[str]:
     return frozenset(name for name in names - _MIXINS if not name.startswith(("_", "*")))
 
 
-_MIXINS = frozenset(("Driven", "Placed", "Walking"))
+_MIXINS = frozenset(("Driven", "Placed", "Walking", "chatscene_parameter"))

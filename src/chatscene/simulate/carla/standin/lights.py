@@ -1,6 +1,6 @@
 """Traffic lights: the lights of a junction take turns by axis, until somebody sets or freezes them.
 
-The order is that of `chatscene.simulate.signals`; the times are CARLA's defaults and can be set for each light.
+The order is that of `chatscene.world.signals`; the times are CARLA's defaults and can be set for each light.
 """
 
 from __future__ import annotations

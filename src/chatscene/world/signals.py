@@ -8,6 +8,7 @@ a program can hold them with ``param signals``: ``ego-green`` (the ego's axis ha
 from __future__ import annotations
 
 GREEN, YELLOW, RED = "g", "y", "r"
+COLOURS = {"green": GREEN, "yellow": YELLOW, "red": RED}
 GREEN_TIME = 12.0  # [s], fixed-time control of a small urban junction
 YELLOW_TIME = 3.0  # [s]
 ALL_RED_TIME = 1.0  # [s]
@@ -27,10 +28,11 @@ def signal_states(mode: str, own_axis: bool, steps: int, dt: float) -> str:
     """
     if mode != "clock":
         return (GREEN if own_axis == (mode == "ego-green") else RED) * steps
-    return "".join(_on_clock(step * dt, own_axis) for step in range(steps))
+    return "".join(state_on_clock(step * dt, own_axis) for step in range(steps))
 
 
-def _on_clock(time: float, own_axis: bool) -> str:
+def state_on_clock(time: float, own_axis: bool) -> str:
+    """The state of a signal on the clock, so many seconds after its start."""
     phase = (time + (0.0 if own_axis else _HALF)) % (2 * _HALF)
     if phase < GREEN_TIME:
         return GREEN
