@@ -442,7 +442,7 @@ def test_a_program_that_is_composed_of_scenarios_does_what_they_say_one_after_th
     drive = simulate(simulator, program(HEAD + COMPOSED), scene(), Coast())
     assert isinstance(drive, Episode)
     assert drive.ending is Ending.SCENARIO_DONE
-    assert len(drive.ego_track.x) == 52  # 2 s, 3 s, and the step in which the one hands over to the other
+    assert len(drive.ego_track.x) == 51  # the start, 2 s, 3 s
     _, lead, block = drive.tracks
     assert lead.speed[:20].max() == 0.0  # parked while the first scenario runs
     assert lead.speed[-1] > 3.0  # then it drives again

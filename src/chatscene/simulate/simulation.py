@@ -42,6 +42,14 @@ _ENDINGS = (_EndSimulationAction, _EndScenarioAction)
 _CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
 
 
+class _live_property(property):  # noqa: N801 - used as `property` is
+    """A property that may be set to what it is: `override` sets every property of an object anew."""
+
+    def __set__(self, thing: Any, value: Any) -> None:
+        if value != getattr(thing, self.fget.__name__ if self.fget else ""):
+            raise AttributeError(f"{type(thing).__name__} is where its body is; nothing else sets that")
+
+
 class LivePose:
     """The dynamic properties of a Scenic object, read from its body at the moment they are asked for."""
 
@@ -53,38 +61,38 @@ class LivePose:
         body = self.body
         return body.x, body.y, body.heading, body.speed
 
-    @property
+    @_live_property
     def position(self) -> Vector:
         """Centre [m]."""
         return Vector(self.body.x, self.body.y)
 
-    @property
+    @_live_property
     def heading(self) -> float:
         """Scenic's heading [rad, 0 = +y]."""
         return self.body.heading - QUARTER
 
-    @property
+    @_live_property
     def yaw(self) -> float:
         """The same as `heading`: in two dimensions our objects have no parent orientation."""
         return self.body.heading - QUARTER
 
-    @property
+    @_live_property
     def orientation(self) -> Orientation:
         """Scenic's orientation."""
         return Orientation.fromEuler(self.body.heading - QUARTER, 0.0, 0.0)
 
-    @property
+    @_live_property
     def speed(self) -> float:
         """[m/s] along the heading."""
         return self.body.speed
 
-    @property
+    @_live_property
     def velocity(self) -> Vector:
         """[m/s]."""
         body = self.body
         return Vector(body.speed * body.cos, body.speed * body.sin)
 
-    @property
+    @_live_property
     def elevation(self) -> float:
         """The world is flat."""
         return 0.0

@@ -104,7 +104,7 @@ def _assignments(tree: Any) -> Iterator[tuple[str, Any]]:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             yield node.targets[0].id, node.value
         elif type(node).__name__ == "Param":
-            yield from ((parameter.identifier, parameter.value) for parameter in node.elts)
+            yield from ((one.identifier, one.value) for one in cast("Any", node).elts)
 
 
 def _calls(value: Any) -> Iterator[ast.Call]:

@@ -147,5 +147,5 @@ def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
     ):
         with pytest.raises(ForeignCodeRefused, match=message):
             read_foreign(tmp_path / name)
-    with pytest.raises(ForeignCodeRefused, match="holds no .scenic file"):
+    with pytest.raises(ForeignCodeRefused, match=r"holds no \.scenic file"):
         foreign_files(tmp_path / "empty")
