@@ -396,6 +396,9 @@ def test_a_plan_is_told_in_words_a_line_a_phase() -> None:
 def test_a_snippet_is_shown_with_its_plan_in_words_or_why_it_has_none(tmp_path: Path) -> None:
     shown = CliRunner().invoke(main, ["library", "show", "behavior/lead-stop-and-go"]).output
     assert "\nagain from 2\n" in shown
+    source = load_library().get("behavior/lead-stop-and-go").source
+    assert max(map(len, source.splitlines())) > 80
+    assert source.strip() in shown, "no line of code is cut, however narrow the terminal"
     (tmp_path / "behavior").mkdir()
     foreign = '#: description = "It waits."\n\nbehavior AdvBehavior():\n    wait\n'
     (tmp_path / "behavior" / "waits.scenic").write_text(foreign, encoding="utf-8")

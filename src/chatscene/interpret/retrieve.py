@@ -21,6 +21,7 @@ from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
+from chatscene.library.compose import is_composed
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
 from chatscene.settings import RetrievalSettings
@@ -83,6 +84,7 @@ def retrieve(
     embedder: Embedder,
     settings: RetrievalSettings | None = None,
     tried: Sequence[Tried] = (),
+    composed: Snippet | None = None,
 ) -> Retrieval:
     """Choose the compatible triple that serves a scenario best.
 
@@ -92,6 +94,7 @@ def retrieve(
         embedder: Who says how near the behavior's description is, which the confidence asks for.
         settings: How many candidates are named, and the confidence below which nothing is chosen.
         tried: Choices that did not show what was said; they are not made again.
+        composed: The behavior, where none of the library's does just what was said.
 
     Raises:
         NothingFits: No triple serves it well enough; the message names the nearest.
@@ -99,8 +102,9 @@ def retrieve(
     settings = settings or RetrievalSettings()
     frame = scenario.frame or Frame(outright=scenario.slots)
     asked = _Asked(frame, scenario.slots, scenario.parts)
-    ranked = _ranked(asked, library)
-    triple = _best(ranked, library, scenario.slots.adversary, tried)
+    shelves = library if composed is None else library.with_behavior(composed)
+    ranked = _ranked(asked, shelves)
+    triple = _best(ranked, shelves, scenario.slots.adversary, tried)
     confidence = _confidence(scenario, frame, triple, library, embedder)
     if confidence < settings.refuse_below:
         reasons = _reasons(scenario, frame, triple)
@@ -395,6 +399,12 @@ class _Shelf:
         return (2 * both / wanted.sum() + both / np.maximum(either, 1)) / 3
 
 
+def does_just(behavior: Snippet, said: tuple[Action, ...], unsaid: frozenset[Action]) -> bool:
+    """Whether a behavior does what was said, in order, and else only what need not be said."""
+    more = _more(behavior, said)
+    return more is not None and more <= unsaid
+
+
 def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
     """What a behavior does beyond what was said and what that brings along; None if it does not do that, in order."""
     does = set(behavior.slots.actions)
@@ -501,7 +511,7 @@ def doubts(
     """
     kind, beliefs = scenario.slots.adversary, frame.beliefs
     able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
-    meant = beliefs.meant(behavior.id)
+    meant = 1.0 if is_composed(behavior) else beliefs.meant(behavior.id)  # of what words say, one after the other
     if frame.plain and _more(behavior, scenario.slots.actions) == frozenset():
         meant += sum(beliefs.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
     meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0

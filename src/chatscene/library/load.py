@@ -10,6 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from chatscene.errors import SnippetError
+from chatscene.library.compose import COMPOSED, composed_again
 from chatscene.library.snippet_file import ADVERSARY_CLASS, ENDING, read_snippets
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
@@ -46,14 +47,21 @@ class Library:
         """The snippets of one component."""
         return tuple(snippet for snippet in self.snippets if snippet.component is component)
 
+    def with_behavior(self, behavior: Snippet) -> Library:
+        """The same places and starts, with one behavior alone."""
+        places = (snippet for snippet in self.snippets if snippet.component is not Component.BEHAVIOR)
+        return Library((behavior, *places))
+
     def get(self, snippet_id: str) -> Snippet:
-        """The snippet of that id.
+        """The snippet of that id; one that is composed is composed again.
 
         Raises:
             SnippetError: There is none; the nearest id is given.
         """
         if snippet_id in self._by_id:
             return self._by_id[snippet_id]
+        if snippet_id.startswith(COMPOSED):
+            return composed_again(snippet_id)
         near = difflib.get_close_matches(snippet_id, self._by_id, n=1, cutoff=0.3)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise SnippetError(f"there is no snippet {snippet_id!r}{hint}")

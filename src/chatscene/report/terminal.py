@@ -32,7 +32,6 @@ def _plain(text: object) -> str:
 
 def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
     """What was understood and why: slots, the triple, what else was near, the program."""
-    from rich.syntax import Syntax
     from rich.table import Table
 
     scenario, retrieval = understood.scenario, understood.retrieval
@@ -46,9 +45,8 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
         console.print(f"[yellow]not used[/]  {_plain(line)}")
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
-    for column in ("component", "snippet", "similarity", "facts"):
-        chosen.add_column(column, no_wrap=True)
-    chosen.add_column("what was heard")
+    for column in ("component", "snippet", "similarity", "facts", "what was heard"):
+        chosen.add_column(column, overflow="fold")
     for component in Component:
         match: Match = getattr(retrieval, component.value)
         chosen.add_row(
@@ -64,9 +62,7 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
         console.print(f"[dim]ruled out {_plain(out.snippet_id)}: {_plain(out.reason)}[/]")
     if show_program:
         console.print()
-        console.print(
-            Syntax(visible(understood.program.source), "python", theme="ansi_light", background_color="default")
-        )
+        _print_code(console, understood.program.source)
 
 
 def understanding_text(understood: Any) -> str:
@@ -83,8 +79,6 @@ def understanding_text(understood: Any) -> str:
 
 def print_snippet(console: Console, snippet: Snippet) -> None:
     """One snippet, whole."""
-    from rich.syntax import Syntax
-
     console.print(f"[bold]{_plain(snippet.id)}[/]  {_plain(snippet.description)}")
     for text in snippet.rephrasings:
         console.print(f"  [dim]“{_plain(text)}”[/]")
@@ -104,7 +98,15 @@ def print_snippet(console: Console, snippet: Snippet) -> None:
     for line in _plan_in_words(snippet):
         console.print(_plain(line))
     console.print()
-    console.print(Syntax(visible(snippet.source.strip()), "python", theme="ansi_light", background_color="default"))
+    _print_code(console, snippet.source.strip())
+
+
+def _print_code(console: Console, source: str) -> None:
+    """Code, every line whole however narrow the terminal: it may be copied, or go into a file."""
+    from rich.syntax import Syntax
+
+    code = Syntax("", "python", theme="ansi_light", background_color="default").highlight(visible(source))
+    console.print(code, soft_wrap=True, end="")
 
 
 def _plan_in_words(snippet: Snippet) -> tuple[str, ...]:

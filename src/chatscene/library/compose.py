@@ -1,0 +1,502 @@
+"""Behaviors that nobody wrote: where no snippet does just what was said, the acts that were said, one after the other.
+
+Each act has a step: what is done for it by somebody who goes along a line, or who comes from beside the road. What a
+composed behavior does before its first act goes by where it starts, and its parameters by the steps that it takes.
+Its id says all of this, and the behavior is composed again from the id alone: ``behavior/composed.car.ahead.brake``.
+"""
+
+from __future__ import annotations
+
+import itertools
+import operator
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from chatscene.errors import SnippetError
+from chatscene.library.plan import parse_plan, print_plan
+from chatscene.library.snippet_file import names_in
+from chatscene.terms.actors import AdversaryKind, Manner
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Component, Position, Slots
+from chatscene.terms.snippet import ParameterRange, Snippet
+
+COMPOSED = "behavior/composed."
+
+_STAND = "self.pose[3] < 0.05"
+_OWN = "ownLane(egoRoute)"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """How an act is done.
+
+    Attributes:
+        does: Phases, as Scenic writes them behind `do`; ``{path}`` is the line that one goes along, ``$NAME`` the
+            parameter ``OPT_NAME``.
+        last: The same where nothing is done afterwards; empty for a step that is followed by going on.
+        path: The line one goes along from there on; empty for the same as before.
+        stands: Whether one stands then.
+        halts: Whether one comes to stand for it, so that braking before it is a part of it.
+        moving: Whether it can only be done by somebody who has not stood.
+        long: Whether it takes so long that it must begin at once.
+    """
+
+    does: tuple[str, ...]
+    last: tuple[str, ...] = ()
+    path: str = ""
+    stands: bool = False
+    halts: bool = False
+    moving: bool = False
+    long: bool = False
+
+
+_BRAKES_TO_STAND = f"BrakeOnPath({{path}}, $BRAKE) until {_STAND}"
+_STOP = Step(
+    does=(_BRAKES_TO_STAND, "Halt() for $STOP_TIME seconds"),
+    last=(_BRAKES_TO_STAND, "Halt()"),
+    stands=True,
+    halts=True,
+)
+ALONG: dict[Action, Step] = {
+    Action.BRAKE: Step(
+        does=("BrakeOnPath({path}, $BRAKE) for $BRAKE_TIME seconds",), last=("BrakeOnPath({path}, $BRAKE)",)
+    ),
+    Action.STOP: _STOP,
+    Action.HESITATE: Step(
+        does=(*_STOP.does, "DrivePath({path}, $ADV_SPEED) for 2 seconds"),
+        last=(*_STOP.does, "DrivePath({path}, $ADV_SPEED)"),
+        halts=True,
+    ),
+    Action.REVERSE: Step(
+        does=("ReverseStraight($BACK_SPEED) for $BACK_TIME seconds",),
+        last=("ReverseStraight($BACK_SPEED) for $BACK_TIME seconds", "Halt()"),
+        stands=True,
+        halts=True,
+    ),
+    Action.ACCELERATE: Step(
+        does=("ThrottleOnPath({path}, $THROTTLE) for 2.5 seconds",), last=("ThrottleOnPath({path}, $THROTTLE)",)
+    ),
+    Action.WEAVE: Step(
+        does=("WeaveOnPath({path}, $ADV_SPEED, $AMPLITUDE, 3) for 4.5 seconds",),
+        last=("WeaveOnPath({path}, $ADV_SPEED, $AMPLITUDE, 3)",),
+        long=True,
+    ),
+}
+"""What somebody does who goes along a line."""
+
+_CUT_IN = Step(does=(f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1",), path=_OWN)
+_OVERTAKE = "$OVERTAKING) until headway(egoRoute, ego, self) > $ADV_AHEAD"
+_TOWARD_EGO = "-$SWERVE if offsetFrom(egoRoute, self) > 0 else $SWERVE"
+_BESIDE: dict[Action, Step] = {
+    **ALONG,
+    Action.CUT_IN: _CUT_IN,
+    Action.PACE: Step(
+        does=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5) for $PACE_TIME seconds",),
+        last=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5)",),
+        moving=True,
+    ),
+    Action.SWERVE: Step(does=(f"SwerveOnPath({{path}}, $ADV_SPEED, {_TOWARD_EGO}) for $SWERVE_TIME seconds",)),
+}
+
+
+def _without(steps: dict[Action, Step], one: Action) -> dict[Action, Step]:
+    return {action: step for action, step in steps.items() if action is not one}
+
+
+_COMES = "MoveAhead($ADV_SPEED)"
+ACROSS: dict[Action, Step] = {
+    Action.CROSS: Step(does=(f"{_COMES} until abs(offsetFrom(egoRoute, self)) < 2.5",), last=(_COMES,)),
+    Action.STOP: Step(
+        does=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds"),
+        last=("Halt()",),
+        stands=True,
+        halts=True,
+    ),
+    Action.HESITATE: Step(
+        does=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", f"{_COMES} for 1 seconds"),
+        last=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", _COMES),
+        halts=True,
+    ),
+    Action.ACCELERATE: Step(does=("MoveAhead($ADV_SPRINT) for 1 seconds",), last=("MoveAhead($ADV_SPRINT)",)),
+    Action.TURN_BACK: Step(
+        does=("MoveAhead($ADV_SPEED, 3.14159) for 1.5 seconds",), last=("MoveAhead($ADV_SPEED, 3.14159)",)
+    ),
+}
+"""What somebody does who comes from beside the road on foot."""
+_ROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $ADV_SPEED, 2)"
+_ACROSS_RIDING: dict[Action, Step] = {
+    **ACROSS,
+    Action.TURN_BACK: Step(does=(_ROUND, f"{_COMES} for 1.5 seconds"), last=(_ROUND, _COMES)),
+}
+_BRISKLY = "MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < 3"  # or the ego would be there before the next act
+_RESTS = f"{_COMES} until restsWithin(egoRoute, self, $STOP_DISTANCE)"  # how it comes where it is to stand
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Start:
+    """What is done before the first act, by where one starts.
+
+    Attributes:
+        path: The line that one goes along.
+        opening: The phases that end when the first act is due.
+        steps: How acts are done from there.
+        at: Range [m] and meaning of the parameter that says when it is due.
+        given: Acts that the place alone shows.
+        sooner: How much sooner [m] it is due for each further act, so that all begin before the ego meets anything.
+        first: The act without which there is no other; None if there is none.
+        constants: What the plan tells its partners.
+    """
+
+    path: str
+    opening: tuple[str, ...]
+    steps: dict[Action, Step]
+    at: tuple[float, float, str]
+    given: frozenset[Action] = frozenset()
+    sooner: float = 0.0
+    first: Action | None = None
+    constants: tuple[str, ...] = ()
+
+
+_BEFORE_EVENT = "distanceLeft(egoRoute, ego, egoRoute.eventAt) < $ADV_DISTANCE"
+_BEFORE = "how far before the start of its manoeuvre the ego is when the adversary acts"
+_SETS_OFF = "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < $ADV_DISTANCE"
+_COMES_UP = "DrivePath(advTrajectory, $ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < "
+_TO_IT = "how far the ego still has to go when it starts to move"
+STARTS: dict[Position, Start] = {
+    Position.AHEAD: Start(
+        path="advTrajectory",
+        opening=(f"KeepStation(advTrajectory, ego, $LEAST) until {_BEFORE_EVENT}",),
+        steps={
+            **ALONG,
+            Action.CHANGE_LANE: Step(
+                does=("DrivePath(adjacentLane, $ADV_SPEED) until abs(offsetFrom(adjacentLane, self)) < 0.5",),
+                path="adjacentLane",
+            ),
+        },
+        at=(-15, 20, _BEFORE),
+        sooner=14,
+    ),
+    Position.AHEAD_BESIDE: Start(
+        path="advLane",
+        opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
+        steps=_BESIDE,
+        at=(-15, 20, _BEFORE),
+        sooner=14,
+    ),
+    Position.BESIDE: Start(
+        path="advLane",
+        opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
+        steps=_BESIDE,
+        at=(-25, 5, _BEFORE),
+        sooner=14,
+    ),
+    Position.BEHIND_BESIDE: Start(
+        path="advLane",
+        opening=("KeepStation(advLane, ego) for 1 seconds",),
+        steps={
+            **_without(_BESIDE, Action.PACE),  # it is not level
+            Action.OVERTAKE: Step(does=(f"DrivePath({{path}}, {_OVERTAKE}",), moving=True),
+        },
+        at=(0, 0, ""),
+    ),
+    Position.BEHIND: Start(
+        path="advTrajectory",
+        opening=("KeepStation(advTrajectory, ego) for 1 seconds",),
+        steps={
+            **ALONG,
+            Action.TAILGATE: Step(
+                does=(
+                    "PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 12) for $TAIL_TIME seconds",
+                ),
+                last=("PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 12)",),
+                moving=True,
+                long=True,
+            ),
+            Action.OVERTAKE: Step(
+                does=(
+                    f"DrivePath(extended(adjacentLane, 20), {_OVERTAKE}",
+                    "DrivePath(egoRoute, $ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 1",
+                ),
+                path="egoRoute",
+                moving=True,
+            ),
+        },
+        at=(0, 0, ""),
+    ),
+    Position.ONCOMING: Start(
+        path="advTrajectory",
+        opening=("DrivePath(advTrajectory, $ADV_SPEED) until self.pose[3] > 4 and gap(self, ego) < $ADV_DISTANCE",),
+        steps={
+            **_without(ALONG, Action.WEAVE),  # it would be past before it has swung twice
+            Action.SWERVE: Step(does=("SwerveOnPath({path}, $ADV_SPEED, $SWERVE) for $SWERVE_TIME seconds",)),
+        },
+        at=(20, 50, "distance to the ego at which it acts"),
+        given=frozenset((Action.ONCOMING,)),
+        sooner=18,
+    ),
+    Position.KERB: Start(
+        path="advKerb",
+        opening=("Park() until headway(egoRoute, ego, self) < $ADV_DISTANCE",),
+        steps={
+            **ALONG,
+            Action.PULL_OUT: Step(
+                does=(
+                    "DrivePath(advKerb, 3) for 0.3 seconds",
+                    f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1.1",
+                ),
+                path=_OWN,
+            ),
+        },
+        at=(16, 36, "how far the ego still has to go to it when it moves off"),
+        sooner=8,
+        first=Action.PULL_OUT,
+    ),
+    Position.CROSSING: Start(
+        path="advTrajectory",
+        opening=(_SETS_OFF, _COMES_UP + "$ACT_DISTANCE"),
+        steps={
+            **ALONG,
+            Action.CROSS: Step(
+                does=(_COMES_UP + "-5",),
+                last=("DrivePath(advTrajectory, $ADV_SPEED)",),
+            ),
+        },
+        at=(12, 48, "how far the ego still is from where their ways meet when it sets off"),
+        given=frozenset((Action.CROSS,)),
+        sooner=12,
+        constants=('advTurn = ("straight", "left-turn", "right-turn")',),
+    ),
+    Position.ROADSIDE: Start(
+        path="egoRoute",
+        opening=(
+            "Halt() until headway(egoRoute, ego, self) < "
+            "$ADV_DISTANCE + 8 * max(0, abs(offsetFrom(egoRoute, self)) - 3) / $ADV_SPEED",
+        ),
+        steps=ACROSS,
+        at=(15, 45, _TO_IT),
+        sooner=14,
+    ),
+}
+
+_RANGES: dict[str, tuple[float, float, str, str]] = {
+    "BRAKE": (0.4, 1, "1", "how hard it brakes"),
+    "BRAKE_TIME": (0.6, 1.1, "s", "for how long it brakes"),
+    "STOP_TIME": (0.8, 2.5, "s", "how long it stands"),
+    "STOP_DISTANCE": (0, 1, "m", "how far from the ego's line it comes to rest"),
+    "REST_DISTANCE": (-1, 2, "m", "how far beyond where their ways meet it comes to rest"),
+    "THROTTLE": (0.5, 1, "1", "how far the pedal is pressed"),
+    "BACK_SPEED": (1, 3.5, "m/s", "how fast it backs up"),
+    "BACK_TIME": (1.5, 4, "s", "for how long it backs up"),
+    "AMPLITUDE": (0.7, 1.2, "m", "how far it swings to either side"),
+    "SWERVE": (1.5, 2.5, "m", "how far it swerves"),
+    "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
+    "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
+    "TAIL_TIME": (4, 6, "s", "for how long it keeps so"),
+    "ADV_AHEAD": (0.5, 5, "m", "how far ahead of the ego it is then"),
+    "ADV_GAP": (-0.4, 2.5, "m", "how much room it means to leave; below 0 it will touch"),
+    "OVERTAKING": (11.5, 15, "m/s", "how fast it overtakes at most"),
+    "ADV_SPRINT": (4, 6.5, "m/s", "how fast it goes then"),
+    "ACT_DISTANCE": (0, 12, "m", "how far before the place where their ways meet it acts"),
+}
+"""The parameters of steps but for speed and trigger: range, unit, meaning."""
+_GENTLY = 0.3, 0.6  # how hard somebody brakes who then does more, or the ego would be there before
+_PAUSE = 0.4, 1.2  # [s], how long somebody stands who comes from beside the road: the ego is near
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """What a composed behavior is to do.
+
+    Attributes:
+        kind: Who does it.
+        position: Where it starts.
+        actions: What it does, in order.
+    """
+
+    kind: AdversaryKind
+    position: Position
+    actions: tuple[Action, ...]
+
+    @property
+    def snippet_id(self) -> str:
+        """The id of the behavior."""
+        return COMPOSED + ".".join((self.kind, self.position, *self.actions))
+
+
+def compose(asked: Asked) -> Snippet | None:
+    """A behavior that does what is asked for and nothing else; None if there are no steps for that, or not in order."""
+    start = STARTS.get(asked.position)
+    if start is None or not asked.actions or (_walks(asked) and start.steps is not ACROSS):
+        return None
+    steps = _ACROSS_RIDING if start.steps is ACROSS and not _walks(asked) else start.steps
+    lasting = {action for action in asked.actions if action.row.all_along}
+    acts = [action for action in asked.actions if action not in lasting]
+    if acts[:1] and acts[0] in start.given:
+        acts = acts[1:]  # it comes from there
+    if Action.BLOCK in lasting and Action.STOP not in acts:
+        acts.append(Action.STOP)
+    if not set(acts) <= steps.keys() or not lasting <= {*start.given, *_PACES, Action.BLOCK}:
+        return None
+    if start.first is not None and acts[:1] != [start.first]:
+        return None
+    stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
+    if any(steps[action].moving and before for action, before in zip(acts, stood, strict=False)):
+        return None
+    return _snippet(asked, start, len(acts), tuple(_phases(asked, start, steps, acts)))
+
+
+def goes_without_saying(asked: Asked) -> frozenset[Action]:
+    """What whoever does what is asked for does as well: who reverses has stopped, who stands ahead is in the way."""
+    start = STARTS.get(asked.position)
+    implied = {one for action in asked.actions for one in _IMPLIED.get(action, ())}
+    return frozenset(implied | (start.given if start else frozenset()))
+
+
+def is_composed(snippet: Snippet) -> bool:
+    """Whether a snippet was composed."""
+    return snippet.id.startswith(COMPOSED)
+
+
+def composed_again(snippet_id: str) -> Snippet:
+    """The composed behavior of an id.
+
+    Raises:
+        SnippetError: There is none.
+    """
+    try:
+        kind, position, *actions = snippet_id.removeprefix(COMPOSED).split(".")
+        asked = Asked(kind=AdversaryKind(kind), position=Position(position), actions=tuple(map(Action, actions)))
+    except ValueError as error:
+        raise SnippetError(f"there is no snippet {snippet_id!r}: {error}") from error
+    if (made := compose(asked)) is None:
+        raise SnippetError(f"there is no snippet {snippet_id!r}: no step of a plan does that")
+    return made
+
+
+_PART_OF: dict[Action | None, tuple[Action, ...]] = defaultdict(
+    lambda: (Action.BRAKE, Action.CROSS), {Action.HESITATE: (Action.BRAKE, Action.CROSS, Action.STOP)}
+)  # what need not be done before somebody halts: it is a part of that
+_IMPLIED = {Action.REVERSE: (Action.STOP,), Action.STOP: (Action.BRAKE, Action.BLOCK)}
+_PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
+
+
+def _walks(asked: Asked) -> bool:
+    return asked.kind.row.manner is Manner.WALKS
+
+
+def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
+    """What is done, phase by phase."""
+    if not acts:
+        yield from _on_its_way(asked, start)
+        return
+    yield from _opening(asked, start, acts[0], steps)
+    path, stands, across = start.path, False, start.steps is ACROSS
+    for before, action, after in zip((None, *acts), acts, (*acts[1:], None), strict=False):
+        step, following = steps[action], steps[after] if after else None
+        if following and following.halts and action in _PART_OF[after]:
+            continue
+        if across and not stands and before in (None, Action.CROSS, Action.BRAKE) and step.halts:
+            yield from (_RESTS,) if after is None else (_BRISKLY, _RESTS)
+        elif across and before is None and action is not Action.CROSS:
+            yield f"{_COMES} until abs(offsetFrom(egoRoute, self)) < 2.5"
+        elif not across and not stands and action is Action.REVERSE:
+            yield from (_BRAKES_TO_STAND.format(path=path), "Halt() for 0.5 seconds")
+        elif not across and stands and action not in (Action.REVERSE, Action.ACCELERATE):
+            yield f"DrivePath({path}, $ADV_SPEED) for 2.5 seconds"
+        path = step.path or path
+        if after is None:
+            yield from (phase.format(path=path) for phase in step.last or (*step.does, "DrivePath({path}, $ADV_SPEED)"))
+        else:
+            yield from (phase.format(path=path) for phase in step.does)
+        stands = step.stands
+
+
+def _on_its_way(asked: Asked, start: Start) -> Iterator[str]:
+    """What somebody does of whom no act was said: goes on."""
+    if start.steps is ACROSS or asked.position is Position.CROSSING:
+        yield start.opening[0]
+    yield _COMES if start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
+
+
+def _opening(asked: Asked, start: Start, first: Action, steps: dict[Action, Step]) -> Iterator[str]:
+    """What is done until the first act is due."""
+    along = f"DrivePath({start.path}, $ADV_SPEED)"
+    if steps[first].long:
+        yield f"{along} for 0.5 seconds"
+    elif asked.position is Position.AHEAD and _PACES.intersection(asked.actions):
+        yield f"{along} until headway(egoRoute, ego, self) < $ADV_DISTANCE"
+    elif Action.CROSS in asked.actions and asked.position is Position.CROSSING and steps[first].halts:
+        yield from (_SETS_OFF, f"{_COMES_UP} brakingDistance(self) / $BRAKE - $REST_DISTANCE")
+    else:
+        yield from start.opening
+
+
+def _snippet(asked: Asked, start: Start, acts: int, phases: Sequence[str]) -> Snippet:
+    text = "\n".join(phases)
+    names = list(dict.fromkeys(re.findall(r"\$([A-Z_]+)", text)))
+    ranges = {name: _range(asked, start, acts, name) for name in names if name != "LEAST"}
+    for name in sorted(names, key=len, reverse=True):
+        text = text.replace(f"${name}", _least(asked) if name == "LEAST" else f"globalParameters.OPT_{name}")
+    source = "\n".join(
+        (
+            *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in ranges.values()),
+            *start.constants,
+            "behavior AdvBehavior():",
+            *(f"    do {phase}" for phase in text.split("\n")),
+        )
+    )
+    source = print_plan(parse_plan(source))
+    requires, provides = names_in(source)
+    return Snippet(
+        id=asked.snippet_id,
+        component=Component.BEHAVIOR,
+        description=_description(asked),
+        rephrasings=(),
+        slots=Slots(actions=asked.actions, position=asked.position),
+        adversaries=(asked.kind,),
+        requires=requires,
+        provides=provides,
+        parameters=tuple(ranges.values()),
+        origin="composed of acts",
+        source=source,
+    )
+
+
+def _description(asked: Asked) -> str:
+    acts = "; then ".join(action.row.meaning for action in asked.actions)
+    return f"The {asked.kind.replace('-', ' ')} {acts}."
+
+
+def _least(asked: Asked) -> str:
+    return "4" if asked.kind.row.manner is Manner.RIDES else "5"
+
+
+def _range(asked: Asked, start: Start, acts: int, name: str) -> ParameterRange:
+    if name == "ADV_DISTANCE":
+        sooner, (low, high, meaning) = start.sooner * max(acts - 1, 0), start.at
+        low, high = low + sooner, high + sooner
+        return ParameterRange(name="OPT_ADV_DISTANCE", low=low, high=high, unit="m", meaning=meaning)
+    if name == "ADV_SPEED":
+        low, high = _speeds(asked)
+        return ParameterRange(name="OPT_ADV_SPEED", low=low, high=high, unit="m/s", meaning="how fast it goes")
+    low, high, unit, meaning = _RANGES[name]
+    if name == "BRAKE" and acts > 1:
+        low, high = _GENTLY
+    elif name == "STOP_TIME" and start.steps is ACROSS:
+        low, high = _PAUSE
+    return ParameterRange(name=f"OPT_{name}", low=low, high=high, unit=unit, meaning=meaning)
+
+
+def _speeds(asked: Asked) -> tuple[float, float]:
+    row = asked.kind.row
+    if Action.SLOW in asked.actions:
+        return round(0.4 * row.slow, 2), round(0.8 * row.slow, 2)
+    if Action.FAST in asked.actions:
+        return round(1.02 * row.fast, 2), round(1.25 * row.fast, 2)
+    if asked.position is Position.ROADSIDE:
+        return (2.2, 3.2) if Action.TURN_BACK in asked.actions and not _walks(asked) else (1.4, 4)
+    if asked.position in (Position.ONCOMING, Position.CROSSING):
+        return (4, 7) if row.manner is Manner.RIDES and not row.motorised else (6, 10)
+    return (3.5, 6) if not row.motorised else (5, 9)

@@ -1,0 +1,65 @@
+"""What no snippet does is composed, where words say all that is done; what one does is left to it."""
+
+from __future__ import annotations
+
+import pytest
+
+from chatscene.ego.rule_based import RuleBased
+from chatscene.interpret.choose import choose
+from chatscene.interpret.decide import scenario_of
+from chatscene.library.compose import is_composed
+from chatscene.maps.network import resolve_map
+from chatscene.program.check import check
+from chatscene.search.generators.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings, SimulationSettings
+from chatscene.simulate.simulator import Simulator, load_simulator
+from chatscene.terms.snippet import Tried
+
+SETTINGS = RetrievalSettings()
+
+
+@pytest.fixture(scope="module")
+def simulator() -> Simulator:
+    return load_simulator(resolve_map("town"), SimulationSettings())
+
+
+@pytest.mark.parametrize(
+    ("text", "snippet_id"),
+    [
+        ("A cyclist from the right stops in front of us, then turns back.", "bicycle.roadside.cross.stop.turn-back"),
+        ("A motorcycle from behind overtakes us and brakes.", "motorcycle.behind.overtake.brake"),
+        ("A truck ahead weaves, then reverses.", "truck.ahead.weave.reverse"),
+    ],
+)
+def test_what_words_say_and_no_snippet_does_is_composed_and_shown(
+    text: str, snippet_id: str, simulator: Simulator
+) -> None:
+    scenario = scenario_of(text, SETTINGS)
+    written = Retrieved().write(scenario, SETTINGS)
+    assert written.retrieval is not None
+    assert written.retrieval.behavior.snippet.id == f"behavior/composed.{snippet_id}"
+    assert any("composed" in note for note in written.retrieval.notes)
+    checked = check(written.program, scenario.slots, simulator, RuleBased())
+    assert any(not failures for failures in checked.meaning)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The car ahead accelerates, then brakes.",  # a snippet does it
+        "An oncoming car brakes, then accelerates.",  # oncoming goes without saying
+        "A cyclist does something odd ahead of us.",  # words do not say what
+    ],
+)
+def test_a_snippet_that_does_it_is_preferred(text: str) -> None:
+    retrieval, _ = choose(scenario_of(text, SETTINGS), SETTINGS)
+    assert not is_composed(retrieval.behavior.snippet)
+
+
+def test_a_composed_behavior_that_was_tried_gives_way_to_the_nearest_snippet() -> None:
+    scenario = scenario_of("A motorcycle from behind overtakes us and brakes.", SETTINGS)
+    first, _ = choose(scenario, SETTINGS)
+    behavior, _, spawn = first.snippets
+    again, _ = choose(scenario, SETTINGS, [Tried(snippet_ids=(behavior.id, spawn.id), reason="not shown")])
+    assert is_composed(behavior)
+    assert not is_composed(again.behavior.snippet)

@@ -1,0 +1,108 @@
+"""A behavior that nobody wrote does what was said, in order, and is the same whenever it is composed."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from chatscene.errors import SnippetError
+from chatscene.library.compose import STARTS, Asked, compose, composed_again, goes_without_saying
+from chatscene.library.load import library_with
+from chatscene.library.plan import parse_plan, print_plan
+from chatscene.library.plan_check import check_plan
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.plan import Plan
+from chatscene.terms.scenario import Position
+
+
+def asked_of(said: str) -> Asked:
+    kind, position, *actions = said.split()
+    return Asked(kind=AdversaryKind(kind), position=Position(position), actions=tuple(map(Action, actions)))
+
+
+def plan(said: str) -> Plan:
+    made = compose(asked_of(said))
+    assert made is not None
+    return parse_plan(made.source)
+
+
+@given(
+    kind=st.sampled_from(AdversaryKind),
+    position=st.sampled_from(sorted(STARTS)),
+    actions=st.lists(st.sampled_from(Action), min_size=1, max_size=4, unique=True),
+)
+@settings(max_examples=300, deadline=None)
+def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
+    kind: AdversaryKind, position: Position, actions: list[Action]
+) -> None:
+    asked = Asked(kind=kind, position=position, actions=tuple(actions))
+    made = compose(asked)
+    if made is None:
+        with pytest.raises(SnippetError, match="no step of a plan does that"):
+            composed_again(asked.snippet_id)
+        return
+    assert composed_again(made.id) == made == library_with().get(made.id)
+    parsed = parse_plan(made.source)
+    assert print_plan(parsed) == made.source
+    assert not list(check_plan(parsed, made.parameters))
+    assert {p.name: (p.low, p.high) for p in made.parameters} == {p.name: (p.low, p.high) for p in parsed.parameters}
+    assert (made.slots.actions, made.slots.position, made.adversaries) == (asked.actions, position, (kind,))
+
+
+@pytest.mark.parametrize(
+    ("said", "primitives"),
+    [
+        ("car ahead brake stop", ["KeepStation", "BrakeOnPath", "Halt"]),
+        ("car ahead stop accelerate", ["KeepStation", "BrakeOnPath", "Halt", "ThrottleOnPath"]),
+        (
+            "bus ahead-beside cut-in reverse",
+            ["KeepStation", "DrivePath", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"],
+        ),
+        ("truck ahead slow", ["DrivePath"]),
+        ("motorcycle behind overtake brake", ["KeepStation", "DrivePath", "DrivePath", "BrakeOnPath"]),
+        ("pedestrian roadside cross", ["Halt", "MoveAhead"]),
+        ("pedestrian roadside cross stop turn-back", ["Halt", "MoveAhead", "MoveAhead", "Halt", "Halt", "MoveAhead"]),
+        ("bicycle crossing cross", ["Halt", "DrivePath"]),
+    ],
+)
+def test_acts_are_done_one_after_the_other(said: str, primitives: list[str]) -> None:
+    assert [phase.primitive for phase in plan(said).phases] == primitives
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "pedestrian ahead brake",  # nobody on foot drives in a lane
+        "car ahead cut-in",  # it is in the lane
+        "car behind stop overtake",  # who has stood does not overtake
+        "car kerb brake",  # before it pulls out it has nothing to brake
+        "car crossing run-light",  # no step for it
+    ],
+)
+def test_what_has_no_steps_or_not_in_that_order_is_not_composed(said: str) -> None:
+    assert compose(asked_of(said)) is None
+
+
+def test_more_acts_begin_sooner() -> None:
+    def trigger(said: str) -> float:
+        return next(p.low for p in plan(said).parameters if p.name == "OPT_ADV_DISTANCE")
+
+    assert (
+        trigger("car ahead brake") < trigger("car ahead brake accelerate") < trigger("car ahead brake accelerate stop")
+    )
+
+
+def test_what_an_act_or_a_place_shows_by_itself_need_not_be_said() -> None:
+    assert Action.STOP in goes_without_saying(asked_of("car ahead reverse"))
+    assert Action.ONCOMING in goes_without_saying(asked_of("car oncoming brake"))
+    assert Action.STOP not in goes_without_saying(asked_of("car ahead brake"))
+
+
+@pytest.mark.parametrize(
+    "wrong", ["behavior/composed.", "behavior/composed.car.ahead", "behavior/composed.ufo.ahead.brake"]
+)
+def test_an_id_that_says_nothing_that_can_be_composed_is_no_snippet(wrong: str) -> None:
+    with pytest.raises(SnippetError, match="there is no snippet"):
+        library_with().get(f"behavior/composed.{wrong}")
