@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -52,6 +53,6 @@ def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str, phy
 
     settings = SimulationSettings(simulator=simulator, physics=physics)
     try:
-        serve(maps, host, port, settings, ready=ready, log=lambda refusal: say(f"refused: {refusal}", err=True))
+        serve(maps, host, port, settings, ready=ready, log=partial(say, err=True))
     except KeyboardInterrupt:
         say("ended; the world is gone, and clients have to connect anew")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import random
 import socket
 from collections.abc import Generator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -23,9 +25,14 @@ TEXTS = ("", "town", MKZ, "sensor.lidar.ray_cast", "x" * 1000)
 
 
 @pytest.fixture(scope="module")
-def port() -> Generator[int]:
-    with serving() as (port, _):
-        yield port
+def server() -> Generator[tuple[int, Any]]:
+    with serving() as (port, process):
+        yield port, process
+
+
+@pytest.fixture(scope="module")
+def port(server: tuple[int, Any]) -> int:
+    return server[0]
 
 
 def nonsense(chance: random.Random, depth: int = 0) -> Any:
@@ -75,6 +82,103 @@ def test_ten_thousand_nonsense_messages_get_an_answer_each_and_the_server_goes_o
     assert refusals > 5_000
     _, world = connected(port)
     assert world.tick() > 0
+
+
+def test_every_call_answers_whatever_it_is_given(port: int) -> None:
+    client, world = connected(port)
+    car = world.spawn_actor(world.get_blueprint_library().find(MKZ), world.get_map().get_spawn_points()[0])
+    chance = random.Random(0)
+    deep: Any = []
+    for _ in range(500):
+        deep = [deep]
+    whatever = (
+        car.id,
+        None,
+        True,
+        -1,
+        2**64 - 1,
+        1e308,
+        float("nan"),
+        "",
+        "é",
+        b"\xff",
+        [],
+        [1.0, 2.0, 3.0],
+        [[]],
+        {},
+        deep,
+    )
+    reader = msgpack.Unpacker(raw=False, strict_map_key=False, unicode_errors="surrogateescape")
+    with socket.create_connection(("127.0.0.1", port), timeout=60) as connection:
+        for name in NAMES:
+            for _ in range(30):
+                arguments = [car.id] * chance.randrange(2) + [
+                    chance.choice(whatever) for _ in range(chance.randrange(5))
+                ]
+                connection.sendall(said([0, 1, name, [[False], *arguments]]))
+                assert heard(connection, reader)[:3] == [1, 1, None], (name, arguments)
+    assert client.get_server_version() == "0.9.16"
+
+
+def memory(process: int) -> float:
+    """[MiB] that a process holds."""
+    return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+HUGE = {
+    "binary": b"\xc6\xff\xff\xff\xff",
+    "text": b"\xdb\xff\xff\xff\xff",
+    "list": b"\xdd\xff\xff\xff\xff",
+    "map": b"\xdf\xff\xff\xff\xff",
+    "lists in lists": b"\xdd\x00\x01\x86\xa0" * 500,
+    "longer lists in lists": b"\xdd\x03\x93\x87\x00" * 500,
+    "extension": b"\xc9\xff\xff\xff\xff\x01",
+}
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="what a process holds is read from /proc")
+def test_room_is_made_for_what_came_and_not_for_what_was_announced(server: tuple[int, Any]) -> None:
+    port, process = server
+    before = memory(process.pid)
+    calls = [socket.create_connection(("127.0.0.1", port), timeout=60) for _ in range(20)]
+    for number, connection in enumerate(calls):
+        connection.sendall(list(HUGE.values())[number % len(HUGE)] + b"x" * 100)
+    streams = [socket.create_connection(("127.0.0.1", port + 1), timeout=60) for _ in range(20)]
+    for connection in streams:
+        connection.sendall(b"\xff\xff\xff\xff" * 100)
+    _, world = connected(port)
+    assert world.tick() > 0
+    assert memory(process.pid) - before < 200
+    for connection in calls + streams:
+        connection.close()
+
+
+def test_clients_that_dawdle_stop_halfway_or_never_read_hold_up_nobody(server: tuple[int, Any]) -> None:
+    port, process = server
+    before = memory(process.pid)
+    call = said([0, 1, "get_map_data", [[False]]])
+    held: list[socket.socket] = []
+    for place in (port, port + 1):
+        for sent in (b"", call[:7], b"\x01"):
+            for shut in (False, True):
+                connection = socket.create_connection(("127.0.0.1", place), timeout=60)
+                connection.sendall(sent)
+                if shut:
+                    connection.shutdown(socket.SHUT_WR)
+                held.append(connection)
+    greedy = socket.create_connection(("127.0.0.1", port), timeout=60)
+    greedy.sendall(call * 2000)  # it never reads the answers, some 400 MB
+    _, world = connected(port)
+    for place in (port, port + 1):  # byte after byte
+        slow = socket.create_connection(("127.0.0.1", place), timeout=60)
+        held.append(slow)
+        for byte in call[:5]:
+            slow.sendall(bytes([byte]))
+            assert world.tick() > 0
+    assert process.poll() is None
+    assert memory(process.pid) - before < 200
+    for connection in [*held, greedy]:
+        connection.close()
 
 
 def test_what_is_no_message_at_all_cuts_off_nobody_else(port: int) -> None:
@@ -133,3 +237,20 @@ def test_loads_and_spawns_in_a_row_leave_nothing_behind(port: int) -> None:
         assert len(world.get_actors()) == kept + 10
         world = client.reload_world(False)
         assert len(world.get_actors()) == kept
+
+
+def test_a_traffic_manager_that_misses_a_step_is_woken(port: int) -> None:
+    with (
+        socket.create_connection(("127.0.0.1", port), timeout=60) as client,
+        socket.create_server(("127.0.0.1", 0)) as it,
+    ):
+        it.settimeout(60)
+        place = ["127.0.0.1", it.getsockname()[1]]
+        calls = [["add_traffic_manager_running", [[False], place]], ["tick_cue", [[False]]]]
+        for number, call in enumerate(calls):
+            client.sendall(said([0, number, *call]))
+        woken, _ = it.accept()
+        reader = msgpack.Unpacker(raw=False)
+        with woken:
+            modes = [heard(woken, reader)[2:] for _ in range(2)]
+    assert modes == [["set_synchronous_mode", [False]], ["set_synchronous_mode", [True]]]

@@ -37,6 +37,7 @@ def test_a_port_that_is_taken_is_named() -> None:
     ("options", "says"),
     [
         (["--map", "twon"], "did you mean 'town'?"),
+        (["--map", "no/such.xodr"], "no/such.xodr"),
         (["--simulator", "confined"], "brings no bodies that a stand-in for CARLA could move"),
         (["--simulator", "carla"], "brings no bodies that a stand-in for CARLA could move"),
     ],
@@ -45,6 +46,16 @@ def test_what_cannot_be_served_is_said_before_anybody_calls(options: list[str], 
     done = CliRunner().invoke(main, ["serve-carla", *options])
     assert done.exit_code == 1
     assert says in done.output
+
+
+def test_another_version_of_the_wheel_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def version(_: str) -> str:
+        return "0.9.15"
+
+    monkeypatch.setattr("chatscene.simulate.carla.standin.roads.version", version)
+    done = CliRunner().invoke(main, ["serve-carla"])
+    assert done.exit_code == 1
+    assert "needs the wheel carla 0.9.16, not 0.9.15" in done.output
 
 
 def test_without_the_wheel_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

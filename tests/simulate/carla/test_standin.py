@@ -253,6 +253,18 @@ def test_a_vehicle_waits_at_the_light_of_its_own_lane(world: Any) -> None:
     assert not car.is_at_traffic_light()
 
 
+def test_lamps_are_kept_and_told(world: Any) -> None:
+    car = spawned(world)
+    for lamps in (
+        carla.VehicleLightState(carla.VehicleLightState.Brake | carla.VehicleLightState.Fog),
+        carla.VehicleLightState.LowBeam,
+    ):
+        car.set_light_state(lamps)
+        world.tick()
+        assert car.get_light_state() == lamps
+        assert world.get_vehicles_light_states() == {car.id: lamps}
+
+
 def test_weather_is_kept_and_told(world: Any) -> None:
     world.set_weather(carla.WeatherParameters.HardRainNoon)
     assert world.get_weather() == carla.WeatherParameters.HardRainNoon

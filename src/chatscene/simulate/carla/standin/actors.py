@@ -63,19 +63,9 @@ class Actor:
         self.follow()
 
     @property
-    def extent(self) -> list[float]:
-        """Half of length, width and height [m]."""
-        return [side / 2 for side in self.blueprint.size]
-
-    @property
-    def lifted(self) -> float:
-        """How far above its origin the middle of its box lies [m]: a walker's origin is its middle."""
-        return 0.0 if self.blueprint.group == "walker" else self.extent[2]
-
-    @property
     def box(self) -> list[Any]:
         """Its bounding box as it goes over the wire."""
-        return [[0.0, 0.0, self.lifted], self.extent, [0.0, 0.0, 0.0]]
+        return self.blueprint.box
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -264,7 +254,7 @@ class BodyActor(Actor):
 
     def _height(self, roads: Roads, at: list[float]) -> float:
         """On the road, at once: there is no falling."""
-        foot = at[2] - (self.extent[2] if self.blueprint.group == "walker" else 0.0)
+        foot = at[2] - (self.blueprint.extent[2] if self.blueprint.group == "walker" else 0.0)
         ground = roads.ground(at)
         return at[2] if foot < ground - _DROP else at[2] - foot + ground
 

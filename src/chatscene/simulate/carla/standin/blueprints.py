@@ -48,6 +48,21 @@ class Blueprint:
         return self.id.split(".", 1)[0]
 
     @property
+    def extent(self) -> list[float]:
+        """Half of length, width and height [m]."""
+        return [side / 2 for side in self.size]
+
+    @property
+    def lifted(self) -> float:
+        """How far above its origin the middle of its box lies [m]: a walker's origin is its middle."""
+        return 0.0 if self.group == "walker" else self.extent[2]
+
+    @property
+    def box(self) -> list[Any]:
+        """Its bounding box as it goes over the wire."""
+        return [[0.0, 0.0, self.lifted], self.extent, [0.0, 0.0, 0.0]]
+
+    @property
     def solid(self) -> bool:
         """Whether others can touch it."""
         return self.group in ("vehicle", "walker") or self.id.startswith("static.prop")

@@ -89,6 +89,16 @@ def set_weather_parameters(world: World, weather: Any) -> None:
     world.weather = [*given, *world.weather[len(given) :]]
 
 
+def get_imui_gravity(world: World) -> float:
+    """What inertial sensors feel of standing on the ground [m/s²]."""
+    return world.gravity
+
+
+def set_imui_gravity(world: World, gravity: Any) -> None:
+    """Let them feel another one; nothing falls here."""
+    world.gravity = wire.number(gravity)
+
+
 def project_point(world: World, location: Any, direction: Any, distance: Any) -> list[Any]:
     """The road below a point, where one looks down; there is nothing else to hit."""
     at, down, far = wire.numbers(location, 3), wire.numbers(direction, 3), wire.number(distance)
@@ -193,6 +203,8 @@ CALLS: dict[str, Call] = {
     "copy_opendrive_to_file": copy_opendrive_to_file,
     "get_weather_parameters": get_weather_parameters,
     "set_weather_parameters": set_weather_parameters,
+    "get_imui_gravity": get_imui_gravity,
+    "set_imui_gravity": set_imui_gravity,
     "project_point": project_point,
     "set_traffic_light_state": set_traffic_light_state,
     "set_traffic_light_green_time": _set_time(0),
@@ -213,9 +225,11 @@ CALLS: dict[str, Call] = {
     "query_lights_state": _empty,
     "get_environment_objects": _empty,
     "get_names_of_all_objects": _empty,
-    "get_level_bbs": _empty,
+    "get_all_level_BBs": _empty,
     "cast_ray": _empty,
-    # Nothing is drawn here.
+    # Nothing is drawn here, and no map has layers.
+    "load_map_layer": _nothing,
+    "unload_map_layer": _nothing,
     "draw_debug_shape": _nothing,
     "clear_debug_shape": _nothing,
     "clear_debug_string": _nothing,

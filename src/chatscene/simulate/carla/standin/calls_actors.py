@@ -121,12 +121,12 @@ def set_actor_collisions(world: World, actor: Any, on: Any) -> None:
 
 def set_vehicle_light_state(world: World, actor: Any, lamps: Any) -> None:
     """Which lamps are on; kept and told."""
-    world.body(actor, "vehicle").lights_on = wire.whole(lamps)
+    world.body(actor, "vehicle").lights_on = wire.whole(lamps[0] if isinstance(lamps, list) and lamps else lamps)
 
 
-def get_vehicle_light_state(world: World, actor: Any) -> int:
+def get_vehicle_light_state(world: World, actor: Any) -> list[int]:
     """Which lamps are on."""
-    return world.body(actor, "vehicle").lights_on
+    return [world.body(actor, "vehicle").lights_on]
 
 
 def get_vehicle_light_states(world: World) -> list[list[int]]:
@@ -178,10 +178,9 @@ def get_physics_control(world: World, actor: Any) -> list[Any]:
 
 def get_actor_bounding_box(world: World, actor: Any) -> list[Any]:
     """Its box, also when it is gone; none for what never was, since an error would end a traffic manager."""
-    try:
-        return world.once(actor).box
-    except Refused:
-        return [[0.0] * 3, [0.0] * 3, [0.0] * 3]
+    found = world.actors.get(actor) if isinstance(actor, int) else None
+    was = world.was(actor)
+    return found.box if found else was.box if was else [[0.0] * 3, [0.0] * 3, [0.0] * 3]
 
 
 def destroy_actor(world: World, actor: Any) -> bool:

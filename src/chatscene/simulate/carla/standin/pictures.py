@@ -72,7 +72,7 @@ def drawn(world: World, camera: Actor, tags: bool) -> bytes:
 
 
 def _corners(body: BodyActor) -> list[tuple[float, float]]:
-    (x, y, _), (length, width, _) = body.location, body.extent
+    (x, y, _), (length, width, _) = body.location, body.blueprint.extent
     yaw = math.radians(body.rotation[1])
     c, s = math.cos(yaw), math.sin(yaw)
     return [

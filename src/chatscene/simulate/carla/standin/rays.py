@@ -164,7 +164,7 @@ def _ends(world: World, sensor: Actor, rays: Array) -> _Ends:
     yaw = math.radians(sensor.rotation[1])
     floor = (sensor.parent or sensor).location[2]
     if isinstance(sensor.parent, BodyActor):
-        floor += sensor.parent.lifted - sensor.parent.extent[2]
+        floor += sensor.parent.blueprint.lifted - sensor.parent.blueprint.extent[2]
     drop = floor - sensor.location[2]
     with np.errstate(divide="ignore", invalid="ignore"):
         ground = drop / rays[:, 2]
@@ -189,11 +189,11 @@ def _to_box(sensor: Actor, body: BodyActor, rays: Array, yaw: float) -> tuple[Ar
     turn = math.radians(body.rotation[1])
     x, y, z = (here - there for here, there in zip(sensor.location, body.location, strict=True))
     c, s = math.cos(turn), math.sin(turn)
-    start = np.array([c * x + s * y, c * y - s * x, z - body.lifted])
+    start = np.array([c * x + s * y, c * y - s * x, z - body.blueprint.lifted])
     c, s = math.cos(yaw - turn), math.sin(yaw - turn)
     step = np.stack([c * rays[:, 0] - s * rays[:, 1], s * rays[:, 0] + c * rays[:, 1], rays[:, 2]], axis=1)
     step = np.where(np.abs(step) < _PARALLEL, _PARALLEL, step)
-    half = np.array(body.extent)
+    half = np.array(body.blueprint.extent)
     one, other = (-half - start) / step, (half - start) / step
     enters = np.minimum(one, other)
     near = enters.max(axis=1)

@@ -183,7 +183,10 @@ def _conduct(bodies: list[BodyActor]) -> Iterator[str]:
     if bodies:
         yield f" Actor bounding boxes: {len(bodies)}"
     for body in bodies:
-        origin, extent = _vector([0.0, 0.0, 100 * body.lifted]), _vector([100 * half for half in body.extent])
+        origin, extent = (
+            _vector([0.0, 0.0, 100 * body.blueprint.lifted]),
+            _vector([100 * half for half in body.blueprint.extent]),
+        )
         yield f"  Id: {body.id} origin: {origin} extension: {extent}"
 
 

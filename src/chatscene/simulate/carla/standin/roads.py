@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from chatscene.errors import MapError, MissingExtra
 from chatscene.simulate.carla.served import as_served
+from chatscene.simulate.carla.standin.wire import VERSION
 
 TRAFFIC_LIGHT = "1000001"
 _APART = 12.0  # [m] between places to begin at
@@ -168,10 +170,14 @@ def _wheel() -> Any:
     """The carla package.
 
     Raises:
-        MissingExtra: It is not installed.
+        MissingExtra: It is not installed, or another version is.
     """
     try:
         import carla
-    except ImportError:
-        raise MissingExtra("a stand-in for CARLA needs the wheel carla 0.9.16", extra="carla") from None
+
+        found = version("carla")
+    except (ImportError, PackageNotFoundError):
+        raise MissingExtra(f"a stand-in for CARLA needs the wheel carla {VERSION}", extra="carla") from None
+    if found != VERSION:
+        raise MissingExtra(f"a stand-in for CARLA needs the wheel carla {VERSION}, not {found}", extra="carla")
     return carla

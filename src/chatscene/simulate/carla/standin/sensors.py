@@ -19,7 +19,6 @@ from chatscene.simulate.carla.standin.pictures import drawn, size_of
 from chatscene.simulate.carla.standin.rays import Lidar, Radar
 from chatscene.simulate.carla.standin.world import Contact, World
 
-GRAVITY = 9.81  # [m/s²]
 _PARALLEL = 1e-9
 _RAYS: dict[str, Callable[[Actor], Lidar | Radar]] = {
     "sensor.lidar.ray_cast": partial(Lidar, semantic=False),
@@ -137,7 +136,7 @@ class Sensors:
         return self._pack(self._world.roads.on_earth(sensor.location))
 
     def _inertia(self, sensor: Actor) -> bytes:
-        return self._pack(_inertia(sensor))
+        return self._pack(_inertia(sensor, self._world.gravity))
 
     def _picture(self, sensor: Actor) -> bytes:
         return drawn(self._world, sensor, tags=False)
@@ -151,21 +150,21 @@ class Sensors:
         return self._looking[sensor.id].looked(self._world, max(self._world.dt, _number(sensor, "sensor_tick", 0.0)))
 
 
-def _inertia(sensor: Actor) -> list[Any]:
+def _inertia(sensor: Actor, gravity: float) -> list[Any]:
     """Acceleration [m/s²] with that of standing on the ground, turning [rad/s], compass [rad, 0 = north = -y]."""
     parent = sensor.parent or sensor
     yaw = math.radians(sensor.rotation[1])
     c, s = math.cos(yaw), math.sin(yaw)
     x, y, z = parent.acceleration
     compass = (yaw + math.pi / 2) % math.tau
-    return [[c * x + s * y, c * y - s * x, z + GRAVITY], [0.0, 0.0, math.radians(parent.turning)], compass]
+    return [[c * x + s * y, c * y - s * x, z + gravity], [0.0, 0.0, math.radians(parent.turning)], compass]
 
 
 def _ahead(sensor: Actor, other: BodyActor, wide: float) -> float | None:
     """How far ahead of a sensor the box of a body begins [m], grown by `wide`; None where it is not ahead."""
-    length, width, height = (half + wide for half in other.extent)
+    length, width, height = (half + wide for half in other.blueprint.extent)
     x, y, z = (here - there for here, there in zip(sensor.location, other.location, strict=True))
-    if abs(z - other.lifted) > height:
+    if abs(z - other.blueprint.lifted) > height:
         return None
     turn = math.radians(other.rotation[1])
     look = math.radians(sensor.rotation[1]) - turn

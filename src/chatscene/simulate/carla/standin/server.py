@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import itertools
 import struct
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -16,10 +17,13 @@ from chatscene.simulate.carla.standin.batch import apply_batch
 from chatscene.simulate.carla.standin.calls import CALLS, Call, load_new_episode
 from chatscene.simulate.carla.standin.calls_actors import ACTOR_CALLS, described
 from chatscene.simulate.carla.standin.streams import FIRST_CLIENT, Streams
+from chatscene.simulate.carla.standin.traffic import PATIENCE, wake
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.carla.standin.world import STEP, World
 
 _MOST = 64 * 2**20  # bytes of one message; the largest maps have some ten million
+_LONGEST_LIST = 100_000  # members, for which room is made before they are there
+_AT_ONCE = 2**16  # bytes of one client's calls that are answered before another's turn
 _REQUEST = 0
 _LONGEST = 400  # characters of a message
 _UNREADABLE = (
@@ -33,11 +37,15 @@ class Client:
 
     Attributes:
         number: Of its stream of the world, another one after each loading of its own.
+        host: Where it is.
         managers: Ports of its traffic managers, which live in its process and end with it.
+        ticked: When a tick of its was answered [s, of a clock that only grows], if it has asked for nothing since.
     """
 
     number: int
+    host: str
     managers: list[int] = field(default_factory=list[int])
+    ticked: float | None = None
 
 
 class Server:
@@ -47,18 +55,19 @@ class Server:
         world: What they share.
         host: Where it listens.
         port: Of the calls; streams are on the next.
-        log: Is told what clients are refused.
+        log: Is told what clients are refused, and which are cut off or woken.
 
     Raises:
         MissingExtra: The package msgpack is not installed.
     """
 
     def __init__(self, world: World, host: str, port: int, log: Callable[[str], None]) -> None:
-        self._pack, self._unpacker = _codec()
+        self._pack, self._unpacker, self._overflow = _codec()
         self._world = world
         self._host, self._port, self._log = host, port, log
         self._streams = Streams(world, port + 1, self._pack)
         self._managers: dict[int, list[Any]] = {}  # traffic managers by their port
+        self._clients: list[Client] = []
         self._world_streams = itertools.count(FIRST_CLIENT)
         self._own: dict[str, Call] = {
             "get_episode_info": self._episode,
@@ -85,28 +94,44 @@ class Server:
             await asyncio.start_server(self._streams.serve, self._host, self._streams.port),
         ):
             ready()
-            while True:
-                await asyncio.sleep(STEP)
-                if not self._world.synchronous:
-                    self._world.step()
+            async with asyncio.TaskGroup() as waking:
+                while True:
+                    await asyncio.sleep(STEP)
+                    if not self._world.synchronous:
+                        self._world.step()
+                    for client in self._clients:
+                        if client.ticked is not None and time.monotonic() - client.ticked > PATIENCE:
+                            client.ticked = time.monotonic()
+                            waking.create_task(self._wake(client))
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        client = Client(self._next_stream())
+        client = Client(self._next_stream(), writer.get_extra_info("peername")[0])
+        self._clients.append(client)
         unpacker = self._unpacker()
         try:
-            while chunk := await reader.read(2**20):
+            while chunk := await reader.read(_AT_ONCE):
                 unpacker.feed(chunk)
                 for message in unpacker:
                     writer.write(self._reply(client, message))
-                await writer.drain()
+                    await writer.drain()  # who does not read gets no more answers
         except ConnectionError:
             pass
-        except _UNREADABLE as error:
+        except (*_UNREADABLE, self._overflow) as error:
             self._log(f"a client is cut off, for what it sent is no msgpack: {type(error).__name__}: {error}")
         finally:
+            self._clients.remove(client)
             for port in client.managers:
                 self._managers.pop(port, None)
             writer.close()
+
+    async def _wake(self, client: Client) -> None:
+        """If a client's traffic manager should have begun with a step and has not, wake it."""
+        for port in client.managers:
+            self._log(f"the traffic manager on port {port} missed a step, as the wheel's do; it is woken")
+            try:
+                await wake(client.host, port, self._pack)
+            except OSError as error:
+                self._log(f"the traffic manager on port {port} cannot be reached: {error}")
 
     def _reply(self, client: Client, message: Any) -> bytes:
         """The answer to a call, in whatever form it came; an error of the protocol's own would end the client."""
@@ -123,11 +148,12 @@ class Server:
         except _UNREADABLE as error:
             why = f"the arguments cannot be read: {type(error).__name__}: {error}"
         why = f"{method[:100]}: {why}"[:_LONGEST].encode(errors="replace").decode()
-        self._log(why)
+        self._log(f"refused: {why}")
         return self._pack([1, number, None, wire.refused(why)])
 
     def _answer(self, client: Client, method: str, arguments: list[Any]) -> Any:
         self._streams.wake(client.number)
+        client.ticked = time.monotonic() if method == "tick_cue" else None
         if method == "apply_batch":
             return apply_batch(self._world, *arguments)
         if method in self._own:
@@ -184,6 +210,8 @@ class Server:
         return True
 
     def _end_manager(self, _: Client, port: Any) -> bool:
+        for client in self._clients:
+            client.managers = [other for other in client.managers if other != port]
         return self._managers.pop(port, None) is not None
 
 
@@ -200,8 +228,8 @@ def _number_of(message: Any) -> int:
             return 0
 
 
-def _codec() -> tuple[Callable[[Any], bytes], Callable[[], Any]]:
-    """How messages are written, and a new reader of them.
+def _codec() -> tuple[Callable[[Any], bytes], Callable[[], Any], type[Exception]]:
+    """How messages are written, a new reader of them, and what it raises where one is too long.
 
     Raises:
         MissingExtra: The package msgpack is not installed.
@@ -218,7 +246,12 @@ def _codec() -> tuple[Callable[[Any], bytes], Callable[[], Any]]:
 
     def unpacker() -> Any:
         return msgpack.Unpacker(
-            raw=False, strict_map_key=False, unicode_errors="surrogateescape", max_buffer_size=_MOST
+            raw=False,
+            strict_map_key=False,
+            unicode_errors="surrogateescape",
+            max_buffer_size=_MOST,
+            max_array_len=_LONGEST_LIST,
+            max_map_len=_LONGEST_LIST,
         )
 
-    return pack, unpacker
+    return pack, unpacker, msgpack.UnpackException

@@ -32,7 +32,7 @@ def serve(
         port: Of the calls; streams are on the next.
         settings: Whose bodies move, and how; the simulator has to be one that is made of a physics.
         ready: Called once clients can call.
-        log: Is told what clients are refused.
+        log: Is told what clients are refused, and which are cut off or woken.
 
     Raises:
         MapError: A map cannot be used.

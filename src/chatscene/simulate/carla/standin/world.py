@@ -10,7 +10,7 @@ from typing import Any
 from chatscene.errors import MapError
 from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
-from chatscene.simulate.carla.standin.blueprints import catalogue, definitions
+from chatscene.simulate.carla.standin.blueprints import Blueprint, catalogue, definitions
 from chatscene.simulate.carla.standin.lights import Light, Lights
 from chatscene.simulate.carla.standin.recorder import Recorder
 from chatscene.simulate.carla.standin.roads import Roads
@@ -29,6 +29,7 @@ SENSORS = frozenset(
 TAGS = {"vehicle": 14, "walker": 12, "static": 20}  # CARLA's labels of what a pixel or a point shows
 SPECTATOR_HEIGHT = 50.0  # [m]
 SPEED_LIMIT = 30.0  # [km/h], CARLA's outside its speed signs
+GRAVITY = 9.81  # [m/s²]
 _STANDS_IN = [["stands_in_for", 4, "CARLA"]]  # by which a client can tell; CARLA's spectator has no attributes
 _IMMOVABLE = 1e6  # [kg], of what stands
 
@@ -74,7 +75,7 @@ class World:
         self.frame = 0
         self.weather = [0.0] * 14
         self.actors: dict[int, Actor] = {}
-        self._all: dict[int, Actor] = {}
+        self._were: dict[int, Blueprint] = {}
         self._physics_of = physics_of
         self._roads: dict[tuple[str, str], Roads] = {}
         self._next = 1
@@ -101,6 +102,7 @@ class World:
         if reset:
             self.settings = default_settings()
         self.weather = [0.0] * 14
+        self.gravity = GRAVITY
         above = [0.0, 0.0, SPECTATOR_HEIGHT]
         self.spectator = self._add(
             Actor(self._next, [*self._own("spectator")[:2], _STANDS_IN], catalogue()["spectator"], above, [0.0] * 3)
@@ -190,14 +192,9 @@ class World:
             raise Refused(f"actor {number} is a {found.blueprint.id}, no {' or '.join(groups) or 'body'}")
         return found
 
-    def once(self, number: Any) -> Actor:
-        """An actor that is alive or was: traffic managers ask for boxes of the dead, and an error would end them.
-
-        Raises:
-            Refused: There never was one.
-        """
-        found = self._all.get(number) if isinstance(number, int) else None
-        return self.actor(number) if found is None else found
+    def was(self, number: Any) -> Blueprint | None:
+        """What an actor is, or was before it died; None if there never was one of that id."""
+        return self._were.get(number) if isinstance(number, int) else None
 
     def bodies(self) -> list[BodyActor]:
         """All actors with a body, in the order of their ids."""
@@ -205,7 +202,8 @@ class World:
 
     def _add(self, actor: Any) -> Any:
         actor.born = self.frame
-        self.actors[actor.id] = self._all[actor.id] = actor
+        self.actors[actor.id] = actor
+        self._were[actor.id] = actor.blueprint
         self._next += 1
         return actor
 
@@ -248,7 +246,7 @@ class World:
             actor.follow()
         for actor in bodies:
             if actor.blueprint.group == "vehicle":
-                reach, body = actor.extent[0], actor.body
+                reach, body = actor.blueprint.extent[0], actor.body
                 front = (actor.location[0] + reach * body.cos, actor.location[1] - reach * body.sin)
                 actor.light = self.lights.waits_at(*front, actor.rotation[1])
         met = contacts(bodies)
@@ -276,8 +274,8 @@ def contacts(bodies: list[BodyActor]) -> list[Contact]:
 
 def overlap(a: BodyActor, b: BodyActor) -> bool:
     """Whether two boxes overlap, in height, too."""
-    above = a.location[2] + a.lifted - b.location[2] - b.lifted
-    return abs(above) < a.extent[2] + b.extent[2] and touch(a.body, b.body)
+    above = a.location[2] + a.blueprint.lifted - b.location[2] - b.blueprint.lifted
+    return abs(above) < a.blueprint.extent[2] + b.blueprint.extent[2] and touch(a.body, b.body)
 
 
 def _impulse(a: BodyActor, b: BodyActor) -> list[float]:
