@@ -13,6 +13,7 @@ from chatscene.interpret.decide import understood
 from chatscene.library.bind import Triple, bound, distances, out_of_reach
 from chatscene.library.load import load_library, names_of
 from chatscene.read.decompose import hear
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
 
@@ -39,6 +40,9 @@ TRIPLE = (
         ("A pedestrian crosses from the left at 1,5 m/s.", Measure.SPEED, 1.5),
         ("A car cuts in 12.5 m ahead.", Measure.DISTANCE, 12.5),
         ("A truck 1,200 m ahead brakes.", Measure.DISTANCE, 1200.0),
+        ("The car ahead brakes with 6 m/s².", Measure.DECELERATION, 6.0),
+        ("The car ahead brakes hard at about 4.5 m/s2 to a standstill.", Measure.DECELERATION, 4.5),
+        ("A bus ahead decelerates at 0.3 g.", Measure.DECELERATION, 2.943),
     ],
 )
 def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value: float) -> None:
@@ -47,7 +51,13 @@ def test_a_number_with_its_unit_is_a_quantity(text: str, measure: Measure, value
 
 
 @pytest.mark.parametrize(
-    "text", ["Two kids run across.", "We drive at 50 km/h; a car ahead brakes.", "V2 brakes.", "It brakes at 4 m/s²."]
+    "text",
+    [
+        "Two kids run across.",
+        "We drive at 50 km/h; a car ahead brakes.",
+        "V2 brakes.",
+        "A car accelerates with 4 m/s².",
+    ],
 )
 def test_other_numbers_are_no_quantity_of_the_adversary(text: str) -> None:
     assert hear(text).quantities == ()
@@ -118,6 +128,19 @@ def test_a_speed_nobody_on_foot_can_reach_is_refused() -> None:
         bound(TRIPLE, scenario(said(Measure.SPEED, 14.0)))
 
 
+@pytest.mark.parametrize(("kind", "low", "high"), [(AdversaryKind.CAR, 0.45, 0.55), (AdversaryKind.TRUCK, 0.6, 0.734)])
+def test_a_deceleration_is_a_share_of_what_the_brakes_of_its_kind_do(
+    kind: AdversaryKind, low: float, high: float
+) -> None:
+    ahead = (LIBRARY.get("behavior/lane-brake"), TRIPLE[1], LIBRARY.get("spawn/ahead-in-lane"))
+    four = understood(
+        Frame(text="It brakes.", quantities=(said(Measure.DECELERATION, 4.0),)), Slots(adversary=kind), ()
+    )
+    (brake,) = [p for p in bound(ahead, four).triple[0].parameters if p.name == "OPT_BRAKE"]
+    assert (brake.low, brake.high) == (low, high)
+    assert brake.low * kind.row.limits.brake <= 4.0 <= brake.high * kind.row.limits.brake
+
+
 def test_a_quantity_that_nothing_can_be_set_to_is_told() -> None:
     made = bound(TRIPLE, scenario(said(Measure.TIME, 3.0)))
     assert made.triple == TRIPLE
@@ -155,7 +178,7 @@ def test_seconds_of_standing_set_no_other_time() -> None:
 @given(st.floats(0.1, 60.0), st.sampled_from(list(Measure)))
 def test_what_is_in_reach_stays_within_the_declared_ranges(value: float, measure: Measure) -> None:
     quantity = said(measure, value)
-    if any(out_of_reach(part, [quantity]) for part in TRIPLE):
+    if any(out_of_reach(part, [quantity], AdversaryKind.PEDESTRIAN) for part in TRIPLE):
         with pytest.raises(NothingFits):
             bound(TRIPLE, scenario(quantity))
         return

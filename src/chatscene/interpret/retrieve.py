@@ -286,7 +286,9 @@ def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
         score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
         score = score + shelf.likelihood(_alternatives(slots, frame.beliefs))
     if frame.quantities:
-        score = score - CONFLICT * np.array([out_of_reach(s, frame.quantities) for s in shelf.snippets])
+        score = score - CONFLICT * np.array(
+            [out_of_reach(s, frame.quantities, slots.adversary) for s in shelf.snippets]
+        )
     return _Ranking(asked, shelf.component, shelf.snippets, similarity, texts, agreement, conflicts, score)
 
 
@@ -560,7 +562,9 @@ def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tup
     said += map(str, notes)
     said += [conflict for match in triple for conflict in match.conflicts]
     snippets = [match.snippet for match in triple]
-    unmet = [quantity.said for quantity in frame.quantities if not settable(quantity, snippets)]
+    unmet = [
+        quantity.said for quantity in frame.quantities if not settable(quantity, snippets, scenario.slots.adversary)
+    ]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
     said += [reason for why, reason in told.items() if why not in REFUSED]
     return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)

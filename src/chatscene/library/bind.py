@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from chatscene.errors import NothingFits, SnippetError
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario, Unused, Why
 from chatscene.terms.snippet import ParameterRange, Snippet
 
@@ -20,6 +21,7 @@ _NAMES = {
     Measure.SPEED: "OPT_ADV_SPEED",
     Measure.TIME: "OPT_STOP_TIME",
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
+    Measure.DECELERATION: "OPT_BRAKE",
 }
 # Other distances start elsewhere, other times are not those for which it stands
 _AHEAD_OF_EGO = re.compile(r"how far (?:ahead of|along) the ego")
@@ -57,7 +59,7 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
     notes: list[str] = []
     unused: list[Unused] = []
     parts = list(triple)
-    quantities = scenario.frame.quantities if scenario.frame else ()
+    quantities = _for(triple, scenario)
     if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in quantities):
         parts = [_begun(part, scenario.slots.distance) for part in parts]
     for quantity in quantities:
@@ -70,6 +72,22 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
                 notes.append(f"{quantity.said!r} is met only nearly: {_range(parameter)}; {nearest} is the nearest")
             parts[i] = _narrowed(parts[i], parameter, quantity)
     return Bound((parts[0], parts[1], parts[2]), tuple(notes), tuple(unused))
+
+
+def _for(triple: Triple, scenario: Scenario) -> tuple[Quantity, ...]:
+    """The quantities of a scenario, as the adversary of a triple does them."""
+    kind = scenario.slots.adversary or next(k for k in triple[0].adversaries if k in triple[2].adversaries)
+    return tuple(as_done(one, kind) for one in (scenario.frame.quantities if scenario.frame else ()))
+
+
+def as_done(quantity: Quantity, kind: AdversaryKind) -> Quantity:
+    """A quantity in the measure of the parameter that it sets: a deceleration is a share of what a kind's brakes do.
+
+    The rest that slows it, a few tenths of m/s², is left out of account.
+    """
+    if quantity.measure is not Measure.DECELERATION:
+        return quantity
+    return replace(quantity, value=round(quantity.value / kind.row.limits.brake, DECIMALS))
 
 
 def distances(snippet: Snippet) -> frozenset[Distance]:
@@ -114,14 +132,21 @@ def _begun(part: Snippet, distance: Distance) -> Snippet:
     return part if start is None else _set(part, *start)
 
 
-def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity]) -> int:
-    """How many of the quantities a snippet has a parameter for that cannot be set to them."""
-    return sum(_speaks_of(q, p) and not _in_reach(p, q) for q in quantities for p in snippet.parameters)
+def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity], kind: AdversaryKind | None) -> int:
+    """How many of the quantities a snippet has a parameter for that cannot be set to them, for an adversary."""
+    told = [as_done(quantity, _acts(snippet, kind)) for quantity in quantities]
+    return sum(_speaks_of(q, p) and not _in_reach(p, q) for q in told for p in snippet.parameters)
 
 
-def settable(quantity: Quantity, snippets: Sequence[Snippet]) -> bool:
-    """Whether some parameter of snippets can be set to a quantity."""
-    return any(_speaks_of(quantity, p) and _in_reach(p, quantity) for s in snippets for p in s.parameters)
+def settable(quantity: Quantity, snippets: Sequence[Snippet], kind: AdversaryKind | None) -> bool:
+    """Whether some parameter of snippets can be set to a quantity, for an adversary."""
+    told = [(as_done(quantity, _acts(s, kind)), p) for s in snippets for p in s.parameters]
+    return any(_speaks_of(one, p) and _in_reach(p, one) for one, p in told)
+
+
+def _acts(snippet: Snippet, kind: AdversaryKind | None) -> AdversaryKind:
+    """Who acts a snippet: who was said, else the first who can."""
+    return kind or next(iter(snippet.adversaries), AdversaryKind.CAR)
 
 
 def _in_reach(parameter: ParameterRange, quantity: Quantity) -> bool:
@@ -164,7 +189,7 @@ def _range(parameter: ParameterRange) -> str:
 
 def _in_words(value: float, parameter: ParameterRange) -> str:
     """A value with its unit; a speed as drivers say it, too."""
-    plain = f"{value:.3g} {parameter.unit}"
+    plain = f"{value:.0%}" if parameter.unit == "1" else f"{value:.3g} {parameter.unit}"
     return f"{plain} ({value * 3.6:.0f} km/h)" if parameter.unit == "m/s" else plain
 
 

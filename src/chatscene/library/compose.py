@@ -281,7 +281,7 @@ STARTS: dict[Position, Start] = {
 }
 
 _RANGES: dict[str, tuple[float, float, str, str]] = {
-    "BRAKE": (0.4, 1, "1", "how hard it brakes"),
+    "BRAKE": (0.3, 1, "1", "how hard it brakes"),
     "BRAKE_TIME": (0.6, 1.1, "s", "for how long it brakes"),
     "STOP_TIME": (0.8, 2.5, "s", "how long it stands"),
     "STOP_DISTANCE": (0, 1, "m", "how far from the ego's line it comes to rest"),
@@ -301,7 +301,6 @@ _RANGES: dict[str, tuple[float, float, str, str]] = {
     "ACT_DISTANCE": (0, 12, "m", "how far before the place where their ways meet it acts"),
 }
 """The parameters of steps but for speed and trigger: range, unit, meaning."""
-_GENTLY = 0.3, 0.6  # how hard somebody brakes who then does more, or the ego would be there before
 _PAUSE = 0.4, 1.2  # [s], how long somebody stands who comes from beside the road: the ego is near
 
 
@@ -482,9 +481,7 @@ def _range(asked: Asked, start: Start, acts: int, name: str) -> ParameterRange:
         low, high = _speeds(asked)
         return ParameterRange(name="OPT_ADV_SPEED", low=low, high=high, unit="m/s", meaning="how fast it goes")
     low, high, unit, meaning = _RANGES[name]
-    if name == "BRAKE" and acts > 1:
-        low, high = _GENTLY
-    elif name == "STOP_TIME" and start.steps is ACROSS:
+    if name == "STOP_TIME" and start.steps is ACROSS:
         low, high = _PAUSE
     return ParameterRange(name=f"OPT_{name}", low=low, high=high, unit=unit, meaning=meaning)
 

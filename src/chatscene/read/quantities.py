@@ -11,6 +11,7 @@ _UNITS = {
     "car length": 5.0,
     "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "mph": 0.44704, "m/s": 1.0,
     "second": 1.0, "sec": 1.0, "s": 1.0,
+    "m/s²": 1.0, "g": 9.81,
 }  # fmt: skip
 _NUMBERS = {
     "a couple of": 2, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9,
@@ -24,7 +25,9 @@ _NUMBER = (
 )
 _LENGTH = r"(?P<unit>m|metre|meter|yard|yd|foot|feet|ft|car length)s?"
 _SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)(?! ?(?:²|\^?2))"  # m/s² is no speed
+_DECELERATION = r"(?P<unit>m/s ?(?:²|\^?2)|g)(?!\w)"
 _TIME = r"(?P<unit>second|sec|s)s?"
+_SQUARED = re.compile(r" ?(?:²|\^?2)$")
 _EGO = r"(?:we|i|the ego(?: vehicle)?|ego|our car|the vut|the av)"
 
 _PATTERNS: tuple[tuple[Measure, re.Pattern[str]], ...] = (
@@ -43,6 +46,13 @@ _PATTERNS: tuple[tuple[Measure, re.Pattern[str]], ...] = (
     ),
     (Measure.DISTANCE, re.compile(rf"\bat (?:a )?(?:distance|range|gap) of (?:about |some |roughly )?{_NUMBER}[ -]?{_LENGTH}\b")),
     (Measure.SPEED, re.compile(rf"\b{_NUMBER} ?{_SPEED}")),
+    (
+        Measure.DECELERATION,
+        re.compile(
+            r"\b(?:brak|decelerat|slow)(?:[^.,;]| ?[.,](?=\d))*? "
+            rf"(?P<said>(?:with|at|by) (?:about |some |around |roughly )?{_NUMBER} ?{_DECELERATION})"
+        ),
+    ),
     (Measure.TIME, re.compile(rf"\bfor (?:about |some |around |roughly )?{_NUMBER} ?{_TIME}\b")),
 )  # fmt: skip
 
@@ -60,8 +70,9 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
         match = pattern.search(text)
         if match and measure not in found and not (measure is Measure.DISTANCE and Measure.TRIGGER in found):
             number = _NUMBERS.get(match["number"])
-            value = (_number(match["number"]) if number is None else number) * _UNITS[match["unit"]]
-            found[measure] = Quantity(measure=measure, value=round(value, 3), said=match[0])
+            value = (_number(match["number"]) if number is None else number) * _UNITS[_SQUARED.sub("²", match["unit"])]
+            said = match.groupdict().get("said") or match[0]
+            found[measure] = Quantity(measure=measure, value=round(value, 3), said=said)
     return tuple(found.values())
 
 

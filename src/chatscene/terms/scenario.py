@@ -170,6 +170,7 @@ class Measure(StrEnum):
     SPEED = "speed"  # of the adversary [m/s]
     TIME = "time"  # for which it stands [s]
     TRIGGER = "trigger"  # how far the ego still is when it acts [m]
+    DECELERATION = "deceleration"  # of the adversary when it brakes [m/s²]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
