@@ -440,6 +440,8 @@ def replay(
     generator: Names = (),
     simulator: Names = (),
     library: Names = (),
+    watch: bool = False,
+    record: bool = False,
 ) -> Replayed:
     """Simulate a scene of a run again from its stored values, and compare every number of every track.
 
@@ -450,14 +452,17 @@ def replay(
         generator: Generator of the run again, if it is none of ours.
         simulator: Simulator of the run again, if it is none of ours.
         library: Folder of snippets of the run again, if it has one.
+        watch: Whether the window of a CARLA server looks down on the ego.
+        record: Whether a CARLA server's recorder writes a file below ``recordings`` in the folder.
 
     Raises:
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated.
+        SettingsError: The simulator has no window or no recorder.
     """
     repeated = Repeated(
         ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
     )
-    return replay_scene(Path(folder), scene_id, repeated=repeated)
+    return replay_scene(Path(folder), scene_id, repeated=repeated, watch=watch, record=record)
 
 
 def evaluate(

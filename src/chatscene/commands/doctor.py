@@ -33,7 +33,7 @@ class Check:
 def examine() -> tuple[Check, ...]:
     """Try every part, from Python's version to one simulated scene."""
     return tuple(
-        _try(what, part)
+        attempt(what, part)
         for what, part in (
             ("python", _python),
             ("packages", _packages),
@@ -46,7 +46,8 @@ def examine() -> tuple[Check, ...]:
     )
 
 
-def _try(what: str, part: Callable[[], str]) -> Check:
+def attempt(what: str, part: Callable[[], str]) -> Check:
+    """Try one thing, which says what it found, or raises an error that says what is wrong."""
     try:
         return Check(what=what, ok=True, found=part())
     except (ChatSceneError, ImportError, OSError) as error:

@@ -465,6 +465,8 @@ def train(
 @GENERATOR_AGAIN
 @SIMULATOR_AGAIN
 @LIBRARY_AGAIN
+@click.option("--watch", is_flag=True, help="Let the window of a CARLA server look down on the ego.")
+@click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
 @JSON
 def replay(
     folder: Path,
@@ -473,6 +475,8 @@ def replay(
     generator: tuple[str, ...],
     simulator: tuple[str, ...],
     library: tuple[str, ...],
+    watch: bool,
+    record: bool,
     as_json: bool,
 ) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
@@ -481,10 +485,20 @@ def replay(
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017
+    chatscene replay runs/brakes brakes-8c1f/route-00/scene-004 --simulator carla --watch --record
     """
     from chatscene import api
 
-    outcome = api.replay(folder, scene_id, ego=ego, generator=generator, simulator=simulator, library=library)
+    outcome = api.replay(
+        folder,
+        scene_id,
+        ego=ego,
+        generator=generator,
+        simulator=simulator,
+        library=library,
+        watch=watch,
+        record=record,
+    )
     if as_json:
         say(json.dumps(outcome.as_dict()))
     else:
@@ -601,21 +615,33 @@ def check_map_file(map_name: str) -> None:
 
 
 @main.command()
+@click.option("--simulator", default="", help="Check this one instead, such as carla:HOST:PORT, beside the default.")
+@MAP
 @JSON
-def doctor(as_json: bool) -> None:
-    """Check this installation: versions, encoder, library, map, one simulated scene.
+def doctor(simulator: str, map_name: str, as_json: bool) -> None:
+    """Check this installation: versions, encoder, library, map, one simulated scene. Or check a simulator.
+
+    A simulator is asked what it is, drives one scene twice, and drives ten that are compared with the default's.
 
     \b
     chatscene doctor
+    chatscene doctor --simulator carla --map Town04.xodr
     """
-    from chatscene.commands.doctor import examine
+    from chatscene.commands.doctor import Check, examine
 
-    checks = examine()
+    if simulator:
+        from chatscene.commands.simulator_check import examine_simulator
+
+        trying = examine_simulator(simulator, map_name)
+    else:
+        trying = iter(examine())
+    checks: list[Check] = []
+    for check in trying:
+        checks.append(check)
+        if not as_json:
+            say(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
     if as_json:
         say(json.dumps([{"what": c.what, "ok": c.ok, "found": c.found} for c in checks], indent=1))
-    else:
-        for check in checks:
-            say(f"{'ok  ' if check.ok else 'FAIL'}  {check.what:<28} {check.found}")
     if not all(check.ok for check in checks):
         sys.exit(1)
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from chatscene.ego.policy import load_ego
+from chatscene.errors import SettingsError
 from chatscene.runs.blocks import read_episode, read_scenes
 from chatscene.runs.rebuild import map_of, rebuild, since
 from chatscene.runs.record import RunRecord, settings_of
@@ -21,6 +22,7 @@ from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected
 
+RECORDINGS = "recordings"
 WITHIN = 0.5  # [m], of actors at the same step, in a simulator that does not repeat itself to the bit
 STEPS_APART = 2  # ... and of its events and endings
 
@@ -67,32 +69,49 @@ class Replayed:
         return f"{self.scene_id}: differs: {self.difference}{since(self.versions)}"
 
 
-def replay(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Replayed:
+def replay(
+    folder: Path, scene_id: str, *, repeated: Repeated | None = None, watch: bool = False, record: bool = False
+) -> Replayed:
     """Simulate a scene of a run again from its stored values, and compare every number of every track.
 
     Where the simulator is not exact, what counts is that actors are within `WITHIN` and events within `STEPS_APART`.
 
+    Args:
+        folder: The run's.
+        scene_id: Which scene.
+        repeated: What the run names and the user as well.
+        watch: Whether the window of the simulator's server looks down on the ego.
+        record: Whether its recorder writes a file below ``recordings`` in the folder.
+
     Raises:
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated
             (`chatscene.runs.trust.follow`).
+        SettingsError: The simulator has no window or no recorder.
     """
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
-    record = read_record(run)
+    kept = read_record(run)
     stored = read_episode(run, scene_id)
     row = next(row for row in read_scenes(run) if row["scene_id"] == scene_id)
-    settings = settings_of(record)
+    settings = settings_of(kept)
     _, program = rebuild(run)
     scene = scene_of(row, program)
-    simulator = simulator_of(load_generator(record.generator), map_of(record), settings)
-    again = simulate(simulator, program, scene, load_ego(record.ego))
+    simulator = simulator_of(load_generator(kept.generator), map_of(kept), settings)
+    if watch or record:
+        if (show := getattr(simulator, "show", None)) is None:
+            raise SettingsError(f"the simulator {settings.simulation.simulator!r} has no window and no recorder")
+        recording = run.path.absolute() / RECORDINGS / f"{scene_id.replace('/', '-')}.log"
+        if record:
+            recording.parent.mkdir(exist_ok=True)
+        show(watched=watch, recording=recording if record else None)
+    again = simulate(simulator, program, scene, load_ego(kept.ego))
     exact = simulator.identity.exact
     return Replayed(
         scene_id=scene_id,
         difference=(_difference if exact else _far_difference)(stored, again),
         within=0.0 if exact else WITHIN,
         apart=0.0 if isinstance(again, Rejected) else max(map(apart, stored.tracks, again.tracks)),
-        versions=changed_versions(record),
+        versions=changed_versions(kept),
     )
 
 

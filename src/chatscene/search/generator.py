@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Protocol
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, ServerError
 from chatscene.plugins import Kind, make
 from chatscene.program.check import Checked, check
 from chatscene.search.explore import Block
@@ -179,6 +179,8 @@ def climb(
             tried.append(Tried(snippet_ids=error.blamed, reason=str(error)))
             if len(tried) == TRIES or not error.blamed:
                 raise refusal from None
+        except ServerError:
+            raise  # which says nothing of the program
         except ChatSceneError as error:
             raise refusal or error from None
         try:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
+from scenic.core.simulators import SimulationCreationError
+
 from chatscene.world.bodies import Body, Placement
 
 
-class CannotPlace(Exception):  # noqa: N818 - reads as what it says
+class CannotPlace(SimulationCreationError):  # noqa: N818 - reads as what it says
     """A thing of a scene has no room where the scene puts it; the scene is rejected, and this is why."""
 
 

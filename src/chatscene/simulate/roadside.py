@@ -84,13 +84,13 @@ class RouteSurroundings:
             for line, states in self._states(mode, steps, dt, lights)
         )
 
-    def lights(self, mode: str, steps: int, dt: float) -> dict[str, str]:
-        """The states of each traffic light at the route's junction, by its id in OpenDRIVE.
+    def lights(self, mode: str, steps: int, dt: float, own: TrafficLights | None = None) -> dict[str, str]:
+        """The states of each traffic light at the route's junction, by its id in OpenDRIVE; as a program set them.
 
         Raises:
             MapError: `mode` is none of `MODES`.
         """
-        return {light: states for line, states in self._states(mode, steps, dt) for light in line.lights}
+        return {light: states for line, states in self._states(mode, steps, dt, own) for light in line.lights}
 
     def _states(
         self, mode: str, steps: int, dt: float, lights: TrafficLights | None = None

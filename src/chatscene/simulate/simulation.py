@@ -29,7 +29,7 @@ from scenic.core.vectors import Orientation, Vector
 from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulator
 from scenic.syntax import veneer
 
-from chatscene.simulate.physics import Physics, PhysicsOf
+from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.terms.actors import kind_of
 from chatscene.world.actors import QUARTER
 from chatscene.world.bodies import Body, Placement
@@ -188,6 +188,7 @@ class PhysicsSimulation(DrivingSimulation):
                 width=original["width"],
                 wheelbase=original.get("wheelbase", 0.0),
                 wheel_angle=original.get("wheelAngle", 0.0),
+                blueprint=original.get("blueprint") or "",
             )
         )
         self.bodies.append(proxy.body)
@@ -244,7 +245,7 @@ class SteppedLoop(Simulation):
         how: Which kind of thing that was, as Scenic tells them apart.
     """
 
-    REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation)
+    REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation, CannotPlace)
 
     scene: Any
     objects: list[Any]

@@ -30,15 +30,15 @@ class SteppedSimulator:
         map_path: The map everything runs on.
         settings: Step and limits.
         identity: What it is.
-        physics_of: Makes the physics of each scene.
+        physics_of: Makes the physics of each scene; None where it depends on the scene (`physics_for`).
 
     Attributes:
         identity: What it is.
-        physics_of: Makes the physics of each scene.
+        physics_of: As above.
     """
 
     def __init__(
-        self, map_path: Path, settings: SimulationSettings, *, identity: SimulatorIdentity, physics_of: PhysicsOf
+        self, map_path: Path, settings: SimulationSettings, *, identity: SimulatorIdentity, physics_of: PhysicsOf | None
     ) -> None:
         self.identity = identity
         self.physics_of = physics_of
@@ -118,8 +118,9 @@ class SteppedSimulator:
         take_process(session.close)
         return session
 
-    def physics_for(self, scene: Scene, placed: Any) -> Physics:  # noqa: ARG002 - for those that need to know more
+    def physics_for(self, scene: Scene, placed: Any) -> Physics:  # noqa: ARG002 - for those that need them
         """The physics of a scene, which Scenic has placed."""
+        assert self.physics_of is not None
         return self.physics_of()
 
     def surroundings(self, route: Route) -> RouteSurroundings:

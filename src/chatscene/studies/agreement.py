@@ -13,11 +13,13 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.measure.criticality import criticality
 from chatscene.program.sample import draw, scene_seed
 from chatscene.runs.replay import STEPS_APART, apart
-from chatscene.settings import SimulationSettings
-from chatscene.simulate.physics import Physics
+from chatscene.search.generators.retrieved import Retrieved
+from chatscene.settings import RetrievalSettings, SimulationSettings
+from chatscene.simulate.physics import Physics, PhysicsOf
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.episode import Episode, Event
+from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.bodies import Body, Placement
 
@@ -46,10 +48,19 @@ class Compared:
 def same_sizes(map_path: Path, settings: SimulationSettings, size_of: SizeOf) -> SteppedSimulator:
     """The embedded simulator with bodies of another simulator's sizes, as far as wheelbases go with the length."""
     embedded = load_simulator(map_path, replace(settings, simulator=SimulationSettings().simulator))
-    assert isinstance(embedded, SteppedSimulator)
+    physics_of: PhysicsOf = getattr(embedded, "physics_of")  # noqa: B009 - of one that is made of a physics
     return SteppedSimulator(
-        map_path, settings, identity=embedded.identity, physics_of=lambda: _Resized(embedded.physics_of(), size_of)
+        map_path, settings, identity=embedded.identity, physics_of=lambda: _Resized(physics_of(), size_of)
     )
+
+
+def everyday_programs(count: int) -> Iterator[ScenicProgram]:
+    """The programs of some sentences of the benchmark, each of another base scenario as long as there are such."""
+    generator, reading = Retrieved(), RetrievalSettings()
+    for number in range(count):
+        place, base = divmod(number, len(BaseScenario))
+        text = generator.texts(list(BaseScenario)[base])[place]
+        yield generator.write(generator.read(text, reading), reading).program
 
 
 class _Resized:

@@ -30,6 +30,7 @@ class Placement:
         width: [m].
         wheelbase: Of a vehicle [m]; else 0.
         wheel_angle: Largest wheel angle of a vehicle [rad]; else 0.
+        blueprint: What the program says that it is in CARLA; empty where it does not.
     """
 
     kind: str
@@ -41,6 +42,7 @@ class Placement:
     width: float
     wheelbase: float = 0.0
     wheel_angle: float = 0.0
+    blueprint: str = ""
 
 
 class Body:

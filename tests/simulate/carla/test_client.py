@@ -12,8 +12,9 @@ from typing import Any
 from unittest.mock import Mock
 
 import pytest
-from standing_in import serving
+from standing_in import free_port, serving
 
+from chatscene.commands.simulator_check import examine_simulator
 from chatscene.errors import ServerError
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
@@ -289,6 +290,47 @@ def test_a_thing_may_begin_at_a_speed(simulator: Any) -> None:
     assert track.speed[1:10] == pytest.approx(6.0, abs=0.3)
 
 
+def test_the_spectator_looks_down_on_the_ego_when_asked(simulator: Any, look: Callable[[], Any]) -> None:
+    simulator.show(watched=True, recording=None)
+    session = opened(simulator)
+    try:
+        for _ in range(12):
+            session.step((3.0, 0.0))
+        eye = look().get_spectator().get_transform()
+        ego = session.episode("road/0", "nobody").ego_track
+    finally:
+        session.close()
+        simulator.show(watched=False, recording=None)
+    assert (eye.location.x, -eye.location.y) == pytest.approx((ego.x[-2], ego.y[-2]), abs=0.01)  # before the last tick
+    assert eye.location.z > 20.0
+    assert eye.rotation.pitch == pytest.approx(-90.0)
+
+
+def test_a_doctor_says_what_a_server_has_and_how_its_scenes_end(settings: SimulationSettings) -> None:
+    found = list(examine_simulator(settings.simulator, "town", scenes=1))
+    assert [check.ok for check in found] == [True] * 4, found
+    stands_in, world, twice, beside = (check.found for check in found)
+    assert "not CARLA" in stands_in
+    assert "13 blueprints, 40 traffic lights" in world
+    assert "0.000 m apart" in twice
+    assert "1 of 1 end alike" in beside
+
+
+def test_a_doctor_says_which_lights_a_server_lacks(
+    settings: SimulationSettings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(carla.TrafficLight, "get_opendrive_id", Mock(return_value="1031"))
+    found = list(examine_simulator(settings.simulator, "town"))
+    assert [check.ok for check in found] == [True, False]
+    assert "39 of 40 traffic lights are not there: 1012, 1013" in found[1].found
+
+
+def test_a_doctor_goes_no_further_than_a_server_that_is_not_there() -> None:
+    (found,) = examine_simulator(f"carla:127.0.0.1:{free_port()}", "town")
+    assert not found.ok
+    assert "no CARLA server is at" in found.found
+
+
 def test_whoever_else_ticks_the_world_is_noticed(simulator: Any, look: Callable[[], Any]) -> None:
     session = opened(simulator)
     try:
@@ -334,6 +376,44 @@ def test_a_map_of_the_same_name_with_other_roads_is_not_taken_for_ours(
 def widened(text: str) -> str:
     """A map with one lane wider by a centimetre."""
     return re.sub(r'(<width [^>]*a=")([\d.e+-]+)"', lambda m: f'{m[1]}{float(m[2]) + 0.01}"', text, count=1)
+
+
+def test_a_program_may_say_what_a_thing_is_in_carla(simulator: Any, look: Callable[[], Any]) -> None:
+    fire_engine = "vehicle.carlamotors.firetruck"
+    session = opened(simulator, AHEAD.format(kind="Truck", at=40).rstrip() + f", with blueprint '{fire_engine}'\n")
+    try:
+        session.step((0.0, 0.0))
+        assert fire_engine in {actor.type_id for actor in look().get_actors()}
+        assert session.episode("road/0", "nobody").tracks[1].length == pytest.approx(8.468, abs=1e-3)
+    finally:
+        session.close()
+
+
+def test_a_light_that_a_program_sets_while_it_runs_shows_that(simulator: Any, look: Callable[[], Any]) -> None:
+    asked = {"before": "from chatscene.world.lights import setAllIntersectionTrafficLightsStatus\n"}
+    asked["asked"] = ", place='four-way', control='signal'"
+    behavior = (
+        "behavior AdvBehavior():\n"
+        "    wait\n"
+        "    setAllIntersectionTrafficLightsStatus(network.elements[egoRoute.route.junction], 'yellow')\n"
+        "    do Park()\n"
+    )
+    adversary = (
+        "AdvAgent = new Car at pointOn(egoRoute, 20), facing directionOn(egoRoute, 20), with behavior AdvBehavior()\n"
+    )
+    session = opened(simulator, behavior, adversary, **asked)
+    try:
+        route = simulator.route(program(behavior, adversary, **asked), 0)
+        names = simulator.surroundings(route).lights("clock", 1, 0.1)
+        seen: list[set[str]] = []
+        for _ in range(3):
+            session.step((0.0, 0.0))
+            lights = look().get_actors().filter("traffic.traffic_light*")
+            seen.append({light.state.name for light in lights if light.get_opendrive_id() in names})
+    finally:
+        session.close()
+    assert seen[0] == {"Green", "Red"}
+    assert seen[-1] == {"Yellow"}
 
 
 def test_every_kind_has_a_blueprint_with_a_size(simulator: Any) -> None:

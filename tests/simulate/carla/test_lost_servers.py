@@ -188,6 +188,26 @@ def test_a_replay_is_the_same_within_a_tolerance(finished: tuple[str, Path, Path
     assert again.in_words().startswith(f"{scene}: the same within 0.5 m; actors are 0.0")
 
 
+def test_a_replay_can_be_recorded_into_the_run_folder_and_watched(finished: tuple[str, Path, Path]) -> None:
+    simulator, _, cut = finished
+    scene = next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(cut)) if row["status"] == "ran")
+    done = CliRunner().invoke(main, ["replay", str(cut), scene, "--simulator", simulator, "--record", "--watch"])
+    assert done.exit_code == 0, done.output
+    (recording,) = (cut / "recordings").iterdir()
+    assert recording.name == f"{scene.replace('/', '-')}.log"
+    text = recording.read_text()
+    assert "vehicle.lincoln.mkz_2017" in text
+    assert "Positions" in text
+    assert runs.check(cut).whole
+
+
+def test_a_simulator_without_a_window_says_so(tmp_path: Path) -> None:
+    pipeline.run(asked("embedded", scenes=1), tmp_path / "run")
+    scene = runs.read_scenes(runs.Workspace(tmp_path / "run"))[0]["scene_id"]
+    with pytest.raises(SettingsError, match="'embedded' has no window and no recorder"):
+        replay(tmp_path / "run", scene, watch=True)
+
+
 def test_a_replay_that_strays_is_told(finished: tuple[str, Path, Path], monkeypatch: pytest.MonkeyPatch) -> None:
     simulator, through, _ = finished
     scene = next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(through)) if row["status"] == "ran")

@@ -39,7 +39,6 @@ def test_a_port_that_is_taken_is_named() -> None:
         (["--map", "twon"], "did you mean 'town'?"),
         (["--map", "no/such.xodr"], "no/such.xodr"),
         (["--simulator", "confined"], "brings no bodies that a stand-in for CARLA could move"),
-        (["--simulator", "carla"], "brings no bodies that a stand-in for CARLA could move"),
     ],
 )
 def test_what_cannot_be_served_is_said_before_anybody_calls(options: list[str], says: str) -> None:

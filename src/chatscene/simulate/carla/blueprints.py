@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from chatscene.terms.actors import BY_CLASS
+from chatscene.world.bodies import Placement
 
 PROPS = {
     "BusStop": "static.prop.busstop",
@@ -15,6 +16,10 @@ PROPS = {
 OTHER_PROP = "static.prop.barrel"
 
 
-def blueprint_of(kind: str) -> str:
-    """The blueprint of a road user (`chatscene.terms.actors.RoadUser.blueprint`) or of a thing that stands."""
-    return BY_CLASS[kind].row.blueprint if kind in BY_CLASS else PROPS.get(kind, OTHER_PROP)
+def blueprint_of(placement: Placement) -> str:
+    """What a thing is in CARLA: what its program says, if it says so; else the one blueprint of its kind.
+
+    That of a road user stands in the table of road users (`chatscene.terms.actors.RoadUser.blueprint`).
+    """
+    kind = placement.kind
+    return placement.blueprint or (BY_CLASS[kind].row.blueprint if kind in BY_CLASS else PROPS.get(kind, OTHER_PROP))

@@ -26,11 +26,10 @@ PATIENCE = 10.0  # [s] for an answer
 LOADING = 120.0  # [s] for a map
 SUBSTEP = 0.01  # [s]
 MOST_SUBSTEPS = 16  # CARLA's own limit
+SMALLEST = 0.05  # [m], half of what has a size
 _FAR_ABOVE = 500.0  # [m], where nothing is in the way of what is measured
 _ASK_VERSION = b"\x94\x00\x01\xa7version\x91\x91\xc2"  # msgpack-rpc: [0, 1, "version", [[false]]]
-_VERSION = re.compile(
-    rb"\A\x94\x01\x01\xc0\x91\x92\x01[\xa0-\xbf](\d+\.\d+\.[\w.-]+)", re.DOTALL
-)  # [1, 1, nil, [[1, "…"]]]
+_VERSION = re.compile(rb"\A\x94\x01.*?(\d+\.\d+[\w.-]*)", re.DOTALL)  # [1, 1, nil, …]: the version is in it somewhere
 _TIMED_OUT = "time-out"  # in the wheel's message
 _FLAT = carla.OpendriveGenerationParameters(wall_height=0.0)
 _log = logging.getLogger(__name__)
@@ -189,7 +188,7 @@ class Connection:
         """What a blueprint is; one of it is made far above the roads for that, the first time.
 
         Raises:
-            ServerError: The server has no such blueprint, or was lost.
+            ServerError: The server has no such blueprint, or one without a size; or it was lost.
         """
         if blueprint not in self._measured:
             with self.asking(f"measure {blueprint}"):
@@ -198,6 +197,8 @@ class Connection:
                 box = actor.bounding_box
                 wheels = actor.get_physics_control().wheels if blueprint.startswith("vehicle.") else ()
                 actor.destroy()
+            if not all(SMALLEST < size < math.inf for size in (box.extent.x, box.extent.y, box.extent.z)):
+                raise ServerError(f"on the CARLA server at {self.place}, {blueprint} has no size")
             self._measured[blueprint] = Measured(
                 length=2 * box.extent.x,
                 width=2 * box.extent.y,

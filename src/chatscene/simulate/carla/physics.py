@@ -51,6 +51,7 @@ class _Actor:
         kind: Of ours.
         steering: What a full turn of our wheel is of its own.
         vx, vy: Velocity that a walker was last asked for [m/s].
+        new: Whether nothing was asked of it yet.
     """
 
     handle: Any
@@ -60,10 +61,12 @@ class _Actor:
     steering: float
     vx: float
     vy: float
+    new: bool = True
 
-    def command(self, dt: float, first: bool) -> Any | None:
+    def command(self, dt: float) -> Any | None:
         """What is asked of it for the next step, as a command of a batch; None of what stands."""
-        body = self.body
+        body, first = self.body, self.new
+        self.new = False
         if isinstance(body, Vehicle):
             return carla.command.ApplyVehicleControl(self.handle.id, self._driven(body, first))
         if isinstance(body, Walker):
@@ -120,7 +123,7 @@ class CarlaPhysics:
         connection: To the server.
         map_path: What the scene lies on.
         dt: Step [s].
-        lights: The states of traffic lights at each step, the first included, by their ids in OpenDRIVE.
+        lights: What traffic lights show after so many steps, by their ids in OpenDRIVE.
         told: Is told what CARLA's collision sensor and our boxes say differently of the ego.
         watched: Whether the server's own window looks down on the ego.
         recording: Where the server writes its recorder's file, if anywhere.
@@ -132,7 +135,7 @@ class CarlaPhysics:
         map_path: Path,
         dt: float,
         *,
-        lights: Mapping[str, str],
+        lights: Callable[[int], Mapping[str, str]],
         told: Callable[[str], None],
         watched: bool,
         recording: Path | None,
@@ -140,7 +143,8 @@ class CarlaPhysics:
         self._connection = connection
         self._map_path = map_path
         self._dt = dt
-        self._states = lights
+        self._shows = lights
+        self._shown: dict[str, str] = {}
         self._told = told
         self._watched = watched
         self._recording = recording
@@ -162,7 +166,7 @@ class CarlaPhysics:
         """
         connection, kind = self._connection, placement.kind
         world = self._world or self._begin()
-        name = blueprint_of(kind)
+        name = blueprint_of(placement)
         measured = connection.measured(name)
         length, width = size_as_placed(placement, measured)
         heading = placement.heading + (0.0 if length == measured.length else math.pi / 2)
@@ -201,15 +205,12 @@ class CarlaPhysics:
 
         Raises:
             ServerError: The server was lost, or somebody else ticks it or took an actor away.
-            ValueError: `dt` is not the step that the world was begun with.
         """
-        if dt != self._dt:
-            raise ValueError(f"a step of {dt:g} s in a world with steps of {self._dt:g} s")
-        if first := self._frame == 0:
+        if self._frame == 0:
             self._settle()
         self._steps += 1
         self._show_lights()
-        asked = [actor.command(dt, first) for actor in self._actors]
+        asked = [actor.command(dt) for actor in self._actors]
         self._carry_out([*(command for command in asked if command is not None), *self._view()])
         snapshot = self._tick()
         for actor in self._actors:
@@ -249,11 +250,8 @@ class CarlaPhysics:
         """Wait until everybody has come down on the road, held by the hand brake, and the sensor is heard."""
         ego, world = self._actors[0], self._world
         with self._connection.asking("make a sensor"):
-            self._lights = {
-                light.get_opendrive_id(): light
-                for light in world.get_actors().filter("traffic.traffic_light*")
-                if light.get_opendrive_id() in self._states
-            }
+            every = world.get_actors().filter("traffic.traffic_light*")
+            self._lights = {light.get_opendrive_id(): light for light in every}
             sensor = self._connection.blueprint("sensor.other.collision")
             self._sensor = world.spawn_actor(sensor, carla.Transform(), attach_to=ego.handle)
             self._sensor.listen(self._hear)
@@ -261,10 +259,11 @@ class CarlaPhysics:
         moving = [actor for actor in self._actors if actor.body.moves]
         vehicles = [actor for actor in moving if isinstance(actor.body, Vehicle)]
         self._carry_out([carla.command.ApplyVehicleControl(actor.handle.id, _HELD) for actor in vehicles])
-        for _ in range(SETTLING):
-            states = [self._tick().find(actor.handle.id) for actor in moving]
-            if all(state is None or abs(state.get_velocity().z) < SETTLED for state in states):
-                break
+        for number in range(SETTLING):
+            snapshot = self._tick()
+            states = [snapshot.find(actor.handle.id) for actor in moving]
+            if number and all(state is None or abs(state.get_velocity().z) < SETTLED for state in states):
+                break  # not after the first: nobody falls yet
         rolling = [actor for actor in vehicles if actor.body.speed]
         self._carry_out(
             [
@@ -275,15 +274,15 @@ class CarlaPhysics:
             ]
         )
         time.sleep(max(0.0, HEARING - (time.monotonic() - listening)))
+        self._heard.clear()  # the fall on the road
 
     def _show_lights(self) -> None:
         """Let lights show what they show after this step; the wheel has no command of a batch for that."""
-        step = self._steps
         with self._connection.asking("set traffic lights"):
-            for name, light in self._lights.items():
-                states = self._states[name]
-                if step < len(states) and (step == 1 or states[step] != states[step - 1]):
-                    light.set_state(_STATES[states[step]])
+            for name, state in self._shows(self._steps).items():
+                if name in self._lights and self._shown.get(name) != state:
+                    self._shown[name] = state
+                    self._lights[name].set_state(_STATES[state])
 
     def _view(self) -> list[Any]:
         """The command that puts the spectator above the ego, where that was asked for."""

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+import time
 from pathlib import Path
 from typing import Any
 
+from scenic.syntax.veneer import simulation
+
+from chatscene.errors import ServerError
+from chatscene.maps.junctions import junction_signals
+from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.carla.blueprints import blueprint_of
+from chatscene.simulate.carla.blueprints import PROPS, blueprint_of
 from chatscene.simulate.carla.connection import address, connected
 from chatscene.simulate.carla.physics import CarlaPhysics, size_as_placed
 from chatscene.simulate.stepped import SteppedSimulator
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import Scene
 from chatscene.terms.simulator import SimulatorIdentity
 from chatscene.world.bodies import Placement
@@ -29,8 +35,6 @@ class CarlaSimulator(SteppedSimulator):
         settings: Step and limits, and where the server is (`chatscene.simulate.carla.connection.address`).
 
     Attributes:
-        watched: Whether the server's own window looks down on the ego.
-        recording: Where the server writes its recorder's file of the next scenes, as it sees files; None for nowhere.
         disagreements: What CARLA's collision sensor and our boxes said differently so far.
 
     Raises:
@@ -47,32 +51,78 @@ class CarlaSimulator(SteppedSimulator):
             exact=False,
             confinable=False,
         )
-        super().__init__(map_path, settings, identity=identity, physics_of=self._bodies)
-        self.watched = False
-        self.recording: Path | None = None
+        super().__init__(map_path, settings, identity=identity, physics_of=None)
+        self._watched = False
+        self._recording: Path | None = None
         self.disagreements: list[str] = []
+
+    def show(self, *, watched: bool, recording: Path | None) -> None:
+        """Say how the next scenes can be looked at.
+
+        Args:
+            watched: Whether the server's own window looks down on the ego.
+            recording: Where its recorder writes, as the server sees files; None for nowhere.
+        """
+        self._watched, self._recording = watched, recording
 
     def size_of(self, placement: Placement) -> tuple[float, float]:
         """Length and width [m] that a thing has here."""
-        return size_as_placed(placement, self._connection.measured(blueprint_of(placement.kind)))
+        return size_as_placed(placement, self._connection.measured(blueprint_of(placement)))
+
+    def survey(self) -> str:
+        """What the server has of what our scenes need on their map, in words.
+
+        Raises:
+            ServerError: It lacks something.
+        """
+        connection = self._connection
+        world = connection.begin(self._map_path, self._settings.dt)
+        try:
+            wanted = {*PROPS.values(), *(kind.row.blueprint for kind in AdversaryKind)}
+            for name in sorted(wanted):
+                connection.measured(name)
+            began, ticks = time.monotonic(), 20
+            for _ in range(ticks):
+                connection.tick(world)
+            rate = ticks / (time.monotonic() - began)
+            with connection.asking("tell its map and lights"):
+                name = world.get_map().name
+                lights = {light.get_opendrive_id() for light in world.get_actors().filter("traffic.traffic_light*")}
+        finally:
+            if not connection.lost:
+                connection.end(world)
+        network = load_network(self._map_path)
+        lines = [line for junction in network.intersections for line in junction_signals(network, junction.uid)]
+        ours = {light for line in lines for light in line.lights}
+        if missing := sorted(ours - lights):
+            raise ServerError(
+                f"on the map {name} of the server at {connection.place}, {len(missing)} of {len(ours)} traffic lights "
+                f"are not there: {', '.join(missing[:10])}"
+            )
+        has = f"map {name}, {len(wanted)} blueprints, {len(ours)} traffic lights"
+        return f"{has}; {rate:.0f} ticks/s with nobody there"
 
     def physics_for(self, scene: Scene, placed: Any) -> CarlaPhysics:
         """The bodies of one of Scenic's scenes, and the lights on the ego's way."""
-        mode, states = str(placed.params["signals"]), self._settings.max_steps + 1
         around = self.surroundings(placed.egoObject.route.route)
-        return self._bodies(around.lights(mode, states, self._settings.dt), scene.id)
+        mode, dt = str(placed.params["signals"]), self._settings.dt
+        planned = around.lights(mode, self._settings.max_steps + 1, dt)
 
-    def _bodies(self, lights: Mapping[str, str] | None = None, scene_id: str = "a scene") -> CarlaPhysics:
+        def lights(step: int) -> dict[str, str]:
+            own = simulation().lights  # those of the drive that is running, once its program has asked for any
+            states = planned if own is None else around.lights(mode, step + 1, dt, own)
+            return {name: state[min(step, len(state) - 1)] for name, state in states.items()}
+
         def told(disagreement: str) -> None:
-            self.disagreements.append(f"{scene_id}: {disagreement}")
-            _log.warning("%s: %s", scene_id, disagreement)
+            self.disagreements.append(f"{scene.id}: {disagreement}")
+            _log.warning("%s: %s", scene.id, disagreement)
 
         return CarlaPhysics(
             self._connection,
             self._map_path,
-            self._settings.dt,
-            lights=lights or {},
+            dt,
+            lights=lights,
             told=told,
-            watched=self.watched,
-            recording=self.recording,
+            watched=self._watched,
+            recording=self._recording,
         )

@@ -12,7 +12,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.carla.standin.server import Server
 from chatscene.simulate.carla.standin.world import World
 from chatscene.simulate.physics import PhysicsOf
-from chatscene.simulate.simulator import has_one_world, load_simulator
+from chatscene.simulate.simulator import load_simulator
 
 
 def serve(
@@ -48,9 +48,7 @@ def serve(
 
 
 def _bodies_of(path: Path, settings: SimulationSettings) -> PhysicsOf:
-    physics_of: PhysicsOf | None = None
-    if not has_one_world(settings.simulator):  # whose actors are CARLA's already
-        physics_of = getattr(load_simulator(path, settings), "physics_of", None)
+    physics_of: PhysicsOf | None = getattr(load_simulator(path, settings), "physics_of", None)
     if physics_of is None:
         raise SettingsError(
             f"the simulator {settings.simulator!r} brings no bodies that a stand-in for CARLA could move"
