@@ -39,6 +39,7 @@ class SteppedSession:
         through: Whether to go on after a collision.
         label: The program and scene, for messages.
         program: What it is a scene of.
+        draws: How many draws it took to place.
 
     Attributes:
         observation: What the ego sees now.
@@ -47,6 +48,7 @@ class SteppedSession:
         step_number: How many steps were made.
         offset: Lateral offset of the ego from its route [m, positive = left].
         along: Arc length of the ego on its route [m].
+        draws: How many draws it took to place.
     """
 
     def __init__(
@@ -60,6 +62,7 @@ class SteppedSession:
         through: bool,
         label: str,
         program: ScenicProgram,
+        draws: int,
     ) -> None:
         objects, bodies = simulation.objects, simulation.bodies
         body, own = bodies[0], objects[0].behavior
@@ -78,6 +81,7 @@ class SteppedSession:
         self._pedals = pedals
         self._through = through
         self._label = label
+        self.draws = draws
         self._drawn = program.drawn
         self._as_written = program.as_written
         self._names: list[tuple[str, Role]] = []

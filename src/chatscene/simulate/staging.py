@@ -74,12 +74,17 @@ class _InOrder(SampleChecker):
 
 
 class Stage:
-    """The compiled programs of one map, ready to have values set in them."""
+    """The compiled programs of one map, ready to have values set in them.
+
+    Attributes:
+        draws: How many draws the scene took that was placed last.
+    """
 
     def __init__(self, map_path: Path) -> None:
         self._map_path = map_path
         self._compiled: OrderedDict[tuple[str, int], Any] = OrderedDict()
-        self._placed: OrderedDict[tuple[object, ...], Any | Rejected] = OrderedDict()
+        self._placed: OrderedDict[tuple[object, ...], tuple[Any | Rejected, int]] = OrderedDict()
+        self.draws = 1
 
     def compiled(self, program: ScenicProgram, route: int) -> Any:
         """Scenic's scenario for a program on one of its routes.
@@ -124,6 +129,7 @@ class Stage:
             scenario.conditionOn(params=dict(scene.values))
         if program.drawn:
             return self._draw(program, scenario, scene)
+        self.draws = 1
         random.seed(scene.seed)  # nothing of ours draws from it; a stranger's program might
         scenario.checker.reason = NO_PLACE
         try:
@@ -141,11 +147,11 @@ class Stage:
                 self._placed.popitem(last=False)
         self._placed.move_to_end(key)
         _seed(scene.seed, 1)  # whatever was drawn until here, and by whom, the drive draws from its own beginning
-        found = self._placed[key]
+        found, self.draws = self._placed[key]
         return Rejected(scene=scene, reason=found.reason) if isinstance(found, Rejected) else found
 
-    def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> Any | Rejected:
-        """The first scene that Scenic draws and that meets the requirements, its ego with a route."""
+    def _drawn(self, program: ScenicProgram, scenario: Any, scene: Scene) -> tuple[Any | Rejected, int]:
+        """The first scene that Scenic draws and that meets the requirements, its ego with a route; how many it drew."""
         _seed(scene.seed, 0)
         reasons: Counter[str] = Counter()
         began = time.process_time()
@@ -163,12 +169,10 @@ class Stage:
                 object.__setattr__(ego, "route", EgoRoute(route, drawn.workspace.network, 1))
                 if not program.as_written:  # the ego under test drives in its place
                     object.__setattr__(ego, "behavior", None)
-                return drawn
+                return drawn, reasons.total() + 1
         why = "; ".join(f"{times} times: {reason}" for reason, times in reasons.most_common(3))
-        return Rejected(
-            scene=scene,
-            reason=f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})",
-        )
+        reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
+        return Rejected(scene=scene, reason=reason), reasons.total()
 
 
 def _seed(seed: int, part: int) -> None:

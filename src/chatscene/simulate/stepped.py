@@ -108,6 +108,7 @@ class SteppedSimulator:
                 through_collisions,
                 label,
                 program,
+                self._stage.draws,
             )
         except BaseException:
             simulation.__exit__()

@@ -176,6 +176,9 @@ class _Refused(Action):
     def __init__(self, *_: Any, **__: Any) -> None:
         raise ValueError(f"{type(self).__name__}: {_NOT_HERE}")
 
+    def applyTo(self, agent: Any, simulation: Any) -> None:  # noqa: N802
+        """Never reached."""
+
 
 class SetTransformAction(_Refused):
     """A jump."""

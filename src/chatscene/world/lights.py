@@ -36,13 +36,16 @@ class TrafficLights:
     network: Any
     dt: float
     axis: dict[str, float] = field(default_factory=dict[str, float])
+    _lines: dict[str, tuple[StopLine, ...]] = field(default_factory=dict[str, tuple[StopLine, ...]])
     _set: dict[str, list[tuple[int, str]]] = field(default_factory=dict[str, list[tuple[int, str]]])
     _frozen: list[tuple[int, bool]] = field(default_factory=list[tuple[int, bool]])
 
     def lines(self, junction: str) -> tuple[StopLine, ...]:
         """The lights of a junction."""
-        every = junction_signals(self.network, junction)
-        return tuple(line for line in every if line.control is Control.SIGNAL)
+        if junction not in self._lines:
+            every = junction_signals(self.network, junction)
+            self._lines[junction] = tuple(line for line in every if line.control is Control.SIGNAL)
+        return self._lines[junction]
 
     def state(self, line: StopLine, step: int) -> str:
         """``g``, ``y`` or ``r``."""

@@ -13,10 +13,12 @@ from chatscene.program.check import probe_scenes
 from chatscene.search.explore import explore
 from chatscene.search.generators.foreign import ADVERSARY_BEHAVIOR, foreign_files, foreign_program, read_foreign
 from chatscene.settings import SearchSettings, SimulationSettings
+from chatscene.simulate.confined.allow_list import check_foreign
 from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots
+from red_team.corpus import ATTACKS
 
 MINE = """# My own: a van pulls out.
 model chatscene.world.model
@@ -134,6 +136,48 @@ def test_what_is_wrong_is_said_with_the_way_to_put_it_right(text: str, message: 
     with pytest.raises(ForeignCodeRefused) as refusal:
         read_foreign(written(tmp_path, text))
     assert message in str(refusal.value)
+
+
+THEIRS = """param map = localPath('../maps/Town01.xodr')
+model scenic.simulators.carla.model
+ego = new Car
+"""
+
+
+def test_a_program_for_another_world_model_is_read_with_the_map_that_it_names(tmp_path: Path) -> None:
+    read = read_foreign(written(tmp_path, THEIRS))
+    assert read.program.model == "scenic.simulators.carla.model"
+    assert read.program.drawn
+    assert read.map_path == tmp_path.parent / "maps" / "Town01.xodr"
+    assert not read_foreign(written(tmp_path, MINE)).program.drawn
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (THEIRS.replace("ego = ", "other = "), "has no ego; add: ego = new Car"),
+        (THEIRS + "import os\n", "line 4: import"),
+        (THEIRS + "x = ego.__class__\n", "line 4: .__class__"),
+        (THEIRS + "x = open('a')\n", "line 4: the name open"),
+        (THEIRS + "x = simulation().scene\n", "line 4: .scene"),
+        (THEIRS + "record ego.speed as v to videos\n", "nothing is written while a drive goes on"),
+        (THEIRS + "def f(x):\n    return x\n@f\ndef g():\n    return 1\n", "a decorator or an annotation"),
+        (THEIRS + "globalParameters = 3\n", "in the place of what is given"),
+        (THEIRS + "model chatscene.world.model\n", "the beginning"),
+    ],
+)
+def test_what_a_strangers_program_for_another_model_may_not_is_said(text: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(ForeignCodeRefused) as refusal:
+        read_foreign(written(tmp_path, text))
+    assert message in str(refusal.value)
+
+
+def test_what_is_tried_against_the_sandbox_is_refused_in_a_program_for_another_model_too() -> None:
+    tried = [attack.source for attack in ATTACKS if "model chatscene.world.model" in attack.source]
+    assert len(tried) > 80
+    for source in tried:
+        other = source.replace("model chatscene.world.model", "model scenic.simulators.carla.model")
+        assert check_foreign(other) or not check_foreign(source)
 
 
 def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:

@@ -200,7 +200,7 @@ class _Confined:
         if isinstance(session, Rejected):
             return {"rejected": session.reason}
         self._session = session
-        return _state(session)
+        return {**_state(session), "draws": getattr(session, "draws", 1)}
 
     def _open_session(self) -> Session:
         assert self._session is not None

@@ -162,6 +162,7 @@ class ConfinedSession:
         along: Arc length of the ego on its route [m].
         offset: Lateral offset of the ego from its route [m, positive = left].
         speed: Of the ego [m/s].
+        draws: How many draws the scene took to place.
     """
 
     def __init__(self, confined: Confined, state: Message, size: int, settings: SimulationSettings) -> None:
@@ -169,6 +170,7 @@ class ConfinedSession:
         self._size = size
         self._settings = settings
         self.step_number = -1
+        self.draws = int(number(state, "draws"))
         self.observation: Observation
         self.ending: Ending | None
         self.rejection: str
