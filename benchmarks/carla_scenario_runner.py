@@ -31,24 +31,27 @@ import carla  # pyright: ignore[reportMissingImports]
 HERE = Path(__file__).parent
 LONGEST = 150.0  # [s] of the clock
 OPEN_SCENARIOS = {
-    "CatalogExample": 30,
-    "ChangingWeather": 30,
     "CyclistCrossing": 30,
     "FollowLeadingVehicle": 30,
     "InitAddEntityAction": 30,
     "InitDeleteEntityAction": 30,
-    "IntersectionCollisionAvoidance": 30,
     "LaneChangeSimple": 60,
-    "LaneOffsetActionExample": 30,
-    "OscControllerExample": 30,
     "PedestrianCrossingFront": 30,
     "Slalom": 30,
     "StoryAddEntityAction": 30,
     "StoryDeleteEntityAction": 30,
-    "SyncArrivalIntersection": 30,
     "VehicleLateralDistance": 30,
 }
 """Files in srunner/examples, and how fast their hero is driven [km/h]."""
+NO_RESULT = {
+    "CatalogExample": "its catalogue has a date that its schema refuses",
+    "ChangingWeather": "it waits for 10,000,000 s of simulated time",
+    "IntersectionCollisionAvoidance": "ScenarioRunner takes len() of times that it was not given (atomic_behaviors:773)",
+    "LaneOffsetActionExample": "its hero has to go 20 km",
+    "OscControllerExample": "its hero has to go 20 km",
+    "SyncArrivalIntersection": "ScenarioRunner takes len() of times that it was not given (atomic_behaviors:773)",
+}
+"""Files there that come to no result by what is in them, with any server, and why."""
 EXAMPLES = {
     "FollowLeadingVehicle_1": 30,
     "ControlLoss_1": 30,
@@ -56,7 +59,7 @@ EXAMPLES = {
     "DynamicObjectCrossing_1": 30,
     "CutInFrom_left_Lane": 60,
     "OtherLeadingVehicle_1": 60,
-    "ChangeLane_2": 30,
+    "ChangeLane_1": 60,
 }
 """Scenarios named in the XML files there."""
 
@@ -243,6 +246,8 @@ def main() -> None:
                 verdict, seconds = runner.run(name)
                 ended += not verdict.startswith("no result")
                 print(f"{name:32} {verdict:60} {seconds:5.0f} s", flush=True)
+            for name, why in NO_RESULT.items():
+                print(f"{name:32} not run: {why}")
             print(f"{ended} of {len(names)} came to a result; logs are in {folder}")
             if ended == len(names):
                 shutil.rmtree(folder)
