@@ -46,10 +46,10 @@ OPEN_SCENARIOS = {
 NO_RESULT = {
     "CatalogExample": "its catalogue has a date that its schema refuses",
     "ChangingWeather": "it waits for 10,000,000 s of simulated time",
-    "IntersectionCollisionAvoidance": "ScenarioRunner takes len() of times that it was not given (atomic_behaviors:773)",
+    "IntersectionCollisionAvoidance": "ScenarioRunner takes the length of times that it passes none of",
     "LaneOffsetActionExample": "its hero has to go 20 km",
     "OscControllerExample": "its hero has to go 20 km",
-    "SyncArrivalIntersection": "ScenarioRunner takes len() of times that it was not given (atomic_behaviors:773)",
+    "SyncArrivalIntersection": "ScenarioRunner takes the length of times that it passes none of",
 }
 """Files there that come to no result by what is in them, with any server, and why."""
 EXAMPLES = {

@@ -184,6 +184,15 @@ def test_who_stands_apart_collides_with_nobody(world: Any) -> None:
     assert len(heard) == 1
 
 
+def test_dirt_on_the_road_is_driven_over(world: Any) -> None:
+    car = spawned(world)
+    assert spawned(world, "static.prop.dirtdebris01").is_alive
+    heard = listened(world, "sensor.other.collision", car)
+    world.tick()
+    time.sleep(0.2)
+    assert len(heard) == 1
+
+
 def test_an_inertial_sensor_and_a_satellite_receiver_tell_the_truth(world: Any) -> None:
     car = spawned(world)
     inertia = listened(world, "sensor.other.imu", car)
@@ -450,3 +459,17 @@ def test_impulses_and_forces_change_a_vehicles_speed_by_its_mass(world: Any) -> 
     assert speed(car) == pytest.approx(after + 2.0, abs=0.1)
     world.tick()
     assert speed(car) < after + 2.0
+
+
+def test_sensors_have_the_attributes_that_clients_set(world: Any) -> None:
+    for name, attributes in {
+        "sensor.camera.rgb": {"gamma": "2.2", "lens_circle_multiplier": "3.0", "enable_postprocess_effects": "False"},
+        "sensor.lidar.ray_cast": {"dropoff_general_rate": "0.45", "atmosphere_attenuation_rate": "0.004"},
+        "sensor.other.gnss": {"noise_alt_stddev": "0.000005", "noise_lat_bias": "0.0"},
+        "sensor.other.imu": {"noise_accel_stddev_x": "0.001", "noise_gyro_stddev_z": "0.001", "noise_seed": "1"},
+        "sensor.other.radar": {"horizontal_fov": "30", "noise_seed": "1"},
+    }.items():
+        blueprint = world.get_blueprint_library().find(name)
+        for key, value in attributes.items():
+            blueprint.set_attribute(key, value)
+        assert world.spawn_actor(blueprint, carla.Transform()).is_alive

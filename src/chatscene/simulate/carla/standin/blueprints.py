@@ -64,8 +64,10 @@ class Blueprint:
 
     @property
     def solid(self) -> bool:
-        """Whether others can touch it."""
-        return self.group in ("vehicle", "walker") or self.id.startswith("static.prop")
+        """Whether others can touch it; dirt on the road is driven over."""
+        return self.group in ("vehicle", "walker") or (
+            self.id.startswith("static.prop") and not self.id.startswith("static.prop.dirtdebris")
+        )
 
 
 @lru_cache(maxsize=1)
@@ -179,14 +181,49 @@ def _walker(name: str, size: tuple[float, float, float]) -> Blueprint:
     )
 
 
+# What clients set of sensors and has no effect here: lenses and noise, with CARLA's names and defaults of its manual.
+_LENS = {
+    "lens_circle_falloff": "5.0", "lens_circle_multiplier": "0.0", "lens_k": "-1.0", "lens_kcube": "0.0",
+    "lens_x_size": "0.08", "lens_y_size": "0.08",
+}  # fmt: skip
+_FILM = {
+    "bloom_intensity": "0.675", "fstop": "1.4", "iso": "100.0", "gamma": "2.2", "lens_flare_intensity": "0.1",
+    "shutter_speed": "200.0", "min_fstop": "1.2", "exposure_compensation": "0.0", "exposure_min_bright": "10.0",
+    "exposure_max_bright": "12.0", "exposure_speed_up": "3.0", "exposure_speed_down": "1.0",
+    "calibration_constant": "16.0", "focal_distance": "1000.0", "blur_amount": "1.0", "blur_radius": "0.0",
+    "motion_blur_intensity": "0.45", "motion_blur_max_distortion": "0.35",
+    "motion_blur_min_object_screen_size": "0.1", "slope": "0.88", "toe": "0.55", "shoulder": "0.26",
+    "black_clip": "0.0", "white_clip": "0.04", "temp": "6500.0", "tint": "0.0",
+    "chromatic_aberration_intensity": "0.0", "chromatic_aberration_offset": "0.0",
+}  # fmt: skip
+_DROPPED = {
+    "atmosphere_attenuation_rate": "0.004", "dropoff_general_rate": "0.45", "dropoff_intensity_limit": "0.8",
+    "dropoff_zero_intensity": "0.4", "noise_stddev": "0.0",
+}  # fmt: skip
+_NOISE = {
+    "sensor.other.gnss": [f"noise_{part}_{kind}" for part in ("alt", "lat", "lon") for kind in ("bias", "stddev")],
+    "sensor.other.imu": [
+        f"noise_{kind}_{axis}" for kind in ("accel_stddev", "gyro_bias", "gyro_stddev") for axis in "xyz"
+    ],
+}
+_SEED = _attribute("noise_seed", _INT, "0")
+
+
 def _sensors() -> list[Blueprint]:
     tick = _attribute("sensor_tick", _FLOAT, "0.0")
     picture = [
         _attribute("image_size_x", _INT, "800"),
         _attribute("image_size_y", _INT, "600"),
         _attribute("fov", _FLOAT, "90.0"),
+        *(_attribute(name, _FLOAT, value) for name, value in _LENS.items()),
         tick,
         _role("front"),
+    ]
+    film = [
+        *(_attribute(name, _FLOAT, value) for name, value in _FILM.items()),
+        _attribute("blade_count", _INT, "5"),
+        _attribute("exposure_mode", _STRING, "histogram"),
+        _attribute("enable_postprocess_effects", _BOOL, "true"),
     ]
     angles = {"upper_fov": "10.0", "lower_fov": "-30.0", "horizontal_fov": "360.0"}
     rays = [
@@ -194,6 +231,8 @@ def _sensors() -> list[Blueprint]:
         *(_attribute(name, _FLOAT, value) for name, value in angles.items()),
         _attribute("channels", _INT, "32"),
         _attribute("points_per_second", _INT, "56000"),
+        *(_attribute(name, _FLOAT, value) for name, value in _DROPPED.items()),
+        _SEED,
         tick,
         _role("front"),
     ]
@@ -201,6 +240,7 @@ def _sensors() -> list[Blueprint]:
         *(_attribute(f"{way}_fov", _FLOAT, "30.0") for way in ("horizontal", "vertical")),
         _attribute("range", _FLOAT, "100.0"),
         _attribute("points_per_second", _INT, "1500"),
+        _SEED,
         tick,
         _role("front"),
     ]
@@ -208,9 +248,11 @@ def _sensors() -> list[Blueprint]:
         _attribute("distance", _FLOAT, "5.0"),
         _attribute("hit_radius", _FLOAT, "0.5"),
         _attribute("only_dynamics", _BOOL, "false"),
+        _attribute("debug_linetrace", _BOOL, "false"),
     ]
-    cameras = ("rgb", "depth", "semantic_segmentation", "instance_segmentation", "optical_flow", "dvs")
+    cameras = ("depth", "semantic_segmentation", "instance_segmentation", "optical_flow", "dvs")
     return [
+        Blueprint(id="sensor.camera.rgb", attributes=[*picture, *film]),
         *(Blueprint(id=f"sensor.camera.{name}", attributes=picture) for name in cameras),
         Blueprint(id="sensor.lidar.ray_cast", attributes=rays),
         Blueprint(id="sensor.lidar.ray_cast_semantic", attributes=rays),
@@ -218,6 +260,13 @@ def _sensors() -> list[Blueprint]:
         Blueprint(id="sensor.other.obstacle", attributes=[*reach, tick, _role("front")]),
         *(
             Blueprint(id=f"sensor.other.{name}", attributes=[tick, _role("front")])
-            for name in ("collision", "lane_invasion", "gnss", "imu")
+            for name in ("collision", "lane_invasion")
+        ),
+        *(
+            Blueprint(
+                id=sensor,
+                attributes=[*(_attribute(name, _FLOAT, "0.0") for name in names), _SEED, tick, _role("front")],
+            )
+            for sensor, names in _NOISE.items()
         ),
     ]
