@@ -18,6 +18,7 @@ from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
 ELSEWHERE = {
+    "library/compose.py": "how each is done, and which is a part of which",
     "program/deeds.py": "a test on tracks for each",
     "library/plan_check.py": "acts that a plan shows before it is driven",
     "read/decompose.py": "what the reader makes of several acts heard at once",
