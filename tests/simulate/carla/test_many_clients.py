@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import socket
+import time
 from collections.abc import Generator
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,21 @@ carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not insta
 msgpack: Any = pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
 
 MKZ = "vehicle.lincoln.mkz_2017"
-NAMES = (*CALLS, *ACTOR_CALLS, "apply_batch", "spawn_actor", "load_new_episode", "get_actors_by_id", "nonsense", "")
+OF_THE_SERVER = (
+    "add_traffic_manager_running",
+    "apply_batch",
+    "destroy_traffic_manager",
+    "get_actors_by_id",
+    "get_episode_info",
+    "get_sensor_token",
+    "get_spectator",
+    "get_traffic_manager_running",
+    "is_traffic_manager_running",
+    "load_new_episode",
+    "spawn_actor",
+    "spawn_actor_with_parent",
+)
+NAMES = (*CALLS, *ACTOR_CALLS, *OF_THE_SERVER, "nonsense", "")
 NUMBERS = (0, 1, -1, 41, 42, 2**31, 2**32 - 1, 2**63, -(2**63), 0.5, 1e300, float("nan"), float("inf"))
 TEXTS = ("", "town", MKZ, "sensor.lidar.ray_cast", "x" * 1000)
 
@@ -117,6 +132,13 @@ def test_every_call_answers_whatever_it_is_given(port: int) -> None:
                 ]
                 connection.sendall(said([0, 1, name, [[False], *arguments]]))
                 assert heard(connection, reader)[:3] == [1, 1, None], (name, arguments)
+        # No port is one that a traffic manager could be woken at.
+        for place in (["127.0.0.1", 0], ["127.0.0.1", 70_000], ["127.0.0.1", 1]):
+            connection.sendall(said([0, 1, "add_traffic_manager_running", [[False], place]]))
+            heard(connection, reader)
+        connection.sendall(said([0, 1, "tick_cue", [[False]]]))
+        heard(connection, reader)
+        time.sleep(1.2)  # it is looked for at port 1 now
     assert client.get_server_version() == "0.9.16"
 
 

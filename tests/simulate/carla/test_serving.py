@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import socket
 import sys
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from standing_in import serving
+from standing_in import connected, serving, spawned, speed
 
 from chatscene.commands.main import main
 
-pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
+carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
 
 
@@ -21,6 +22,19 @@ def test_it_listens_on_loopback_and_on_no_other_address() -> None:
             socket.create_connection(("127.0.0.1", place)).close()
             with pytest.raises(OSError):
                 socket.create_connection(("127.0.0.2", place), timeout=5)
+
+
+def test_bodies_answer_with_delay_where_that_is_asked_for() -> None:
+    reached: list[float] = []
+    for physics in ("kinematic", "lagged"):
+        with serving("--physics", physics) as (port, _):
+            _, world = connected(port)
+            car = spawned(world)
+            car.apply_control(carla.VehicleControl(throttle=1.0))
+            for _ in range(6):
+                world.tick()
+            reached.append(speed(car))
+    assert 0.0 < reached[1] < 0.9 * reached[0]
 
 
 def test_a_port_that_is_taken_is_named() -> None:

@@ -202,10 +202,12 @@ class Server:
         return self._managers.get(port, ["", 0])
 
     def _add_manager(self, client: Client, place: Any) -> bool:
-        host, port = place
+        host, port = wire.text(place[0]), wire.whole(place[1])
+        if not 0 < port < 2**16:
+            raise Refused(f"{port} is no port")
         if port in self._managers:
             return False
-        self._managers[wire.whole(port)] = [wire.text(host), port]
+        self._managers[port] = [host, port]
         client.managers.append(port)
         return True
 
