@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
 from chatscene.commands.doctor import Check, attempt
@@ -46,7 +47,10 @@ def examine_simulator(name: str, map_name: str, scenes: int = 10) -> Iterator[Ch
         yield (surveyed := attempt("its world", survey))
         if not surveyed.ok:
             return
-    ego, programs = load_ego("sac"), list(everyday_programs(scenes))
+    ego, programs = load_ego("sac"), list(islice(everyday_programs(simulator), scenes))
+    if not programs:
+        yield Check(what="scenes", ok=False, found=f"the map {map_name!r} has no place for any of ours")
+        return
     yield attempt("one scene, twice", lambda: _twice(simulator, programs[0], ego))
     yield attempt(f"{scenes} scenes, beside {DEFAULT}", lambda: _beside(simulator, path, settings, programs, ego))
 

@@ -18,7 +18,7 @@ from chatscene import runs
 from chatscene.ego.files import is_plain
 from chatscene.ego.policy import EGOS
 from chatscene.errors import RunError
-from chatscene.plugins import Kind
+from chatscene.plugins import Kind, without_address
 from chatscene.runs.digests import digest_of
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS
@@ -129,4 +129,6 @@ def _code(run: runs.Workspace, options: Sequence[str]) -> Iterator[_Named]:
         packaged = value in kind.built_in if kind else value == _PACKAGED[option]
         if value or not packaged:
             doubt = "" if packaged else f"which is not {'a' if kind else 'the'} packaged one"
+            if kind and without_address(kind, value) != value:
+                doubt = "at an address that only a user may call"
             yield _Named(run=run, option=option, value=value, doubt=doubt)

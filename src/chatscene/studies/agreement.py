@@ -6,10 +6,12 @@ A simulator with bodies of its own sizes is beside the embedded one in two ways:
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene.ego.policy import EgoPolicy
+from chatscene.errors import MapError
 from chatscene.measure.criticality import criticality
 from chatscene.program.sample import draw, scene_seed
 from chatscene.runs.replay import STEPS_APART, apart
@@ -54,13 +56,15 @@ def same_sizes(map_path: Path, settings: SimulationSettings, size_of: SizeOf) ->
     )
 
 
-def everyday_programs(count: int) -> Iterator[ScenicProgram]:
-    """The programs of some sentences of the benchmark, each of another base scenario as long as there are such."""
+def everyday_programs(simulator: Simulator) -> Iterator[ScenicProgram]:
+    """The programs of the benchmark's sentences that have a place on a simulator's map; first one a base scenario."""
     generator, reading = Retrieved(), RetrievalSettings()
-    for number in range(count):
-        place, base = divmod(number, len(BaseScenario))
-        text = generator.texts(list(BaseScenario)[base])[place]
-        yield generator.write(generator.read(text, reading), reading).program
+    for texts in zip(*(generator.texts(base) for base in BaseScenario), strict=True):
+        for text in texts:
+            program = generator.write(generator.read(text, reading), reading).program
+            with suppress(MapError):
+                simulator.route(program, 0)
+                yield program
 
 
 class _Resized:

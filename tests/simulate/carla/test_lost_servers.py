@@ -239,7 +239,9 @@ def test_egos_are_measured_in_a_server(finished: tuple[str, Path, Path], tmp_pat
     assert runs.read_record(runs.Workspace(tmp_path / "one"), runs.EvaluationRecord).simulator.name == "carla"
 
 
-def test_strangers_programs_are_not_run_in_a_server(finished: tuple[str, Path, Path]) -> None:
+def test_programs_run_in_a_server_only_if_they_are_packaged_or_trusted(finished: tuple[str, Path, Path]) -> None:
     there = Settings(simulation=SimulationSettings(simulator=finished[0]))
     with pytest.raises(SettingsError, match="cannot run in the sandbox, and only there is run what is not packaged"):
         simulator_of(load_generator("program"), TOWN, there)
+    trusted = load_generator("chatscene.search.generators.own_program:trusted")
+    assert simulator_of(trusted, TOWN, there).identity.name == "carla"

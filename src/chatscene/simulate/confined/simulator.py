@@ -64,7 +64,7 @@ class ConfinedSimulator:
         if not hosted.confinable:
             raise SettingsError(
                 f"the simulator {settings.simulator!r} cannot run in the sandbox, and only there is run what is not "
-                f"packaged; choose --simulator {SimulationSettings().simulator}"
+                f"packaged; choose --simulator {SimulationSettings().simulator}, or --trust for a program of your own"
             )
         self.identity = replace(hosted, name=NAME)
         self._settings = settings
