@@ -12,9 +12,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from shapely import Polygon
 
 from chatscene.errors import MapError
 from chatscene.maps.drawing import map_drawing
+from chatscene.maps.furniture import furniture_of
 from chatscene.maps.junctions import junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.lane_runs import centre_line
@@ -120,6 +122,15 @@ def test_a_drawing_lies_inside_its_box_and_is_plain_json() -> None:
         assert box[1] - 0.01 <= y <= box[3] + 0.01
         assert (x, y) == (round(x, 2), round(y, 2))
     assert {entry["kind"] for entry in drawing["lane_boundaries"]} == {"solid", "dashed", "centre"}
+
+
+def test_a_crosswalk_is_drawn_as_stripes_across_the_street_and_only_where_there_is_one() -> None:
+    network = load_network(resolve_map("outskirts"))
+    ((_, area),) = furniture_of(network).crosswalks
+    stripes = [Polygon(rings[0]) for rings in map_drawing(network, area.bounds)["crosswalks"]]
+    assert len(stripes) == 10
+    assert all(area.buffer(0.05).contains(stripe) for stripe in stripes)
+    assert "crosswalks" not in map_drawing(NETWORK, NETWORK.intersections[3].polygons.bounds)
 
 
 def test_a_drawing_of_nowhere_is_empty() -> None:

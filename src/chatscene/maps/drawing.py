@@ -10,11 +10,13 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from chatscene.maps.furniture import furniture_of
 from chatscene.maps.junctions import junction_signals
 from chatscene.terms.route import Route
 
 Points = list[list[float]]
 MARGIN = 60.0  # [m] of map drawn around what happens
+STRIPE = 0.5  # [m], of a crosswalk
 SIMPLIFY = 0.02  # [m]; less than a pixel at any useful zoom
 
 
@@ -31,9 +33,11 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
         - ``roads``, ``junctions``, ``shoulders``, ``sidewalks``: polygons, each a list of rings, the outer first;
         - ``lane_boundaries``: ``{"kind": "solid" | "dashed" | "centre", "points": [...]}``, where ``centre``
           parts opposite directions and ``solid`` is the edge of the carriageway;
-        - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``.
+        - ``stop_lines``: ``{"control": "signal" | "stop-sign", "points": [...]}``;
+        - ``crosswalks``, where there are any: the polygons of their stripes.
     """
     frame = shapely.box(*box)
+    stripes = _polygons((stripe for _, area in furniture_of(network).crosswalks for stripe in _stripes(area)), frame)
     return {
         "roads": _polygons((road.polygons for road in network.roads), frame),
         "junctions": _polygons((junction.polygons for junction in network.intersections), frame),
@@ -49,7 +53,20 @@ def map_drawing(network: Any, box: tuple[float, float, float, float]) -> dict[st
             for line in junction_signals(network, junction.uid)
             if line.control != "none" and frame.contains(shapely.Point(line.x0, line.y0))
         ],
+        **({"crosswalks": stripes} if stripes else {}),
     }
+
+
+def _stripes(crosswalk: shapely.Polygon) -> Iterator[shapely.Polygon]:
+    """The painted stripes of a crosswalk, side by side across its street."""
+    box: Any = crosswalk.minimum_rotated_rectangle
+    a, b, c, d, _ = np.array(box.exterior.coords)
+    if np.hypot(*(b - a)) < np.hypot(*(d - a)):
+        a, b, c, d = b, c, d, a
+    count = max(int(np.hypot(*(b - a)) / (2 * STRIPE)), 1)
+    for number in range(count):
+        first, last = (number + 0.25) / count, (number + 0.75) / count
+        yield shapely.Polygon([a + first * (b - a), a + last * (b - a), d + last * (c - d), d + first * (c - d)])
 
 
 def _boundaries(network: Any) -> Iterator[tuple[str, BaseGeometry]]:

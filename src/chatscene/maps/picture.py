@@ -93,6 +93,8 @@ def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
         pieces = _dashes(line["points"]) if line["kind"] == "dashed" else [line["points"]]
         for piece in pieces:
             brush.line(camera.points(piece), fill=colour, width=camera.pixels(0.15))
+    for rings in drawing.get("crosswalks", ()):
+        brush.polygon(camera.points(rings[0]), fill=PAINT)
     for line in drawing.get("stop_lines", ()):
         brush.line(camera.points(line["points"]), fill=PAINT, width=camera.pixels(0.4))
     return picture

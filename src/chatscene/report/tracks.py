@@ -95,7 +95,7 @@ def pack_drawing(drawing: Mapping[str, Any], boxes: Sequence[Box]) -> dict[str, 
     around = shapely.union_all([shapely.box(*box) for box in sorted(set(boxes))])
     packed: dict[str, Any] = {
         kind: [[_pack_line(ring) for ring in area] for area in drawing.get(kind, ()) if _reaches(area[0], around)]
-        for kind in ("sidewalks", "shoulders", "roads", "junctions")
+        for kind in ("sidewalks", "shoulders", "roads", "junctions", "crosswalks")
     }
     packed["lane_boundaries"] = [
         {"kind": line["kind"], "points": _pack_line(line["points"])}

@@ -58,6 +58,7 @@ const map = {
   shoulders: content.map.shoulders.map(unpackArea),
   roads: content.map.roads.map(unpackArea),
   junctions: content.map.junctions.map(unpackArea),
+  crosswalks: content.map.crosswalks.map(unpackArea),
   stops: content.map.stop_lines.map(unpackLine),
   lines: content.map.lane_boundaries.map((line) => ({ kind: line.kind, points: unpackLine(line.points) })),
   routes: Object.fromEntries(Object.entries(content.map.routes).map(([name, line]) => [name, unpackLine(line)])),
@@ -117,6 +118,8 @@ function drawMap() {
   fillAll(map.shoulders, colours.shoulder);
   fillAll(map.roads, colours.road);
   fillAll(map.junctions, colours.road);
+  canvas.fillStyle = colours.paint;
+  for (const stripe of map.crosswalks) canvas.fill(stripe);
   canvas.lineCap = "butt";
   for (const line of map.lines) {
     canvas.strokeStyle = line.kind === "centre" ? colours.centre : colours.paint;

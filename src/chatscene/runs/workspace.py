@@ -54,6 +54,7 @@ class _Drawing(BaseModel):
     junctions: _Areas = []
     shoulders: _Areas = []
     sidewalks: _Areas = []
+    crosswalks: _Areas = []
     lane_boundaries: list[_Line] = []
     stop_lines: list[_Line] = []
     routes: dict[str, _Points] = {}
