@@ -9,20 +9,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import count as counter
 from itertools import islice
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+import shapely
 
 from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.junctions import junction_control
+from chatscene.maps.lane_changes import neighbour, opposes, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
+from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.route import Route, RouteQuery, Site
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
 
 __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes"]
@@ -30,12 +33,15 @@ __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_r
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
 OPEN_ROAD, SHORT_ROAD = 100.0, 85.0  # [m] of a route without a junction; the shorter where nothing longer fits
+MOTORWAYS = (250.0, 150.0)  # [m] the same on a motorway
+MOTORWAY_CHANGE = 60.0  # [m] for a change of lanes there
 FIRST_ONSET, ONSET_STEP, FINE_STEP = 10.0, 35.0, 2.0  # [m] into the lane, where a route without a junction may start
 CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how long it takes
 # [m], a bypass: the blocker, swinging out and in, passing beside
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
 
 _LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by more, the ego seems to change lanes
+_SEAM = 0.1  # [m]
 _STRAIGHT_ROAD = math.radians(5)
 _CURVED_ROAD = math.radians(30)
 _LEAST_TURNED = math.radians(45)
@@ -94,7 +100,9 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     Raises:
         MapError: There is none.
     """
-    find = _through_junctions if _needs_junction(query) else _along_roads
+    find = _at_site if query.site in AT_JUNCTIONS else _through_junctions if _needs_junction(query) else _along_roads
+    if query.site is not None and find is _through_junctions:
+        raise MapError(f"no route leads through a junction and along the {query.site}: {_in_words(query)}")
     candidates: list[_Candidate] = []
     for variant in range(len(APPROACHES)):  # later variants only fill up what earlier ones leave
         if len(candidates) < count:
@@ -138,9 +146,26 @@ def _in_words(query: RouteQuery) -> str:
         words.append("no second lane in the ego's direction")
     elif query.lane_beside:
         words.append(f"a lane of the ego's direction to its {query.lane_beside}")
+    words += [f"the {site}" for site in (query.site,) if site is not None]
+    words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
     if query.conflicting_from:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
     return ", ".join(words)
+
+
+def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
+    for group, route in routes_at(network, map_name, query, variant):
+        on_road = shapely.contains_xy(_drivable(network), route.line.points).all()
+        if on_road and _offers(network.elements[route.lane_ids[0]], query):
+            yield _Candidate(variant, group, route)
+
+
+@lru_cache(maxsize=8)
+def _drivable(network: Any) -> Any:
+    """All lanes, and the seams between them."""
+    area = shapely.buffer(network.drivableRegion.polygons, _SEAM)
+    shapely.prepare(area)
+    return area
 
 
 # Junctions
@@ -221,7 +246,7 @@ def _turned(line: Polyline, start: float, end: float) -> float:
 def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:
     wanted = query.place or Place.ROAD
     for run in dict.fromkeys(lane_runs(network).values()):
-        window = next(islice(_windows(run, wanted), variant, None), None)
+        window = next(islice(_windows(network, run, wanted, query.site), variant, None), None)
         if window is None or not _offers(run.lane_at(window[0]), query):
             continue
         found = _on_road(run, *window, query)
@@ -240,17 +265,30 @@ def _along_roads(network: Any, map_name: str, query: RouteQuery, variant: int) -
             yield _Candidate(variant, str(run.lanes[0].road.uid), route)
 
 
-def _windows(run: LaneRun, wanted: Place) -> Iterator[tuple[float, float]]:
-    """Where a route may start and end on a run [m]; only if no long one fits, short ones are looked for closely."""
+def _windows(
+    network: Any, run: LaneRun, wanted: Place, site: Site | None
+) -> Iterator[tuple[float, float, float | None]]:
+    """Where a route may start and end on a run [m], and what it leads past lies.
+
+    Only if no long one fits, short ones are looked for closely.
+    """
+    if site is Site.CROSSWALK or site is Site.PARKING or site is Site.BUS_BAY:
+        for start, end, past in windows_past(network, run, site):
+            if (shape := _shape(run.line, start, end)) is not None and includes(wanted, shape):
+                yield start, end, past
+        return
+    if site is not None and not along(network, run, site):
+        return
+    long, short = MOTORWAYS if site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
     found = False
-    for length, first, step in ((OPEN_ROAD, FIRST_ONSET, ONSET_STEP), (SHORT_ROAD, FINE_STEP, FINE_STEP)):
+    for length, first, step in ((long, FIRST_ONSET, ONSET_STEP), (short, FINE_STEP, FINE_STEP)):
         if found:
             return
         for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
             shape = _shape(run.line, onset, onset + length)
-            if shape is not None and includes(wanted, shape):
+            if shape is not None and includes(wanted, shape) and wide_at(run, onset) and wide_at(run, onset + length):
                 found = True
-                yield onset, onset + length
+                yield onset, onset + length, None
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
@@ -273,56 +311,26 @@ def _aside(line: Polyline, start: float, end: float) -> float:
 
 
 def _on_road(
-    run: LaneRun, onset: float, end: float, query: RouteQuery
+    run: LaneRun, onset: float, end: float, past: float | None, query: RouteQuery
 ) -> tuple[Polyline, tuple[str, ...], float] | None:
     """Line, lanes and event of a route that starts in a run of lanes and does the query's manoeuvre."""
     own = run.line.between(onset, end)
     if query.maneuver is Maneuver.STRAIGHT:
-        return own, run.ids_between(onset, end), own.length / 2
+        return own, run.ids_between(onset, end), own.length / 2 if past is None else past - onset
     bypass = query.maneuver is Maneuver.BYPASS
     against = bypass and query.opposite_lane is not False
     leaves, returns = (BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING) if bypass else (CHANGE_AT, None)
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
     used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()
-    beside = [_neighbour(run, s, side) for s in used]
-    if any(lane is None or _opposes(run.lane_at(s), lane) != against for s, lane in zip(used, beside, strict=True)):
+    beside = [neighbour(run, s, side) for s in used]
+    if any(lane is None or opposes(run.lane_at(s), lane) != against for s, lane in zip(used, beside, strict=True)):
         return None
     if against and len(run.lane_at(onset).group.lanes) > 1:
         return None  # with a second lane of its own a driver need not use the opposite one
     shift = side * abs(centre_line(beside[0]).project(*own.point_at(leaves))[1])
-    lanes = (*run.ids_between(onset, used[0]), *dict.fromkeys(lane.uid for lane in beside))
-    return _shifted(own, shift, leaves, returns), lanes, BLOCKER_AT if bypass else CHANGE_AT
-
-
-def _shifted(line: Polyline, left: float, out_at: float, back_at: float | None) -> Polyline:
-    """A line that moves `left` [m] over from `out_at` on, and back from `back_at` on (None: stays)."""
-    fine = line.resampled(1.0)
-    s = np.arange(len(fine), dtype=float)
-    over = CHANGE_OVER if back_at is None else SWING
-    share = _smooth((s - out_at) / over)
-    if back_at is not None:
-        share = share - _smooth((s - back_at) / over)
-    tangent = np.gradient(fine.points, axis=0)
-    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    normal = np.column_stack((-tangent[:, 1], tangent[:, 0]))
-    return Polyline(fine.points + (left * share)[:, None] * normal)
-
-
-def _smooth(t: NDArray[Any]) -> NDArray[Any]:
-    t = np.clip(t, 0.0, 1.0)
-    return t * t * (3 - 2 * t)
-
-
-def _neighbour(run: LaneRun, at: float, side: int) -> Any:
-    """The lane beside a run at an arc length: left for side 1, right for -1; None if there is none."""
-    lane, point = run.lane_at(at), run.line.point_at(at)
-    section = next((s for s in lane.sections if s.containsPoint(point)), lane.sections[0])
-    beside = section._laneToLeft if side > 0 else section._laneToRight
-    return None if beside is None else beside.lane
-
-
-def _opposes(lane: Any, other: Any) -> bool:
-    return lane.group is not other.group
+    over = SWING if bypass else MOTORWAY_CHANGE if query.site is Site.MOTORWAY else CHANGE_OVER
+    lanes = (*run.ids_between(onset, used[0] + over), *dict.fromkeys(lane.uid for lane in beside))
+    return shifted(own, shift, leaves, returns, over), lanes, BLOCKER_AT if bypass else CHANGE_AT
 
 
 def _offers(lane: Any, query: RouteQuery) -> bool:
@@ -330,12 +338,22 @@ def _offers(lane: Any, query: RouteQuery) -> bool:
     if len(lane.group.lanes) < query.lanes_same_way:
         return False
     left, right = lane.sections[0]._laneToLeft, lane.sections[0]._laneToRight
+    if query.lane not in (None, _number_of(lane)):
+        return False
     if query.lane_beside == "none" and len(lane.group.lanes) > 1:
         return False
     if query.lane_beside in ("left", "right"):
         beside = left if query.lane_beside == "left" else right
-        if beside is None or _opposes(lane, beside.lane):
+        if beside is None or opposes(lane, beside.lane):
             return False
     if query.opposite_lane is None:
         return True
-    return (left is not None and _opposes(lane, left.lane)) == query.opposite_lane
+    return (left is not None and opposes(lane, left.lane)) == query.opposite_lane
+
+
+def _number_of(lane: Any) -> int:
+    """Which lane of its direction it is where it starts, 1 for the outermost."""
+    section, number = lane.sections[0], 1
+    while section._laneToRight is not None and section._laneToRight.isForward == section.isForward:
+        section, number = section._laneToRight, number + 1
+    return number

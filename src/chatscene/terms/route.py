@@ -6,9 +6,25 @@ Paper: section 3.1 ("Route"), section 4.2 (ten routes per base scenario).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scenario import Control, Maneuver, Place
+
+
+class Site(StrEnum):
+    """What a route leads along or through beyond what a `Place` says; sentences do not speak of it yet."""
+
+    ROUNDABOUT = "roundabout"  # in, round, and out
+    MOTORWAY = "motorway"
+    ON_RAMP = "on-ramp"  # onto another road
+    OFF_RAMP = "off-ramp"
+    WEAVING = "weaving"  # between an on-ramp and an off-ramp that share a lane
+    LANE_DROP = "lane-drop"  # in a lane that tapers out
+    RURAL = "rural"  # a two-way road with a lane each way and no sidewalk
+    CROSSWALK = "crosswalk"  # between junctions
+    PARKING = "parking"  # beside parking places
+    BUS_BAY = "bus-bay"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,6 +43,10 @@ class RouteQuery:
             if the ego's must be the only one of its direction.
         conflicting_from: Sides ("left", "right", "oncoming") from which another vehicle must be able to
             cross the ego's way at the junction.
+        site: What it leads along or through. At ramps, lane drops and where traffic weaves, a lane change is the one
+            that is driven for there, and straight on stays in the lane. A roundabout is turned right, left or
+            straight through, as seen from its entry.
+        lane: Which lane of its direction it starts in, 1 for the outermost.
     """
 
     maneuver: Maneuver
@@ -36,6 +56,8 @@ class RouteQuery:
     opposite_lane: bool | None = None
     lane_beside: str | None = None
     conflicting_from: tuple[str, ...] = ()
+    site: Site | None = None
+    lane: int | None = None
 
     @property
     def slug(self) -> str:
@@ -45,6 +67,7 @@ class RouteQuery:
         parts += [None if self.opposite_lane is None else "opposite" if self.opposite_lane else "one-way"]
         parts += ["one-lane" if self.lane_beside == "none" else f"lane-{self.lane_beside}"] if self.lane_beside else []
         parts += [f"from-{side}" for side in self.conflicting_from]
+        parts += [self.site, None if self.lane is None else f"lane{self.lane}"]
         return "-".join(part for part in parts if part is not None)
 
 
@@ -60,8 +83,8 @@ class Route:
         control: How the junction on it is controlled; NONE on open road.
         line: The waypoints, about 1 m apart, (N, 2) [m], map frame, first one at the start pose.
         lane_ids: Scenic's ids of the lanes it uses, in driving order.
-        event_at: Arc length [m] where the manoeuvre begins: the junction's entry, the start of the lane
-            change or, on open road, the middle.
+        event_at: Arc length [m] where the manoeuvre begins: the junction's entry, the start of the lane change, the
+            nose of a ramp, a crosswalk or the start of a bay or, on open road, the middle.
         junction: Scenic's id of the junction on it, or None.
     """
 

@@ -35,10 +35,11 @@ if 'simulator' not in globalParameters:
 from chatscene.world.stock import stock_simulator as _stock_simulator
 simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
-def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=()):
+def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=(), site=None,
+        lane=None):
     """The ego's route: number `globalParameters.route` of those the map has for this geometry."""
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
-        place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed)
+        place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane)
 
 def startOf(route):
     """The ego's start pose."""

@@ -22,7 +22,7 @@ from chatscene.maps.neighbours import neighbour_line
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.route import Route, RouteQuery, Site
 from chatscene.terms.scenario import Control, Maneuver, Place
 from chatscene.world.control import Tracker
 
@@ -81,6 +81,8 @@ def routes_for(
     opposite: bool | None = None,
     beside: str | None = None,
     crossed: tuple[str, ...] = (),
+    site: str | None = None,
+    lane: int | None = None,
 ) -> tuple[Route, ...]:
     """The routes of a map that a geometry asks for, best spread first.
 
@@ -94,6 +96,8 @@ def routes_for(
         opposite: Whether an oncoming lane must lie beside the ego's.
         beside: ``left`` or ``right`` if a lane of the ego's direction must lie directly there.
         crossed: From where another vehicle must be able to cross: ``left``, ``right``, ``oncoming``.
+        site: A `Site`, or None for any.
+        lane: Which lane of its direction it starts in, 1 for the outermost; None for any.
 
     Raises:
         MapError: The map has no such geometry.
@@ -106,6 +110,8 @@ def routes_for(
         opposite_lane=opposite,
         lane_beside=beside,
         conflicting_from=tuple(crossed),
+        site=None if site is None else Site(site),
+        lane=lane,
     )
     return _routes(network, Path(map_path).stem, query)
 

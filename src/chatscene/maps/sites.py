@@ -1,0 +1,270 @@
+"""Where routes lie that a `Site` asks for: through roundabouts, on and off ramps, past crosswalks and bays."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from chatscene.maps.furniture import Stand, furniture_of
+from chatscene.maps.junctions import junction_control
+from chatscene.maps.lane_changes import changed, neighbour, opposes, wide_at
+from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
+from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, roundabouts, weaving_sections
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.route import Route, RouteQuery, Site
+from chatscene.terms.scenario import Control, Maneuver, Place
+
+AT_JUNCTIONS = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
+
+ENTRIES = (42.0, 36.0, 48.0, 30.0)  # [m] from a route's start to the roundabout
+EXIT = 45.0  # [m] driven after it
+RAMP = 60.0  # [m] of a ramp that is driven
+MAIN = 100.0  # [m] of the road beside it
+CHANGES = (20.0, 35.0, 50.0, 5.0)  # [m] from a ramp's nose to where a change of lanes begins, or is over
+OVER, AFTER = 50.0, 40.0  # [m] for a change of lanes, and in the other lane afterwards
+BEFORE = 40.0  # [m] in a lane before it is left
+PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
+ROAD = 100.0  # [m] of such a route
+_TURN = math.radians(45)
+_NO_TURN = math.radians(135)  # and beyond: one turns round
+
+Found = tuple[str, Route]  # what to spread over, and the route, without an id
+
+
+def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[Found]:
+    """The routes of a map at a site that is one of `AT_JUNCTIONS`; later variants begin elsewhere."""
+    if query.site is Site.ROUNDABOUT:
+        ways = _round(network, ENTRIES[variant])
+    elif query.site is Site.LANE_DROP:
+        ways = _out_of_ending_lanes(network, query.maneuver, variant)
+    else:
+        ways = _at_ramps(network, query, variant)
+    for group, maneuver, line, lanes, event_at, junction in ways:
+        if maneuver is query.maneuver:
+            control = Control.NONE if junction is None else junction_control(junction)
+            yield (
+                group,
+                Route(
+                    id="",
+                    map_name=map_name,
+                    maneuver=maneuver,
+                    place=Place.ROAD if junction is None else Place.JUNCTION,
+                    control=control,
+                    line=line.resampled(1.0),
+                    lane_ids=tuple(dict.fromkeys(lanes)),
+                    event_at=event_at,
+                    junction=None if junction is None else str(junction.uid),
+                ),
+            )
+
+
+_Way = tuple[str, Maneuver, Polyline, tuple[str, ...], float, Any]
+
+
+def _round(network: Any, approach: float) -> Iterator[_Way]:
+    """Into each roundabout, round it, and out at each exit but that beside the entry."""
+    runs = lane_runs(network)
+    for ring in roundabouts(network):
+        on = set(ring.lanes)
+        entries = [
+            maneuver
+            for junction in sorted(ring.junctions)
+            for maneuver in network.elements[junction].maneuvers
+            if maneuver.startLane.uid not in on and maneuver.endLane.uid in on
+        ]
+        for entry in sorted(entries, key=lambda m: (m.startLane.uid, m.endLane.uid)):
+            before = runs[entry.startLane.uid]
+            if before.line.length < approach + 2:
+                continue
+            head = before.line.between(before.line.length - approach, before.line.length)
+            ids = before.ids_between(before.line.length - approach, before.line.length)
+            for ways, last in _exits(entry, on):
+                after = runs[last.uid]
+                end = min(EXIT, after.line.length)
+                line = Polyline.join(head, *(centre_line(lane) for lane in ways), after.line.between(0.0, end))
+                maneuver = _turn_of(line)
+                if maneuver is not None and end >= 15:
+                    lanes = (*ids, *(lane.uid for lane in ways), *after.ids_between(0.0, end))
+                    yield entry.startLane.uid, maneuver, line, lanes, approach, entry.intersection
+
+
+def _exits(entry: Any, on: set[str]) -> Iterator[tuple[list[Any], Any]]:
+    """From an entry on, once round: the lanes up to each exit, and the lane beyond it."""
+    ways, lane, seen = [entry.connectingLane], entry.endLane, set[str]()
+    while lane.uid not in seen:
+        seen.add(lane.uid)
+        ways = [*ways, lane]
+        for maneuver in sorted(lane.maneuvers, key=lambda m: m.endLane.uid):
+            if maneuver.endLane.uid not in on and maneuver.connectingLane is not None:
+                yield [*ways, maneuver.connectingLane], maneuver.endLane
+        onward = next((m for m in lane.maneuvers if m.endLane.uid in on), None)
+        if onward is None:
+            return
+        ways = [*ways, onward.connectingLane] if onward.connectingLane is not None else ways
+        lane = onward.endLane
+
+
+def _turn_of(line: Polyline) -> Maneuver | None:
+    """What a way through a roundabout amounts to; None if it turns round."""
+    turned = math.remainder(line.heading_at(line.length) - line.heading_at(0.0), 2 * math.pi)
+    if abs(turned) >= _NO_TURN:
+        return None
+    return Maneuver.STRAIGHT if abs(turned) < _TURN else Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
+
+
+def _at_ramps(network: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+    weaves = weaving_sections(network)
+    weaving = query.site is Site.WEAVING
+    on = Site.ON_RAMP if not weaving else Site.WEAVING
+    off = Site.OFF_RAMP if not weaving else Site.WEAVING
+    merges, diverges = {weave.merge for weave in weaves}, {weave.diverge for weave in weaves}
+    if query.site is on and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_LEFT):
+        for way in ramp_ways(network, JunctionKind.MERGE):
+            if not weaving or way.intersection.uid in merges:
+                yield from _on(network, way, query.maneuver, variant)
+    if query.site is off and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_RIGHT):
+        for way in ramp_ways(network, JunctionKind.DIVERGE):
+            if query.site is Site.OFF_RAMP or way.intersection.uid in diverges:
+                yield from _off(network, way, query.maneuver, variant)
+
+
+def _on(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
+    """Down a ramp onto another road, and, for a lane change, into the lane to the left."""
+    runs = lane_runs(network)
+    before, after = runs[way.startLane.uid], runs[way.endLane.uid]
+    start = max(before.line.length - RAMP, 0.0)
+    ramp = Polyline.join(before.line.between(start, before.line.length), centre_line(way.connectingLane))
+    ids = (*before.ids_between(start, before.line.length), way.connectingLane.uid)
+    if maneuver is Maneuver.STRAIGHT:
+        end = min(MAIN + CHANGES[variant], after.line.length)
+        if end >= MAIN / 2 and wide_at(after, end):
+            line = Polyline.join(ramp, after.line.between(0.0, end))
+            yield way.startLane.uid, maneuver, line, (*ids, *after.ids_between(0.0, end)), ramp.length, None
+        return
+    at = CHANGES[variant]
+    beside = _beside(after, at, at + OVER)
+    if beside is not None:
+        target = runs[beside.uid]
+        line = changed(Polyline.join(ramp, after.line), target.line, ramp.length + at, OVER, AFTER)
+        lanes = (*ids, *after.ids_between(0.0, at), *_ids_to(target, line))
+        yield way.startLane.uid, maneuver, line, lanes, ramp.length + at, None
+
+
+def _off(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
+    """Off a road by a ramp, for a lane change from the lane to the left of the one that leads there."""
+    runs = lane_runs(network)
+    before, after = runs[way.startLane.uid], runs[way.endLane.uid]
+    nose, end = before.line.length, min(RAMP, after.line.length)
+    ramp = (centre_line(way.connectingLane), after.line.between(0.0, end))
+    ids = (way.connectingLane.uid, *after.ids_between(0.0, end))
+    if maneuver is Maneuver.STRAIGHT:
+        start = max(nose - MAIN - CHANGES[variant], 2.0)
+        while start < nose and not wide_at(before, start):
+            start += 5.0
+        if nose - start >= MAIN / 2:
+            line = Polyline.join(before.line.between(start, nose), *ramp)
+            yield way.startLane.uid, maneuver, line, (*before.ids_between(start, nose), *ids), nose - start, None
+        return
+    at = nose - CHANGES[variant] - OVER
+    beside = _beside(before, at, at + OVER) if at > 0 else None
+    if beside is not None:
+        source = runs[beside.uid]
+        level = source.line.project(*before.line.point_at(at))[0]
+        start = max(level - BEFORE, 2.0)
+        line = changed(
+            source.line.between(start, source.line.length),
+            Polyline.join(before.line.between(max(at - 5.0, 0.0), nose), *ramp),
+            level - start,
+            OVER,
+            further=math.inf,
+        )
+        lanes = (*source.ids_between(start, level), *before.ids_between(at, nose), *ids)
+        yield way.startLane.uid, maneuver, line, lanes, level - start, None
+
+
+def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
+    """Out of each lane that tapers out, into the lane beside it."""
+    side = {Maneuver.LANE_CHANGE_LEFT: 1, Maneuver.LANE_CHANGE_RIGHT: -1}.get(maneuver)
+    runs = lane_runs(network)
+    for run in dict.fromkeys(runs.values()):
+        if side is None or run.lanes[-1].maneuvers or wide_at(run, run.line.length):
+            continue
+        last = run.line.length
+        while last > 0 and not wide_at(run, last):
+            last -= 2.0
+        at = last - CHANGES[variant] - OVER
+        beside = _beside(run, at, at + OVER, side) if at > BEFORE else None
+        if beside is not None:
+            target = runs[beside.uid]
+            line = changed(run.line.between(at - BEFORE, run.line.length), target.line, BEFORE, OVER, AFTER)
+            lanes = (*run.ids_between(at - BEFORE, at), *_ids_to(target, line))
+            yield run.lanes[-1].uid, maneuver, line, lanes, BEFORE, None
+
+
+def _beside(run: LaneRun, start: float, end: float, side: int = 1) -> Any:
+    """The lane of the same direction beside a run from one arc length to another [m], at the second; else None."""
+    lanes = [neighbour(run, s, side) if s < run.line.length else None for s in (start, (start + end) / 2, end)]
+    if any(lane is None or opposes(run.lane_at(s), lane) for lane, s in zip(lanes, (start, start, end), strict=True)):
+        return None
+    return lanes[-1]
+
+
+def _ids_to(run: LaneRun, line: Polyline) -> tuple[str, ...]:
+    """The lanes of a run level with the last part of a line that ends on it."""
+    ends = [run.line.project(*line.point_at(s))[0] for s in (line.length - AFTER - OVER, line.length)]
+    return run.ids_between(*ends)
+
+
+# Along roads
+
+
+def windows_past(network: Any, run: LaneRun, site: Site) -> list[tuple[float, float, float]]:
+    """Where a route along a run may start and end, and what it leads past lies, all in arc lengths of the run [m]."""
+    if site is Site.CROSSWALK:
+        marks = _crosswalks_on(network, run)
+    else:
+        marks = _bays_beside(network, run, Stand.PARKING if site is Site.PARKING else Stand.BUS)
+    return [
+        (at - before, at - before + ROAD, at)
+        for before in PAST
+        for at in marks
+        if at - before >= 2.0 and at - before + ROAD < run.line.length
+    ]
+
+
+def _crosswalks_on(network: Any, run: LaneRun) -> list[float]:
+    roads = {lane.road.id: lane for lane in run.lanes}
+    areas = [area for road, area in furniture_of(network).crosswalks if road in roads]
+    on = [area for area in areas if any(lane.polygons.intersects(area) for lane in run.lanes)]
+    return [min(run.line.project(x, y)[0] for x, y, *_ in area.exterior.coords) for area in on]
+
+
+def _bays_beside(network: Any, run: LaneRun, use: Stand) -> list[float]:
+    """Where bays begin beside a run's outermost lane."""
+    marks: list[float] = []
+    for lane in run.lanes:
+        if any(section._laneToRight is not None for section in lane.sections):
+            continue
+        forward = lane.group is lane.road.forwardLanes
+        reference = Polyline([p[:2] for p in lane.road.centerline.points])
+        marks += [
+            run.line.project(*reference.point_at(place.start if forward else place.end))[0]
+            for place in furniture_of(network).standing
+            if (place.road, place.forward, place.use) == (lane.road.id, forward, use)
+        ]
+    return marks
+
+
+def along(network: Any, run: LaneRun, site: Site) -> bool:
+    """Whether a run lies on a motorway or on a rural road."""
+    if site is Site.MOTORWAY:
+        groups = {group.uid for group in motorway_groups(network)}
+        return all(lane.group.uid in groups for lane in run.lanes)
+    roads = [lane.road for lane in run.lanes]
+    return all(
+        road.forwardLanes is not None
+        and road.backwardLanes is not None
+        and all(len(g.lanes) == 1 and g._sidewalk is None for g in (road.forwardLanes, road.backwardLanes))
+        for road in roads
+    )
