@@ -144,23 +144,21 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Generator[tuple[str, P
     """A server, the folder of a run in it, and that of the same run, whose server was killed and started again."""
     folder = tmp_path_factory.mktemp("carla")
     through, cut = folder / "through", folder / "cut"
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(connection, "PATIENCE", 2.0)
-        with serving() as (port, server):
-            simulator = f"carla:127.0.0.1:{port}"
-            pipeline.run(asked(simulator), through)
+    with serving() as (port, server):
+        simulator = f"carla:127.0.0.1:{port}"
+        pipeline.run(asked(simulator), through)
 
-            def kill(_: str, done: int, total: int) -> None:
-                if (done, total) == (1, 2):
-                    server.kill()
-                    server.wait()
+        def kill(_: str, done: int, total: int) -> None:
+            if (done, total) == (1, 2):
+                server.kill()
+                server.wait()
 
-            with pytest.raises(ServerError, match=r"was lost: .* chatscene resume DIR"):
-                pipeline.run(asked(simulator), cut, progress=kill)
-            shutil.copytree(cut, folder / "left")
-        with serving(port=port):
-            pipeline.resume(cut, repeated=Repeated(simulator=(simulator,)))
-            yield simulator, through, cut
+        with pytest.raises(ServerError, match=r"was lost: .* chatscene resume DIR"):
+            pipeline.run(asked(simulator), cut, progress=kill)
+        shutil.copytree(cut, folder / "left")
+    with serving(port=port):
+        pipeline.resume(cut, repeated=Repeated(simulator=(simulator,)))
+        yield simulator, through, cut
 
 
 def test_a_run_whose_server_was_killed_keeps_what_was_finished(finished: tuple[str, Path, Path]) -> None:
