@@ -28,6 +28,7 @@ from chatscene.simulate.simulator import check_jobs, load_simulator
 from chatscene.studies.driving import drive
 from chatscene.studies.evaluation import evaluate
 from chatscene.terms.results import ResultTable
+from chatscene.terms.scene import Scene, ScenicProgram
 
 pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
@@ -166,6 +167,25 @@ def test_a_run_whose_server_was_killed_keeps_what_was_finished(finished: tuple[s
     record = runs.read_record(left)
     assert record.status is runs.Status.FAILED
     assert len(runs.done_blocks(left)) == 1
+
+
+def test_a_server_that_is_killed_within_a_scene_ends_it_with_one_message() -> None:
+    source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
+    source += "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
+    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest=source)
+    scene = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})
+    with serving() as (port, server):
+        simulator = load(f"carla:127.0.0.1:{port}")
+        session = simulator.open(program, scene)
+        session.step((1.0, 0.0))
+        server.kill()
+        server.wait()
+        connection.connected("127.0.0.1", port).client.set_timeout(0.5)  # nobody is left to wait for
+        with pytest.raises(ServerError, match=r"was lost: it was to obey controls"):
+            session.step((1.0, 0.0))
+        session.close()
+    with pytest.raises(ServerError, match="no CARLA server is at"):
+        load(f"carla:127.0.0.1:{port}")
 
 
 def test_a_run_goes_on_once_its_server_is_there_again(finished: tuple[str, Path, Path]) -> None:
