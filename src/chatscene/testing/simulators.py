@@ -112,6 +112,7 @@ def _knows_the_routes(simulator: Simulator) -> None:
     found = [simulator.route(program, index) for index in (0, count - 1)]
     assert found[0].id != found[1].id, "two routes have one id"
     assert all(route.length > 0 for route in found), "a route without a length"
+    assert simulator.route_in(program, _scene(count - 1)).id == found[1].id, "a scene is on another route than its own"
     _fails("a route beyond the last", ChatSceneError, lambda: simulator.route(program, 10))
 
 

@@ -95,3 +95,7 @@ def generator_for(*, trusted: bool, as_written: bool) -> str:
     if trusted:
         return f"{__name__}:{'trusted_as_written' if as_written else 'trusted'}"
     return "program-as-written" if as_written else "program"
+
+
+AS_WRITTEN = frozenset(generator_for(trusted=trusted, as_written=True) for trusted in (False, True))
+"""The names of the generators in whose scenes the program's own ego drives."""

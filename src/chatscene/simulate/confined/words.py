@@ -1,10 +1,10 @@
 """The part of Scenic that a stranger's program may use, as lists: syntax, names, attributes, properties.
 
-There are two such parts. `OURS` is for programs and parts of programs for our own world model, whose scenes are their
-parameters; `DRIVING` is for programs that were written for Scenic's driving domain or a simulator of it, which pick
-places from the road network and say what happens with monitors and scenarios of scenarios. What is not listed is
-refused, so that a name or a construct that comes new into Scenic is refused until somebody has looked at it. What our
-own world model defines is ours and reviewed; its public names are read from its text.
+There are two such parts (`dialect_of`): one for programs, and parts of programs, for our own world model, whose scenes
+are their parameters; and a longer one for programs that were written for Scenic's driving domain or a simulator of it,
+which pick places from the road network and say what happens with monitors and scenarios of scenarios. What is not
+listed is refused, so that a name or a construct that comes new into Scenic is refused until somebody has looked at it.
+What our own world models define is ours and reviewed; their public names are read from their text.
 """
 
 from __future__ import annotations
