@@ -28,6 +28,7 @@ from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, sense
 from chatscene.errors import RunError
 from chatscene.report import viewer
 from chatscene.report.animation import write_gif
+from chatscene.report.egos import egos_in_words
 from chatscene.report.highlight import highlight
 from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
@@ -46,6 +47,7 @@ from chatscene.runs import (
     update,
     write_block,
 )
+from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import contact_point
@@ -334,7 +336,7 @@ def _other(option: click.Option) -> list[str]:
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
 
 
-NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program"}
+NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program", "trust", "as_written"}
 OPTIONS_OF_RUN = [p for p in cli.run.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
 
 
@@ -348,6 +350,19 @@ def test_the_command_to_run_it_again_leaves_out_no_option(
     words = shlex.split(command(read_record(run)))
     assert words[0] == "chatscene"
     assert _caught([*words[1:], "--out", str(tmp_path / "x")], monkeypatch) == first
+
+
+@pytest.mark.parametrize("trusted", [True, False])
+@pytest.mark.parametrize("as_written", [True, False])
+def test_the_command_says_of_a_program_whether_it_is_trusted_and_who_drives(
+    trusted: bool, as_written: bool, tmp_path: Path
+) -> None:
+    generator = generator_for(trusted=trusted, as_written=as_written)
+    program = ProgramRecord(name="mine", source="x")
+    record = read_record(create(tmp_path / "run", asked(text="", program=program, generator=generator)))
+    words = shlex.split(command(record))
+    assert ("--trust" in words, "--as-written" in words) == (trusted, as_written)
+    assert ("rode along" in egos_in_words(record)[0]) is as_written
 
 
 def test_what_the_command_cannot_say_stands_beside_it(tmp_path: Path) -> None:

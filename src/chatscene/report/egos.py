@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from chatscene.ego.policy import in_words
 from chatscene.runs import MapRecord, RunRecord
-from chatscene.search.generators.own_program import AS_WRITTEN
+from chatscene.search.generators.own_program import options_of
 
 
 def egos_in_words(record: MapRecord) -> tuple[str, ...]:
@@ -12,6 +12,6 @@ def egos_in_words(record: MapRecord) -> tuple[str, ...]:
 
     In a program that drives as it is written, the ego of the run rides along.
     """
-    if isinstance(record, RunRecord) and record.generator in AS_WRITTEN:
+    if isinstance(record, RunRecord) and "--as-written" in options_of(record.generator):
         return tuple(f"the program's own ego drove, and {ego} rode along" for ego in record.egos)
     return tuple(f"{ego} {in_words(record.senses.get(ego, {}))}" for ego in record.egos)

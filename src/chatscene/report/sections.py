@@ -16,6 +16,7 @@ from chatscene.report.highlight import highlight
 from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.templates import fill_section
 from chatscene.runs import RunRecord, Status
+from chatscene.search.generators.own_program import options_of
 from chatscene.settings import Settings
 
 if TYPE_CHECKING:
@@ -292,6 +293,7 @@ def command(record: RunRecord) -> str:
     """The command line that repeats a run, where it was started; of a program of one's own, in the run folder."""
     if record.program is not None:
         words = ["chatscene", "run", "--program", f"programs/{quote(record.program.name, safe='')}.scenic"]
+        words += options_of(record.generator)
     elif record.generator == "chatscene":
         words = ["chatscene", "run", record.text]
     else:

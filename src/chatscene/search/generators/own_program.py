@@ -97,5 +97,11 @@ def generator_for(*, trusted: bool, as_written: bool) -> str:
     return "program-as-written" if as_written else "program"
 
 
-AS_WRITTEN = frozenset(generator_for(trusted=trusted, as_written=True) for trusted in (False, True))
-"""The names of the generators in whose scenes the program's own ego drives."""
+def options_of(generator: str) -> list[str]:
+    """What of the command line names a generator of programs of the user's own, beside ``--program``."""
+    every = (
+        (("--trust",) * trusted + ("--as-written",) * as_written, generator_for(trusted=trusted, as_written=as_written))
+        for trusted in (False, True)
+        for as_written in (False, True)
+    )
+    return next((list(options) for options, name in every if name == generator), [])
