@@ -333,14 +333,14 @@ class SteppedLoop(Simulation):
         Raises:
             RejectionException: One of `REJECTIONS`: a requirement or guard of the program is violated.
         """
-        for obj in self.objects:
-            obj.lastActions = ()
-        if self._composed:  # only what composes places things, and gives them behaviors, while it runs
+        if self._composed:  # only what composes places things, and gives and takes behaviors, while it runs
+            for obj in self.objects:
+                obj.lastActions = ()
             self.agents += [obj for obj in self.objects if obj.behavior and obj not in self.agents]
             self._behaviors = [(agent, agent.behavior) for agent in self.agents if agent.behavior]
         chosen: list[tuple[Any, tuple[Any, ...]]] = []
         for agent, behavior in self._behaviors:
-            if agent.behavior is not behavior:  # its scenario was ended by an agent before it, and took it back
+            if self._composed and agent.behavior is not behavior:  # taken back with a scenario that was just ended
                 continue
             actions = _next_actions(behavior)
             if isinstance(actions, _ENDINGS):
