@@ -44,13 +44,17 @@ def test_every_sampler_keeps_the_contract(name: str) -> None:
         pytest.skip(str(error))
 
 
-@pytest.mark.parametrize("name", sorted(set(GENERATORS.built_in) - {"program"}))
+PROGRAMS = ("program", "program-as-written")
+
+
+@pytest.mark.parametrize("name", sorted(set(GENERATORS.built_in) - set(PROGRAMS)))
 def test_every_generator_keeps_the_contract(name: str) -> None:
     check_generator(name)
 
 
-def test_a_program_of_ones_own_keeps_the_contract_of_generators() -> None:
-    check_generator("program", text=OWN_PROGRAM.read_text(encoding="utf-8"))
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_program_of_ones_own_keeps_the_contract_of_generators(name: str) -> None:
+    check_generator(name, text=OWN_PROGRAM.read_text(encoding="utf-8"))
 
 
 def test_a_scripted_model_keeps_the_contract() -> None:
