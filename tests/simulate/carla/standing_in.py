@@ -89,7 +89,6 @@ def listened(world: Any, name: str, parent: Any, height: float = 0.0, **attribut
     sensor = world.spawn_actor(blueprint, place, attach_to=parent)
     heard: list[Any] = [sensor]  # kept alive with what it tells
     sensor.listen(heard.append)
-    time.sleep(0.3)  # the wheel opens the stream in a thread of its own
     return heard
 
 

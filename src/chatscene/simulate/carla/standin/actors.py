@@ -37,7 +37,6 @@ class Actor:
         velocity: [m/s].
         turning: About the z axis [degrees/s].
         acceleration: [m/s²].
-        born: The frame after which it came.
     """
 
     def __init__(
@@ -58,7 +57,6 @@ class Actor:
         self.velocity = [0.0, 0.0, 0.0]
         self.acceleration = [0.0, 0.0, 0.0]
         self.turning = 0.0
-        self.born = 0
         self._mount = (list(location), list(rotation))
         self.follow()
 

@@ -112,6 +112,8 @@ class Server:
             while chunk := await reader.read(_AT_ONCE):
                 unpacker.feed(chunk)
                 for message in unpacker:
+                    if _steps(message):
+                        await self._streams.opened()
                     writer.write(self._reply(client, message))
                     await writer.drain()  # who does not read gets no more answers
         except ConnectionError:
@@ -168,7 +170,8 @@ class Server:
         return [self._world.episode, [self._token(client.number)]]
 
     def _sensor(self, _: Client, number: Any) -> list[bytes]:
-        return [self._token(wire.whole(number))]
+        self._streams.expect(wire.whole(number))
+        return [self._token(number)]
 
     def _next_stream(self) -> int:
         return next(self._world_streams)
@@ -219,6 +222,15 @@ class Server:
 
 def _no_call() -> Any:
     raise Refused("this is no call: [0, number, name, [mode, arguments...]] is needed")
+
+
+def _steps(message: Any) -> bool:
+    """Whether a message makes the world go on."""
+    match message:
+        case [_, _, "tick_cue" | "apply_batch", *_]:
+            return True
+        case _:
+            return False
 
 
 def _number_of(message: Any) -> int:

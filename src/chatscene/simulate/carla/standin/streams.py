@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import struct
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 from chatscene.simulate.carla.standin import wire
@@ -16,6 +16,7 @@ from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
 FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
 _MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond
 _UNDER_WAY = 0.05  # [s]
+_OPENING, _POLL = 0.5, 0.001  # [s]
 _LENGTH = struct.Struct("<I")
 
 
@@ -35,6 +36,7 @@ class Streams:
         self._world = world
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
+        self._expected: dict[int, float] = {}
         self._loaders: set[int] = set()
         self._resting: set[int] = set()
         self._dropped: set[int] = set()
@@ -48,7 +50,9 @@ class Streams:
             (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
             if number not in self._dropped:
                 self._open.setdefault(number, []).append(writer)
-                self._begin(number, writer)
+                self._expected.pop(number, None)
+                if number >= FIRST_CLIENT:
+                    _send([writer], self._frame())
             await reader.read(1)  # clients send nothing more; this ends when they go
         except (ConnectionError, asyncio.IncompleteReadError):
             pass
@@ -57,12 +61,19 @@ class Streams:
                 self._open[number].remove(writer)
             writer.close()
 
-    def _begin(self, number: int, writer: asyncio.StreamWriter) -> None:
-        """Tell of the step that was last taken: a client that ticks at once would else wait for it in vain."""
-        if number >= FIRST_CLIENT:
-            _send([writer], self._frame())
-        elif number in self._world.actors and self._world.actors[number].born < self._world.frame:
-            self._tell([], {number: [writer]})
+    def expect(self, number: int) -> None:
+        """A client asks where a stream is; if it is a sensor's, it is about to open it."""
+        if number in self._world.actors:
+            self._expected[number] = time.monotonic()
+
+    async def opened(self) -> None:
+        """Wait until the streams of sensors that were asked for are open, so that the next step is heard; not for long.
+
+        The wheel opens them in a thread of its own, and a client that listens and ticks at once would miss the step.
+        """
+        while any(time.monotonic() - since < _OPENING for since in self._expected.values()):
+            await asyncio.sleep(_POLL)
+        self._expected.clear()
 
     def loaded(self, client: int, anew: int) -> None:
         """A client loaded a map: it gets another stream, and those of others that once loaded one rest until they call.
@@ -93,16 +104,12 @@ class Streams:
 
     def _publish(self, contacts: list[Contact]) -> None:
         self._to_worlds(self._frame())
-        self._tell(contacts, self._open)
-
-    def _tell(self, contacts: list[Contact], to: Mapping[int, list[asyncio.StreamWriter]]) -> None:
-        """Send what sensors that are heard have to say."""
-        heard = {number for number, writers in to.items() if writers}
+        heard = {number for number, writers in self._open.items() if writers}
         for reading in self._sensors.readings(contacts, heard):
             sensor = reading.sensor
             pose = (*sensor.location, *sensor.rotation)
             head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
-            _send(to[sensor.id], head + reading.content)
+            _send(self._open[sensor.id], head + reading.content)
 
     def _to_worlds(self, frame: bytes) -> None:
         for number, writers in self._open.items():

@@ -201,7 +201,6 @@ class World:
         return [actor for actor in self.actors.values() if isinstance(actor, BodyActor)]
 
     def _add(self, actor: Any) -> Any:
-        actor.born = self.frame
         self.actors[actor.id] = actor
         self._were[actor.id] = actor.blueprint
         self._next += 1
