@@ -105,7 +105,7 @@ class Server:
                             waking.create_task(self._wake(client))
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        client = Client(self._next_stream(), writer.get_extra_info("peername")[0])
+        client = Client(self._next_stream(), (writer.get_extra_info("peername") or ("",))[0])
         self._clients.append(client)
         unpacker = self._unpacker()
         try:
@@ -133,7 +133,8 @@ class Server:
             try:
                 await wake(client.host, port, self._pack)
             except OSError as error:
-                self._log(f"the traffic manager on port {port} cannot be reached: {error}")
+                self._log(f"the traffic manager on port {port} cannot be reached and is forgotten: {error}")
+                self._end_manager(client, port)
 
     def _reply(self, client: Client, message: Any) -> bytes:
         """The answer to a call, in whatever form it came; an error of the protocol's own would end the client."""
