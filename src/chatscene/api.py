@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.search.generators.foreign import ForeignProgram
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
     from chatscene.studies.reproduce import Reproduced
@@ -284,7 +285,6 @@ def run(
         NothingFits: The library cannot serve the sentence.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
-    from chatscene.search.generators.foreign import read_foreign
     from chatscene.search.generators.own_program import generator_for
 
     if text and program is not None:
@@ -296,7 +296,7 @@ def run(
     )
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
-    own = None if program is None else read_foreign(Path(program), trusted=trust, as_written=as_written)
+    own = None if program is None else _own(Path(program), trusted=trust, as_written=as_written)
     if own and own.map_path:
         if own.map_path.is_file():
             map = own.map_path  # noqa: A001
@@ -654,3 +654,13 @@ def _names(names: Names) -> tuple[str, ...]:
 def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
     return [one.folder if isinstance(one, Run) else Path(one) for one in every]
+
+
+def _own(path: Path, *, trusted: bool, as_written: bool) -> ForeignProgram:
+    """A program of the user's own."""
+    from chatscene.search.generators.foreign import foreign_files, read_foreign
+
+    file, *others = foreign_files(path)
+    if others:
+        raise SettingsError(f"{path} holds {len(others) + 1} programs; run them one by one")
+    return read_foreign(file, trusted=trusted, as_written=as_written)

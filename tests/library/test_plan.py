@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
@@ -176,6 +176,7 @@ def test_a_plan_is_read_from_what_it_is_printed_as(plan: Plan) -> None:
     assert print_plan(parse_plan(text)) == text
 
 
+@example(text="\r0")  # a line end that is none, before a number
 @given(
     text=st.text() | st.text(alphabet="do Halt()\n:,=\"'[]<>1.-#\\uforsecnd").map(lambda words: f"{CROSSES}    {words}")
 )

@@ -102,11 +102,11 @@ class _Line:
 
 
 def _lines(source: str) -> Iterator[_Line]:
-    silent = (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
+    silent = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
     begun: list[tokenize.TokenInfo] = []
     try:
         for token in tokenize.generate_tokens(io.StringIO(source).readline):
-            if token.type == tokenize.NEWLINE:
+            if token.type == tokenize.NEWLINE and begun:
                 yield _Line(*begun[0].start, tuple(t.string for t in begun))
                 begun = []
             elif token.type not in silent:
