@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import struct
 import time
 from collections.abc import Callable
@@ -16,6 +17,7 @@ from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
 FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
 _MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond
 _UNDER_WAY = 0.05  # [s]
+_LOOKED_AT = 0.4  # [s], after which a client has done with what a sensor told
 _OPENING, _POLL = 0.5, 0.001  # [s]
 _LENGTH = struct.Struct("<I")
 
@@ -40,6 +42,7 @@ class Streams:
         self._loaders: set[int] = set()
         self._resting: set[int] = set()
         self._dropped: set[int] = set()
+        self._told = -math.inf  # when a sensor last told something [s, of a clock that only grows]
         world.on_step = self._publish
         world.on_spawn = Sensors.check
 
@@ -78,8 +81,9 @@ class Streams:
     def loaded(self, client: int, anew: int) -> None:
         """A client loaded a map: it gets another stream, and those of others that once loaded one rest until they call.
 
-        The wheel ends in a segmentation fault where a frame arrives while it takes a stream down. So the old stream of
-        the client is dropped, not closed, also if it is only opened now; what is under way has time to arrive; and
+        The wheel ends in a segmentation fault where a frame arrives while it takes a stream down, and where a thread of
+        it still looks at a picture then. So the old stream of the client is dropped, not closed, also if it is only
+        opened now; what is under way has time to arrive, and a sensor's reading to be looked at; and
         a client whose world this was before, which may be gone but not yet collected by its process and then never
         calls again, is sent nothing. Who only looks on, or drives in another's world, goes on hearing.
 
@@ -94,7 +98,7 @@ class Streams:
         self._loaders.discard(client)
         self._resting = self._loaders & set(self._open)
         self._loaders.add(anew)
-        time.sleep(_UNDER_WAY)
+        time.sleep(max(_UNDER_WAY, self._told + _LOOKED_AT - time.monotonic()))
 
     def wake(self, client: int) -> None:
         """A client called: if its stream rests, it goes on."""
@@ -110,6 +114,7 @@ class Streams:
             pose = (*sensor.location, *sensor.rotation)
             head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
             _send(self._open[sensor.id], head + reading.content)
+            self._told = time.monotonic()
 
     def _to_worlds(self, frame: bytes) -> None:
         for number, writers in self._open.items():
