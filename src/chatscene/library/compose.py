@@ -10,9 +10,8 @@ from __future__ import annotations
 import itertools
 import operator
 import re
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.errors import SnippetError
 from chatscene.library.plan import parse_plan, print_plan
@@ -86,12 +85,11 @@ ALONG: dict[Action, Step] = {
 }
 """What somebody does who goes along a line."""
 
-_CUT_IN = Step(does=(f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1",), path=_OWN)
 _OVERTAKE = "$OVERTAKING) until headway(egoRoute, ego, self) > $ADV_AHEAD"
 _TOWARD_EGO = "-$SWERVE if offsetFrom(egoRoute, self) > 0 else $SWERVE"
 _BESIDE: dict[Action, Step] = {
     **ALONG,
-    Action.CUT_IN: _CUT_IN,
+    Action.CUT_IN: Step(does=(f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1",), path=_OWN),
     Action.PACE: Step(
         does=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5) for $PACE_TIME seconds",),
         last=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5)",),
@@ -142,7 +140,7 @@ class Start:
         path: The line that one goes along.
         opening: The phases that end when the first act is due.
         steps: How acts are done from there.
-        at: Range [m] and meaning of the parameter that says when it is due.
+        at: Range [m] and meaning of the parameter that says when it is due; None if it is due after a time.
         given: Acts that the place alone shows.
         sooner: How much sooner [m] it is due for each further act, so that all begin before the ego meets anything.
         first: The act without which there is no other; None if there is none.
@@ -152,7 +150,7 @@ class Start:
     path: str
     opening: tuple[str, ...]
     steps: dict[Action, Step]
-    at: tuple[float, float, str]
+    at: tuple[float, float, str] | None = None
     given: frozenset[Action] = frozenset()
     sooner: float = 0.0
     first: Action | None = None
@@ -164,6 +162,13 @@ _BEFORE = "how far before the start of its manoeuvre the ego is when the adversa
 _SETS_OFF = "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < $ADV_DISTANCE"
 _COMES_UP = "DrivePath(advTrajectory, $ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < "
 _TO_IT = "how far the ego still has to go when it starts to move"
+_NEXT_LANE = Start(
+    path="advLane",
+    opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
+    steps=_BESIDE,
+    at=(-15, 20, _BEFORE),
+    sooner=14,
+)
 STARTS: dict[Position, Start] = {
     Position.AHEAD: Start(
         path="advTrajectory",
@@ -178,20 +183,8 @@ STARTS: dict[Position, Start] = {
         at=(-15, 20, _BEFORE),
         sooner=14,
     ),
-    Position.AHEAD_BESIDE: Start(
-        path="advLane",
-        opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
-        steps=_BESIDE,
-        at=(-15, 20, _BEFORE),
-        sooner=14,
-    ),
-    Position.BESIDE: Start(
-        path="advLane",
-        opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
-        steps=_BESIDE,
-        at=(-25, 5, _BEFORE),
-        sooner=14,
-    ),
+    Position.AHEAD_BESIDE: _NEXT_LANE,
+    Position.BESIDE: replace(_NEXT_LANE, at=(-25, 5, _BEFORE)),
     Position.BEHIND_BESIDE: Start(
         path="advLane",
         opening=("KeepStation(advLane, ego) for 1 seconds",),
@@ -199,7 +192,6 @@ STARTS: dict[Position, Start] = {
             **_without(_BESIDE, Action.PACE),  # it is not level
             Action.OVERTAKE: Step(does=(f"DrivePath({{path}}, {_OVERTAKE}",), moving=True),
         },
-        at=(0, 0, ""),
     ),
     Position.BEHIND: Start(
         path="advTrajectory",
@@ -223,7 +215,6 @@ STARTS: dict[Position, Start] = {
                 moving=True,
             ),
         },
-        at=(0, 0, ""),
     ),
     Position.ONCOMING: Start(
         path="advTrajectory",
@@ -374,9 +365,7 @@ def composed_again(snippet_id: str) -> Snippet:
     return made
 
 
-_PART_OF: dict[Action | None, tuple[Action, ...]] = defaultdict(
-    lambda: (Action.BRAKE, Action.CROSS), {Action.HESITATE: (Action.BRAKE, Action.CROSS, Action.STOP)}
-)  # what need not be done before somebody halts: it is a part of that
+_PART_OF_HALTING = (Action.BRAKE, Action.CROSS)  # what need not be done before somebody halts
 _IMPLIED = {Action.REVERSE: (Action.STOP,), Action.STOP: (Action.BRAKE, Action.BLOCK)}
 _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
 
@@ -394,7 +383,8 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
     path, stands, across = start.path, False, start.steps is ACROSS
     for before, action, after in zip((None, *acts), acts, (*acts[1:], None), strict=False):
         step, following = steps[action], steps[after] if after else None
-        if following and following.halts and action in _PART_OF[after]:
+        hesitates = action is Action.STOP and after is Action.HESITATE
+        if following and following.halts and (action in _PART_OF_HALTING or hesitates):
             continue
         if across and not stands and before in (None, Action.CROSS, Action.BRAKE) and step.halts:
             yield from (_RESTS,) if after is None else (_BRISKLY, _RESTS)
@@ -473,7 +463,7 @@ def _least(asked: Asked) -> str:
 
 
 def _range(asked: Asked, start: Start, acts: int, name: str) -> ParameterRange:
-    if name == "ADV_DISTANCE":
+    if name == "ADV_DISTANCE" and start.at is not None:
         sooner, (low, high, meaning) = start.sooner * max(acts - 1, 0), start.at
         low, high = low + sooner, high + sooner
         return ParameterRange(name="OPT_ADV_DISTANCE", low=low, high=high, unit="m", meaning=meaning)
