@@ -61,6 +61,7 @@ def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
             ["KeepStation", "DrivePath", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"],
         ),
         ("truck ahead slow", ["DrivePath"]),
+        ("car ahead reverse stop", ["KeepStation", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"]),
         ("motorcycle behind overtake brake", ["KeepStation", "DrivePath", "DrivePath", "BrakeOnPath"]),
         ("pedestrian roadside cross", ["Halt", "MoveAhead"]),
         ("pedestrian roadside cross stop turn-back", ["Halt", "MoveAhead", "MoveAhead", "Halt", "Halt", "MoveAhead"]),

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
-from chatscene.read.decompose import LONGEST
+from chatscene.read.decompose import LONGEST, hear
 from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -250,3 +250,10 @@ def test_who_stands_at_first_stops_where_a_stop_is_said() -> None:
     ).slots
     crossing, stopping = (slots.actions.index(action) for action in (Action.CROSS, Action.STOP))
     assert crossing < stopping
+
+
+@pytest.mark.parametrize(
+    ("text", "side"), [("brakes right in our face", None), ("on the right in our lane stops", RIGHT)]
+)
+def test_right_before_us_is_no_side(text: str, side: object) -> None:
+    assert hear(f"A motorbike {text}.").outright.side == side

@@ -386,6 +386,9 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
         hesitates = action is Action.STOP and after is Action.HESITATE
         if following and following.halts and (action in _PART_OF_HALTING or hesitates):
             continue
+        if before is Action.REVERSE and action is Action.STOP:
+            yield "Halt()" if after is None else "Halt() for $STOP_TIME seconds"
+            continue  # it stands already
         if across and not stands and before in (None, Action.CROSS, Action.BRAKE) and step.halts:
             yield from (_RESTS,) if after is None else (_BRISKLY, _RESTS)
         elif across and before is None and action is not Action.CROSS:

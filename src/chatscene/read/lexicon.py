@@ -318,7 +318,7 @@ AHEAD = _p(r"ahead|(?:in )?front|lead(?:ing)?|preceding")
 BESIDE = _p(r"parallel|alongside|beside|next to|side by side|level with")
 TURNING_WORDS = re.compile(
     r"\b(?:turn|swerv|veer|merg|chang|mov|steer|pull|swing|hook)\w*(?: (?!from\b|on\b|in\b)\w+){0,2}? (?:to (?:the|its) )?(?:left|right)\b"
-    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\bright (?:in front|away|before|behind|after|at|into|next|now|of way|past|through|on|up|across|beside|up to|there|where|when|as)\b"
+    r"|\b(?:left|right)(?:-hand)?(?: |-)turn\w*|\bright (?:in front|in (?:our|my|the ego's?) (?:face|way|path)|away|before|behind|after|at|into|next|now|of way|past|through|on|up|across|beside|up to|there|where|when|as)\b"
 )
 SIDE = re.compile(r"\b(left|right)\b")
 
