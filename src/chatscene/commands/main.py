@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import click
 
+from chatscene.commands.coverage import coverage
 from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
     EGO_AGAIN,
@@ -563,6 +564,7 @@ for command in COMMANDS:
 main.add_command(library)
 main.add_command(describe)
 main.add_command(finetune)
+main.add_command(coverage)
 main.add_command(reproduce)
 main.add_command(serve_carla)
 

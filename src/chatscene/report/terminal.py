@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
+from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
 from chatscene.terms.plan import Foreign
 from chatscene.terms.scenario import Component, grouped
 from chatscene.terms.snippet import Match, Snippet
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
     from chatscene.maps.survey import MapDescription
 
+_ANSWERS = {Answer.SERVED: "green", Answer.REFUSED: "red", Answer.FAILED: "red", Answer.OUT_OF_REACH: "dim"}
 WIDTH = 120  # characters of a line where no terminal says
 
 
@@ -130,6 +132,31 @@ def print_map(console: Console, description: MapDescription) -> None:
                 console.print(f"  {_plain(key):<28} {count}")
         else:
             console.print(f"{name.replace('_', ' '):<20} {_plain(value)}")
+
+
+def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covered]) -> None:
+    """What became of each entry of a catalogue, and how many are served."""
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, header_style="dim", padding=(0, 2, 1, 0))
+    table.add_column("entry", overflow="fold", ratio=2)
+    table.add_column("sentence", overflow="fold", ratio=3)
+    table.add_column("answer", no_wrap=True)
+    table.add_column("program, or why not", overflow="fold", ratio=4)
+    for row in rows:
+        parts = [f"{_plain(name)}{' [dim]composed[/]' * (name in row.composed)}" for name in row.snippet_ids]
+        why = [_plain(reason) for reason in row.reasons]
+        unused = [f"[yellow]not used[/]  {_plain(line)}" for line in row.unused]
+        colour = _ANSWERS[row.answer]
+        table.add_row(
+            _plain(row.entry.name),
+            _plain(row.entry.sentence),
+            f"[{colour}]{row.answer}[/]",
+            "\n".join((*parts, *why, *unused)),
+        )
+    console.print(f"[bold]{_plain(catalogue.title)}[/]\n")
+    console.print(table)
+    console.print(f"{Tally.of(rows).in_words()}\n")
 
 
 def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:

@@ -1,0 +1,144 @@
+"""The coverage desk: catalogues, what of them is served, and how that is told."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from chatscene.errors import SettingsError
+from chatscene.runs.progress import silent
+from chatscene.settings import RetrievalSettings
+from chatscene.studies.catalogue import PACKAGED, load_catalogue, slug
+from chatscene.studies.coverage import as_json, cover
+from chatscene.terms.coverage import Answer, Catalogue, Entry, Tally
+from places import SHARED
+
+NAMES = {
+    "nhtsa": "NHTSA-37",
+    "ncap": "EuroNCAP",
+    "r157": "UN-R157",
+    "iso34502": "ISO34502/JAMA",
+    "leaderboard": "CARLA-LB2",
+    "challenge": "CARLA-challenge",
+}
+HERE = Catalogue(
+    name="mine",
+    title="Mine",
+    entries=(
+        Entry(name="brakes", sentence="The car ahead brakes hard."),
+        Entry(name="lands", sentence="A dragon lands on the bonnet."),
+        Entry(name="skids", reason="Nobody else takes part."),
+    ),
+)
+
+
+@pytest.mark.parametrize("name", PACKAGED)
+def test_a_packaged_catalogue_has_every_entry_by_its_name(name: str) -> None:
+    listed = SHARED / "data" / "catalogues.json"
+    if not listed.is_file():
+        pytest.skip("needs the names of the catalogues' entries, which are not of this repository")
+    entries = json.loads(listed.read_text())["catalogues"][NAMES[name]]
+    assert [entry.name for entry in load_catalogue(name).entries] == [entry["name"] for entry in entries]
+
+
+@pytest.mark.parametrize("name", PACKAGED)
+def test_an_entry_of_a_packaged_catalogue_is_one_sentence_or_a_reason(name: str) -> None:
+    for entry in load_catalogue(name).entries:
+        assert bool(entry.sentence) != bool(entry.reason), entry.name
+        said = entry.sentence or entry.reason
+        assert said[0].isupper(), entry.name
+        assert said.endswith("."), entry.name
+        assert len(said.split()) <= 26, entry.name
+
+
+def written(folder: Path, text: str) -> str:
+    path = folder / "mine.toml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def test_a_catalogue_of_ones_own_is_a_file_of_names_and_sentences(tmp_path: Path) -> None:
+    file = written(tmp_path, 'title = "Ours"\n[[entry]]\nname = "a"\nsentence = "A car\\n brakes."\n')
+    catalogue = load_catalogue(file)
+    assert (catalogue.name, catalogue.title) == ("mine", "Ours")
+    assert catalogue.entries == (Entry(name="a", sentence="A car brakes."),)
+
+
+WRONG = {
+    "no entry": ("", "has no entry; write one"),
+    "not TOML": ("[[entry]\n", "is not TOML"),
+    "a list": ('entry = ["a"]', r"an entry is a table under \[\[entry\]\]"),
+    "no name": ('[[entry]]\nsentence = "A car brakes."', "entry 1 has no name"),
+    "a name of signs": ('[[entry]]\nname = "-"\nsentence = "A car brakes."', "has no name"),
+    "no sentence": ('[[entry]]\nname = "a"', r"entry 1 \('a'\) has no sentence"),
+    "an empty sentence": ('[[entry]]\nname = "a"\nsentence = " "', "has no sentence"),
+    "both": ('[[entry]]\nname = "a"\nsentence = "A car brakes."\nreason = "None."', "remove one of them"),
+    "a number": ('[[entry]]\nname = "a"\nsentence = 3', "sentence must be text, not 3"),
+    "another key": ('[[entry]]\nname = "a"\nsentense = "A car brakes."', "did you mean 'sentence'"),
+    "another table": ('[[entries]]\nname = "a"', "did you mean 'entry'"),
+    "a title of numbers": ('title = 3\n[[entry]]\nname = "a"\nreason = "None."', "title must be text"),
+    "a long sentence": (f'[[entry]]\nname = "a"\nsentence = "{"a " * 2000}"', "more than 2000 characters"),
+    "twice": ('[[entry]]\nname = "a"\nreason = "No."\n' * 2, "two entries 'a'; give one of them another name"),
+    "alike": (
+        '[[entry]]\nname = "cut in"\nreason = "No."\n[[entry]]\nname = "cut-in"\nreason = "No."',
+        "two entries 'cut-in' and 'cut in', which differ in signs only",
+    ),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_what_is_wrong_with_a_catalogue_is_said(wrong: str, tmp_path: Path) -> None:
+    text, message = WRONG[wrong]
+    with pytest.raises(SettingsError, match=message):
+        load_catalogue(written(tmp_path, text))
+
+
+def test_a_catalogue_that_is_not_there_is_told_with_those_that_are(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="did you mean 'nhtsa'"):
+        load_catalogue("nhsta")
+    with pytest.raises(SettingsError, match=r"there is no file .*none.toml; the packaged catalogues are nhtsa, ncap"):
+        load_catalogue(str(tmp_path / "none.toml"))
+    with pytest.raises(SettingsError, match="cannot be read"):
+        (tmp_path / "folder.toml").mkdir()
+        load_catalogue(str(tmp_path / "folder.toml"))
+    (tmp_path / "latin.toml").write_bytes('title = "é"'.encode("latin-1"))
+    with pytest.raises(SettingsError, match="cannot be read"):
+        load_catalogue(str(tmp_path / "latin.toml"))
+
+
+def test_two_catalogues_of_one_name_are_refused() -> None:
+    with pytest.raises(SettingsError, match="two catalogues are called 'mine'"):
+        cover([HERE, HERE], settings=RetrievalSettings(), progress=silent)
+
+
+def test_an_entry_is_served_or_refused_or_out_of_reach() -> None:
+    rows = cover([HERE], settings=RetrievalSettings(), progress=silent)
+    assert [row.answer for row in rows] == [Answer.SERVED, Answer.REFUSED, Answer.OUT_OF_REACH]
+    served, refused, beyond = rows
+    assert [part.partition("/")[0] for part in served.snippet_ids] == ["behavior", "geometry", "spawn"]
+    assert served.slots["adversary"] == "car"
+    assert not served.reasons
+    assert refused.reasons
+    assert not refused.snippet_ids
+    assert beyond.reasons == ("Nobody else takes part.",)
+    assert Tally.of(rows).in_words() == "1 served of 2 in reach, of 3 entries"
+
+
+def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
+    told = as_json([HERE], cover([HERE], settings=RetrievalSettings(), progress=silent))
+    (catalogue,) = json.loads(json.dumps(told))["catalogues"]
+    assert {key: value for key, value in catalogue.items() if key != "rows"} == {
+        "name": "mine",
+        "title": "Mine",
+        "entries": 3,
+        "in_reach": 2,
+        "served": 1,
+    }
+    assert [row["name"] for row in catalogue["rows"]] == ["brakes", "lands", "skids"]
+    assert [row["answer"] for row in catalogue["rows"]] == ["served", "refused", "out of reach"]
+
+
+def test_names_make_folders() -> None:
+    assert slug("Vehicle(s) turning - same direction") == "vehicle-s-turning-same-direction"
