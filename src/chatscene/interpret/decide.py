@@ -18,6 +18,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of
 from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note
 from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
+from chatscene.terms.slots import SLOTS
 
 KNOWN = 0.1  # what the likeliest behavior does is said if that behavior is as likely as this
 _ORDER = {why: place for place, why in enumerate(Why)}
@@ -45,6 +46,7 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     library = library_with(settings.library)
     frame = _with_own_behaviors(frame, library, settings.embedder)
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
+    slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
     if frame.plain:
         slots = replace(slots, **frame.outright.said())
     slots = settle(frame, slots, library)

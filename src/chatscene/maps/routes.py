@@ -28,10 +28,11 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery, Site
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
 
-__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes"]
+__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line"]
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
+TO_LINE = 4.0  # [m] from the middle of a car that waits at a junction to its entry: the nose is half a car nearer
 OPEN_ROAD, SHORT_ROAD = 100.0, 85.0  # [m] of a route without a junction; the shorter where nothing longer fits
 MOTORWAYS = (250.0, 150.0)  # [m] the same on a motorway
 MOTORWAY_CHANGE = 60.0  # [m] for a change of lanes there
@@ -225,6 +226,30 @@ def _junction_route(
         event_at=approach,
         junction=str(maneuver.intersection.uid),
     )
+
+
+def from_line(network: Any, route: Route) -> tuple[Route, Polyline | None]:
+    """A route that begins where a car waits that wants into its junction, and the way to there; as it is without one.
+
+    Args:
+        network: Scenic's road network.
+        route: A route from `find_routes`.
+    """
+    if route.junction is None:
+        return route, None
+    begin = route.event_at - TO_LINE
+    x, y = route.line.point_at(begin)
+    lanes = list(route.lane_ids)
+    while len(lanes) > 1 and not shapely.contains_xy(network.elements[lanes[0]].polygons, x, y):
+        lanes.pop(0)
+    cut = replace(
+        route,
+        id=f"{route.id}-at-line",
+        line=route.line.between(begin, route.length),
+        lane_ids=tuple(lanes),
+        event_at=TO_LINE,
+    )
+    return cut, route.line.between(0.0, begin)
 
 
 def _goes(line: Polyline, maneuver: Maneuver) -> bool:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import hashlib
 import textwrap
+from dataclasses import replace
 
 from chatscene.errors import NamesNotClosed
+from chatscene.program.orders import ORDERS
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.scenario import Scenario
+from chatscene.terms.scenario import AT_REST, EgoState, Position, Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Snippet
 
@@ -40,13 +42,16 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
             joined = ", ".join(p.id for p in triple)
             raise NamesNotClosed(f"snippet {part.id!r} needs {', '.join(missing)}, which none of {joined} provides")
     said = "\n".join(textwrap.wrap(" ".join(scenario.text.split()), 100, initial_indent="# ", subsequent_indent="# "))
+    state = scenario.slots.ego
+    start = "param egoStart = 'at-line'\n\n" if _waits_at_line(state, spawn) else ""
+    orders = "" if state is None else f", with orders ({ORDERS[state].source},)"
     source = "\n\n".join(
         (
             said,
-            f"model chatscene.world.model\n\nAdvClass = {adversary.row.scenic}",
+            f"model chatscene.world.model\n\n{start}AdvClass = {adversary.row.scenic}",
             f"## {behavior.id}\n{behavior.source.strip()}",
-            f"## {geometry.id}\n{geometry.source.strip()}",
-            "ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute",
+            f"## {geometry.id}\n{_lit(geometry, behavior, state).source.strip()}",
+            f"ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute{orders}",
             f"## {spawn.id}\n{spawn.source.strip()}\n",
         )
     )
@@ -57,3 +62,16 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
         snippet_ids=tuple(part.id for part in triple),
         digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
     )
+
+
+def _waits_at_line(state: EgoState | None, spawn: Snippet) -> bool:
+    """Whether the ego begins right before its junction, if there is one: it stands, and nobody is between."""
+    return state in AT_REST and spawn.slots.position is not Position.AHEAD
+
+
+def _lit(geometry: Snippet, behavior: Snippet, state: EgoState | None) -> Snippet:
+    """A geometry whose light is red for an ego that stands there, unless the adversary has that red itself."""
+    if state is not EgoState.STANDS or "crossSignal" in behavior.requires:
+        return geometry
+    source = geometry.source.replace("param signals = 'ego-green'", "param signals = 'ego-red'")
+    return replace(geometry, source=source.replace('crossSignal = "red"', 'crossSignal = "green"'))

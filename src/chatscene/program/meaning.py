@@ -11,16 +11,23 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, STANDING
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Episode, Role, Track
+from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import WAITING, Maneuver, Occluder, Place, Position, Side, Slots, includes
+from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Slots, includes
 
 IN_LANE = 1.75  # [m] from the ego's line
 TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
+AT_FIRST = 1.0  # [s]; who stands for so long before it sets off stood
+DRIVING, CRAWLING = (
+    3.0,
+    4.0,
+)  # [m/s]: as fast at least it drives before it slows down, slower than that all along it crawls
+SLOWED = 1.5  # [m/s]
+BRAKED = 4.0  # [m/s²] for so many steps as for a halt
 
 OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
     Occluder.BUS_STOP: ("BusStop",),
@@ -59,6 +66,7 @@ def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool
         return (*failures, "adversary: there is none")
     contact = episode.collision.step if episode.collision and not through else None
     seen = watch(episode, route, episode.adversaries[0], contact)
+    failures += _ego_failures(slots, seen)
     failures += _start_failures(slots, seen, episode, route)
     failures += _action_failures(slots.actions, seen, contact)
     return tuple(failures)
@@ -124,6 +132,51 @@ def _is_place(said: Place, route: Route) -> bool:
         heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
         return (said is Place.LEFT_CURVE) == (heading[-1] > heading[0])
     return includes(said, route.place)
+
+
+# What the ego does at the pedals
+
+
+def _ego_failures(slots: Slots, seen: Seen) -> list[str]:
+    if slots.ego is None or EGO_STATES[slots.ego](seen.ego.speed, seen.dt):
+        return []
+    return [f"pedals: said {slots.ego}, but the ego drives at {_course(seen.ego.speed)}"]
+
+
+def _course(speed: Array) -> str:
+    first, most, last = float(speed[0]), float(speed.max()), float(speed[-1])
+    return f"{first:.1f} m/s at first, {most:.1f} at most and {last:.1f} in the end"
+
+
+def _sets_off(speed: Array, dt: float) -> bool:
+    stood = round(AT_FIRST / dt)
+    return bool(speed[:stood].max() < STANDING and speed[stood:].max(initial=0.0) > MOVING)
+
+
+def _slows_down(speed: Array, dt: float) -> bool:  # noqa: ARG001 - as all of them
+    fastest = np.maximum.accumulate(speed)
+    return bool(((fastest > DRIVING) & (fastest - speed > SLOWED)).any())
+
+
+def _brakes(speed: Array, dt: float) -> bool:
+    return bool((speed[:-HALT] - speed[HALT:] > BRAKED * HALT * dt).any())
+
+
+def _stops(speed: Array, dt: float) -> bool:
+    """It stands after it has driven, or is about to: where it is hit before it stands it has lost half its speed."""
+    halves = float(speed[-1]) < 0.5 * float(speed.max())
+    return _slows_down(speed, dt) and (halves or bool((speed[np.argmax(speed) :] < STANDING).any()))
+
+
+EGO_STATES: dict[EgoState, Callable[[Array, float], bool]] = {
+    EgoState.STANDS: lambda speed, _: bool(speed.max() < STANDING),
+    EgoState.SETS_OFF: _sets_off,
+    EgoState.SLOW: lambda speed, _: MOVING < float(speed.max()) < CRAWLING,
+    EgoState.SLOWS_DOWN: _slows_down,
+    EgoState.BRAKES: _brakes,
+    EgoState.STOPS: _stops,
+}
+"""Whether the ego's speed [m/s] over time shows what was said of it, by steps [s]."""
 
 
 # The adversary's start and what stands about

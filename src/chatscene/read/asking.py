@@ -19,7 +19,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.frame import About, Frame, Note, certain
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots, Why
+from chatscene.terms.scenario import Control, Distance, EgoState, Maneuver, Occluder, Place, Position, Side, Slots, Why
 
 
 class Decomposition(BaseModel):
@@ -42,6 +42,7 @@ class Decomposition(BaseModel):
     group: bool
     lanes: int | None = Field(ge=1, le=3)
     two_way: bool | None
+    ego: EgoState | None
 
 
 SYSTEM = f"""You read descriptions of dangerous traffic situations for a driving simulator and fill in a form.
@@ -53,6 +54,8 @@ position: ahead (in the ego's lane), roadside (beside the road, on foot or two w
 behind-beside (neighbouring lanes), oncoming, crossing (on a side arm of a junction), far-corner (at the road that the
 ego turns into), kerb (a vehicle standing at the edge of the road).
 maneuver: what the ego does; bypass means around something parked in its lane, through the opposite lane.
+ego: what the ego does at the pedals, if the text says so: stands (at a red light, in a queue, broken down), sets-off
+(from standing), slow (all the time), slows-down, brakes (hard), stops; never how it reacts to the adversary.
 leader: a slow vehicle drives ahead of the ego, besides the adversary. blocker: something is parked in the ego's lane.
 Words for actions: {", ".join(Action)}."""
 
@@ -61,7 +64,7 @@ def _form(behavior: str, **slots: Any) -> str:
     blank: dict[str, Any] = {
         "adversary": None, "actions": [], "side": None, "position": None, "occluder": None, "maneuver": None,
         "place": None, "control": None, "leader": False, "blocker": False, "distance": None, "group": False,
-        "lanes": None, "two_way": None,
+        "lanes": None, "two_way": None, "ego": None,
     }  # fmt: skip
     return json.dumps({"behavior": behavior} | blank | slots)
 
@@ -93,6 +96,11 @@ EXAMPLES = (
         _form("the ambulance runs the red light and stops", adversary="emergency-vehicle",
               actions=["run-light", "stop"], side="left", position="crossing", maneuver="straight", place="junction",
               control="signal"),
+    ),
+    Example(
+        "I was stationary at the lights when a van came up from behind and did not stop.",
+        _form("the van drives on into the ego", adversary="car", actions=["follow"], position="behind",
+              place="junction", control="signal", ego="stands"),
     ),
     Example("bus ahead of us brakes hard", _form("the bus brakes hard", adversary="bus", actions=["brake"],
                                                  position="ahead")),

@@ -35,7 +35,7 @@ BEHAVIOR = "behavior"  # the head over the behaviors' ids
 SCOPE = "scope"  # the head that tells what a library of driving scenarios can serve at all
 NOT_SAID = ""  # the class of a slot that the sentence leaves open
 
-VALUES = {name: tuple(map(str, slot.values)) for name, slot in SLOTS.items()}  # as texts, the names of classes
+VALUES = {name: tuple(map(str, slot.values)) for name, slot in SLOTS.items() if slot.taught}  # as names of classes
 HEADS = (*VALUES, "actions", BEHAVIOR, SCOPE)
 TRUSTED = (*VALUES, "actions")  # of which the patterns know something
 

@@ -23,7 +23,9 @@ from chatscene.terms.description import Rendered, Style
 from chatscene.terms.scenario import Control, Maneuver, Place, Position, Slots, includes
 from chatscene.terms.slots import SLOTS
 
-LEAVABLE = tuple(name for name in SLOTS if name not in ("adversary", "blocker"))  # a blocker is what is gone around
+LEAVABLE = tuple(  # a blocker is what is gone around
+    name for name, slot in SLOTS.items() if slot.taught and name not in ("adversary", "blocker")
+)
 
 
 def render(

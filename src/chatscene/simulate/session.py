@@ -14,10 +14,12 @@ from chatscene.ego.policy import controls
 from chatscene.errors import ChatSceneError, EgoError, ProgramError
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import approach_speed, contact_side, touch
+from chatscene.simulate.obedience import obeyed
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.terms.actors import kind_of
+from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.order import Order
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
 from chatscene.world.bodies import Body, Vehicle
@@ -74,6 +76,8 @@ class SteppedSession:
                 "drive it; leave its `with behavior …` away"
             )
         self._ego = body
+        self._orders = () if program.as_written else _orders(objects[0], label)
+        self._limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
         self._simulation = simulation
         self._route = route
         self._around = around
@@ -138,6 +142,17 @@ class SteppedSession:
         pressed = controls(action, self._pedals)
         if not self._as_written:
             body.throttle, body.brake, body.steer = pressed
+        if self._orders:
+            dt = self._settings.dt
+            body.throttle, body.brake = obeyed(
+                self._orders,
+                pressed[:2],
+                time=self.step_number * dt,
+                along=self._view.along,
+                speed=body.speed,
+                dt=dt,
+                limits=self._limits,
+            )
         if not self._go_on(simulation.advance):
             return
         if simulation.done is not None:  # a behavior ended the scenario, and nothing moved
@@ -307,6 +322,18 @@ class SteppedSession:
             )
         order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
         return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
+
+
+def _orders(ego: Any, label: str) -> tuple[Order, ...]:
+    """What a program orders the ego under test; nothing, in one for another world model.
+
+    Raises:
+        ProgramError: It is no order.
+    """
+    orders = getattr(ego, "orders", ())
+    if not isinstance(orders, tuple) or not all(isinstance(order, Order) for order in orders):
+        raise ProgramError(f"{label} fails: `with orders` takes orders, as in `(Order(at_most=0),)`, not {orders!r}")
+    return orders
 
 
 def _names(objects: list[Any], drawn: bool) -> list[tuple[str, Role]]:

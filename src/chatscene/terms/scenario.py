@@ -104,6 +104,20 @@ class Maneuver(StrEnum):
     BYPASS = "bypass"  # around a blocker through the opposite lane
 
 
+class EgoState(StrEnum):
+    """What the ego does at the pedals while it drives its route, as a text says it; else its policy decides."""
+
+    STANDS = "stands"  # at a light, in a queue, broken down: all the time
+    SETS_OFF = "sets-off"  # stands at first, and drives then
+    SLOW = "slow"  # drives slowly all the time
+    SLOWS_DOWN = "slows-down"  # on its way
+    BRAKES = "brakes"  # hard
+    STOPS = "stops"  # on its way, and stands from then on
+
+
+AT_REST = (EgoState.STANDS, EgoState.SETS_OFF)  # it stands at first
+
+
 class Place(StrEnum):
     """Where it happens."""
 
@@ -156,6 +170,7 @@ class Slots:
     group: bool | None = None  # others of its kind stand or go with it
     lanes: int | None = None  # of the ego's direction; on a road
     two_way: bool | None = None  # a lane of the opposite direction lies beside the ego's
+    ego: EgoState | None = None
 
     def said(self) -> dict[str, object]:
         """The slots that are filled, by name."""

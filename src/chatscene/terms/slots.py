@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.scenario import Component, Control, Distance, Maneuver, Occluder, Place, Position, Side
+from chatscene.terms.scenario import Component, Control, Distance, EgoState, Maneuver, Occluder, Place, Position, Side
 
 YES = (True,)  # of what is either said or not
 BEHAVIOR, GEOMETRY, SPAWN = Component
@@ -18,10 +18,12 @@ class Slot:
 
     Attributes:
         values: What it may hold, one at a time.
-        of: The components whose snippets it tells apart; none for the adversary, on whom all three agree.
+        of: The components whose snippets it tells apart; none for the adversary, on whom all three agree, and for what
+            no snippet does.
         shared: Whether two parts of one program may both speak of it, and must then agree.
         added: Whether a snippet that fills it adds something to a scene, which may not have been asked for.
         about: Whether that is somebody or something that stands or drives about.
+        taught: Whether the classifier was taught to hear it; else words say it outright, or nobody does.
     """
 
     values: tuple[Any, ...]
@@ -29,6 +31,7 @@ class Slot:
     shared: bool = False
     added: bool = False
     about: bool = False
+    taught: bool = True
 
 
 SLOTS: dict[str, Slot] = {
@@ -45,6 +48,7 @@ SLOTS: dict[str, Slot] = {
     "group": Slot(values=YES, of=(SPAWN,), shared=True, added=True, about=True),
     "lanes": Slot(values=(1, 2, 3), of=(GEOMETRY,), added=True),
     "two_way": Slot(values=(True, False), of=(GEOMETRY,)),
+    "ego": Slot(values=tuple(EgoState), taught=False),
 }
 """Every slot with one value; what the adversary does, `Slots.actions`, are acts (`chatscene.terms.acts`)."""
 

@@ -22,12 +22,15 @@ from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDi
     offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
+from chatscene.terms.order import Order
 from scenic.core.vectors import globalOrientation as _NORTH
 
 if 'route' not in globalParameters:
     param route = 0
 if 'signals' not in globalParameters:
     param signals = 'clock'
+if 'egoStart' not in globalParameters:
+    param egoStart = 'approach'
 
 if 'simulator' not in globalParameters:
     from chatscene.settings import SimulationSettings as _SimulationSettings
@@ -37,9 +40,13 @@ simulator _stock_simulator(globalParameters.simulator, globalParameters.map)
 
 def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, beside=None, crossed=(), site=None,
         lane=None):
-    """The ego's route: number `globalParameters.route` of those the map has for this geometry."""
+    """The ego's route: number `globalParameters.route` of those the map has for this geometry.
+
+    With `param egoStart = 'at-line'` it begins right before the junction, if it leads through one.
+    """
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
-        place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane)
+        place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
+        at_line=globalParameters.egoStart == 'at-line')
 
 def startOf(route):
     """The ego's start pose."""
@@ -60,6 +67,7 @@ class Car(Driven, Car):
     isWalker: False
     label: ''
     route: None
+    orders: ()
 
 class Truck(Car):
     length: _LIMITS['Truck'].length

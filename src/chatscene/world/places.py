@@ -19,7 +19,7 @@ from scenic.core.vectors import Vector
 from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line
-from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes
+from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery, Site
@@ -48,10 +48,12 @@ class EgoRoute:
         eventAt: Arc length [m] where its manoeuvre begins, as in the route.
         exitAt: Arc length [m] where it leaves its junction; `eventAt` on open road.
         maneuver: What it does.
+        before: The way to where it begins, if it is a part of a longer one.
     """
 
-    def __init__(self, route: Route, network: Any, count: int) -> None:
+    def __init__(self, route: Route, network: Any, count: int, before: Polyline | None = None) -> None:
         self.route = route
+        self.before = before
         self.count = count
         self.network = network
         self.line = route.line
@@ -121,8 +123,8 @@ def _routes(network: Any, map_name: str, query: RouteQuery) -> tuple[Route, ...]
     return find_routes(network, map_name, query, count=ROUTES)
 
 
-def choose_route(network: Any, map_path: str, index: int, **query: Any) -> EgoRoute:
-    """The `index`-th route that the geometry asks for.
+def choose_route(network: Any, map_path: str, index: int, *, at_line: bool = False, **query: Any) -> EgoRoute:
+    """The `index`-th route that the geometry asks for; from its junction's line on, if it is to begin there.
 
     Raises:
         MapError: There are fewer routes than that.
@@ -133,7 +135,8 @@ def choose_route(network: Any, map_path: str, index: int, **query: Any) -> EgoRo
             f"map {Path(map_path).stem!r} has {len(routes)} routes for this geometry, so there is no route {index}; "
             f"ask for at most {len(routes)}"
         )
-    return EgoRoute(routes[index], network, len(routes))
+    route, before = from_line(network, routes[index]) if at_line else (routes[index], None)
+    return EgoRoute(route, network, len(routes), before)
 
 
 def line_of(path: EgoRoute | CrossingPath | Polyline) -> Polyline:
@@ -273,8 +276,12 @@ def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
 
 
 def extended(path: Any, back: float) -> Polyline:
-    """A path that begins `back` [m] earlier, straight: where somebody behind its start can be."""
+    """A path that begins `back` [m] earlier, straight, or the way the ego came: where somebody behind it can be."""
     line = line_of(path)
+    if isinstance(path, EgoRoute) and path.before is not None:
+        line, back = Polyline.join(path.before, line), back - path.before.length
+        if back <= 0.0:
+            return line.between(-back, line.length)
     return Polyline([line.point_at(-back), *line.points])
 
 

@@ -86,13 +86,16 @@ ATTRIBUTES = _set(
 METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
-PROPERTIES = _set("allowCollisions behavior heading label length roadDeviation route speed velocity width")
+PROPERTIES = _set("allowCollisions behavior heading label length orders roadDeviation route speed velocity width")
 """What may follow ``with``."""
 
 RESERVED = _set("globalParameters network simulation workspace model param new require")
 """Names that mean something to Scenic, which a program may not define anew."""
 
-PARAMETERS = {"signals": frozenset(("clock", "ego-green", "ego-red"))}
+PARAMETERS = {
+    "signals": frozenset(("clock", "ego-green", "ego-red")),
+    "egoStart": frozenset(("approach", "at-line")),
+}
 """Parameters besides ``OPT_…``, and their values."""
 
 
