@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from chatscene.errors import SettingsError
-from chatscene.runs.progress import silent
-from chatscene.settings import RetrievalSettings
+from chatscene import pipeline
+from chatscene.errors import RunError, SettingsError
+from chatscene.runs import Workspace
+from chatscene.runs.progress import Progress, silent
+from chatscene.settings import SearchSettings, Settings
 from chatscene.studies.catalogue import PACKAGED, load_catalogue, slug
-from chatscene.studies.coverage import as_json, cover
+from chatscene.studies.coverage import Asked, as_json, cover, write
 from chatscene.terms.coverage import Answer, Catalogue, Entry, Tally
 from places import SHARED
 
@@ -110,11 +113,11 @@ def test_a_catalogue_that_is_not_there_is_told_with_those_that_are(tmp_path: Pat
 
 def test_two_catalogues_of_one_name_are_refused() -> None:
     with pytest.raises(SettingsError, match="two catalogues are called 'mine'"):
-        cover([HERE, HERE], settings=RetrievalSettings(), progress=silent)
+        cover([HERE, HERE], Asked(), progress=silent)
 
 
 def test_an_entry_is_served_or_refused_or_out_of_reach() -> None:
-    rows = cover([HERE], settings=RetrievalSettings(), progress=silent)
+    rows = cover([HERE], Asked(), progress=silent)
     assert [row.answer for row in rows] == [Answer.SERVED, Answer.REFUSED, Answer.OUT_OF_REACH]
     served, refused, beyond = rows
     assert [part.partition("/")[0] for part in served.snippet_ids] == ["behavior", "geometry", "spawn"]
@@ -127,14 +130,35 @@ def test_an_entry_is_served_or_refused_or_out_of_reach() -> None:
 
 
 def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
-    told = as_json([HERE], cover([HERE], settings=RetrievalSettings(), progress=silent))
+    told = as_json([HERE], Asked(), cover([HERE], Asked(), progress=silent))
     (catalogue,) = json.loads(json.dumps(told))["catalogues"]
+    assert {key: told[key] for key in ("map", "seed", "scenes", "egos")} == {
+        "map": "town",
+        "seed": 0,
+        "scenes": 0,
+        "egos": [],
+    }
+    assert set(catalogue["rows"][0]) == {
+        "name",
+        "sentence",
+        "answer",
+        "reasons",
+        "slots",
+        "unused",
+        "snippet_ids",
+        "composed",
+        "confidence",
+        "fared",
+        "missed",
+        "searched",
+    }
     assert {key: value for key, value in catalogue.items() if key != "rows"} == {
         "name": "mine",
         "title": "Mine",
         "entries": 3,
         "in_reach": 2,
         "served": 1,
+        "shown": None,
     }
     assert [row["name"] for row in catalogue["rows"]] == ["brakes", "lands", "skids"]
     assert [row["answer"] for row in catalogue["rows"]] == ["served", "refused", "out of reach"]
@@ -142,3 +166,78 @@ def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
 
 def test_names_make_folders() -> None:
     assert slug("Vehicle(s) turning - same direction") == "vehicle-s-turning-same-direction"
+
+
+# Driven, and run
+
+
+FEW = Settings(search=SearchSettings(scenes=2, block=2))
+PAIR = Catalogue(
+    name="pair",
+    title="A pair",
+    entries=(
+        Entry(name="brakes", sentence="The car ahead brakes hard."),
+        Entry(name="stops", sentence="The truck ahead stops suddenly."),
+    ),
+)
+
+
+def test_drawn_scenes_are_driven_by_every_ego_and_held_against_what_was_read() -> None:
+    asked = Asked(scenes=1, egos=("rule-based", "idm"))
+    (row, *_) = cover([HERE], asked, progress=silent)
+    assert [(fared.ego, fared.scenes) for fared in row.fared] == [("rule-based", 1), ("idm", 1)]
+    assert row.shown == row.scenes == 2
+    assert not row.missed
+    assert all(fared.avoidable <= fared.collisions <= 1 for fared in row.fared)
+    assert Tally.of([row]).in_words().endswith("1 shown in at least 90 % of the drives")
+
+
+def test_filling_goes_on_where_it_was_killed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = Asked(settings=FEW, egos=("rule-based",), folder=tmp_path / "out", fill=True)
+    ran: list[str] = []
+    search, draw = pipeline.search, pipeline.write_gif
+
+    def counted(run: Workspace, jobs: int, progress: Progress) -> None:
+        ran.append(run.path.name)
+        search(run, jobs, progress)
+
+    def killed(_: Path) -> Path:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(pipeline, "search", counted)
+    monkeypatch.setattr(pipeline, "write_gif", killed)
+    with pytest.raises(KeyboardInterrupt):
+        cover([PAIR], asked, progress=silent)
+    monkeypatch.setattr(pipeline, "write_gif", draw)
+    rows = cover([PAIR], asked, progress=silent)
+    assert [name.partition("-")[0] for name in ran] == ["brakes", "brakes", "stops"]
+    again = cover([PAIR], asked, progress=silent)
+    assert again == rows
+    assert len(ran) == 3  # what is done is not done again
+    for row in rows:
+        assert row.searched
+        assert row.searched.status == "done"
+        assert row.searched.counts["ran"] == 2
+        assert row.picture.startswith(b"RIFF")
+        assert (tmp_path / "out" / row.searched.folder / "report.html").is_file()
+    page = write(tmp_path / "out", [PAIR], asked, rows).read_text(encoding="utf-8")
+    assert page.count("data:image/webp;base64,") == page.count("Report of its run") == 2
+    told = json.loads((tmp_path / "out" / "coverage.json").read_text())
+    assert told["catalogues"][0]["rows"][0]["searched"]["counts"]["ran"] == 2
+    with pytest.raises(RunError, match="egos was"):
+        cover([PAIR], replace(asked, egos=("idm",)), progress=silent)
+
+
+def test_nothing_is_filled_without_a_folder() -> None:
+    with pytest.raises(SettingsError, match="--out"):
+        cover([HERE], Asked(fill=True), progress=silent)
+
+
+def test_the_page_runs_nothing_that_a_catalogue_says(tmp_path: Path) -> None:
+    nasty = "<script>alert(1)</script>"
+    catalogue = Catalogue(name="n", title=nasty, entries=(Entry(name=nasty, reason=nasty),))
+    rows = cover([catalogue], Asked(), progress=silent)
+    page = write(tmp_path, [catalogue], Asked(), rows).read_text(encoding="utf-8")
+    assert "<script" not in page
+    assert "script-src" not in page
+    assert page.count("&lt;script&gt;alert(1)") >= 3

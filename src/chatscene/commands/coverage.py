@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Unpack
 
 import click
 
-from chatscene.commands.library import JSON, READING, Reading, console, progress, say
+from chatscene.commands.library import JSON, MAP, READING, Reading, console, progress, say
 
 
 @click.command()
@@ -19,25 +20,76 @@ from chatscene.commands.library import JSON, READING, Reading, console, progress
     help="nhtsa, ncap, r157, iso34502, leaderboard, challenge, or a .toml file of your own; repeat.  "
     "[default: all of these]",
 )
+@click.option("--drive", is_flag=True, help="Draw scenes of each entry and let egos drive them.")
+@click.option(
+    "--scenes",
+    type=click.IntRange(min=1),
+    default=None,
+    help="Of each entry.  [default: 10 with --drive, 50 in a run of --fill]",
+)
+@click.option(
+    "--ego",
+    "egos",
+    multiple=True,
+    help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
+)
+@MAP
+@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=None,
+    help="For a page with a picture of each entry, JSON, and runs.",
+)
+@click.option("--fill", is_flag=True, help="Run what is served and has no run under --out yet; goes on after a kill.")
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
 @READING
 @JSON
-def coverage(catalogues: tuple[str, ...], jobs: int, as_json: bool, **reading: Unpack[Reading]) -> None:
+def coverage(
+    catalogues: tuple[str, ...],
+    drive: bool,
+    scenes: int | None,
+    egos: tuple[str, ...],
+    map_name: str,
+    seed: int,
+    out: Path | None,
+    fill: bool,
+    jobs: int,
+    as_json: bool,
+    **reading: Unpack[Reading],
+) -> None:
     """Show what of a catalogue of traffic situations is served: a row per entry, and why the others are not.
+
+    With --drive also in how many drives all that was read is seen, and how many of the collisions were avoidable.
 
     \b
     chatscene coverage
-    chatscene coverage --catalogue nhtsa --catalogue mine.toml --json
+    chatscene coverage --catalogue nhtsa --catalogue mine.toml --drive --jobs 2 --out runs/coverage
+    chatscene coverage --catalogue ncap --fill --jobs 2 --out runs/ncap
     """
     from chatscene.report.terminal import print_coverage
-    from chatscene.settings import RetrievalSettings
+    from chatscene.settings import RetrievalSettings, SearchSettings, Settings
     from chatscene.studies import coverage as desk
     from chatscene.studies.catalogue import PACKAGED, load_catalogue
 
-    asked = [load_catalogue(name) for name in dict.fromkeys(catalogues or PACKAGED)]
-    rows = desk.cover(asked, settings=RetrievalSettings(**reading), jobs=jobs, progress=progress())
+    if fill and out is None:
+        raise click.UsageError("--fill needs --out, where runs are kept")
+    search = SearchSettings(seed=seed) if scenes is None else SearchSettings(seed=seed, scenes=scenes)
+    asked = desk.Asked(
+        settings=Settings(search=search, retrieval=RetrievalSettings(**reading)),
+        map_name=map_name,
+        egos=egos or desk.EGOS,
+        scenes=(scenes or desk.SCENES) if drive else 0,
+        folder=out,
+        fill=fill,
+    )
+    found = [load_catalogue(name) for name in dict.fromkeys(catalogues or PACKAGED)]
+    rows = desk.cover(found, asked, jobs=jobs, progress=progress())
+    page = desk.write(out, found, asked, rows) if out else None
     if as_json:
-        say(json.dumps(desk.as_json(asked, rows), indent=1, ensure_ascii=False))
+        say(json.dumps(desk.as_json(found, asked, rows), indent=1, ensure_ascii=False))
         return
-    for catalogue in asked:
+    for catalogue in found:
         print_coverage(console(), catalogue, desk.of_catalogue(catalogue, rows))
+    if page:
+        say(f"page: {page}")

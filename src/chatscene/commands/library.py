@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+MAP = click.option(
+    "--map", "map_name", default="town", show_default=True, help="The packaged 'town' or 'outskirts', or an .xodr file."
+)
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
 PHYSICS_OPTION = click.option(
     "--physics",

@@ -24,6 +24,7 @@ from chatscene.commands.library import (
     GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
+    MAP,
     MODEL_AGAIN,
     PHYSICS_OPTION,
     READING,
@@ -46,10 +47,6 @@ if TYPE_CHECKING:
     from chatscene.learn.train import Trained
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
-
-MAP = click.option(
-    "--map", "map_name", default="town", show_default=True, help="The packaged 'town' or 'outskirts', or an .xodr file."
-)
 
 SAMPLER = click.option(
     "--sampler",

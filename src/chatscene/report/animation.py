@@ -8,16 +8,18 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+import numpy as np
 from PIL import Image
 
 from chatscene.errors import RunError
-from chatscene.maps.picture import WIDEST, Camera, draw_frame, draw_ground
+from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground
 from chatscene.report.viewer import ranked
 from chatscene.runs import note, open_run, read_drawing, read_episode, read_scenes
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
 FRAMES = 75  # at most; a longer drive is cut to its end, where things happen
+BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
 
 
@@ -45,6 +47,24 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
     write_bytes(path, content)
     note(run, path)
     return path
+
+
+def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
+    """The moment of a drive at which the ego crashes, or comes nearest to its adversary, as a small WebP picture.
+
+    Args:
+        episode: The drive.
+        drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
+    """
+    ego = episode.ego_track
+    apart = [np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries] or [np.zeros(1)]
+    step = episode.collision.step if episode.collision else int(np.min(apart, axis=0).argmin())
+    camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
+    frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
+    sink = io.BytesIO()
+    small = frame.resize((WIDTH * 2 // 3, HEIGHT * 2 // 3), Image.Resampling.LANCZOS)
+    small.save(sink, format="WEBP", quality=80)
+    return sink.getvalue()
 
 
 def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES, widest: float = WIDEST) -> bytes:

@@ -138,21 +138,26 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
     """What became of each entry of a catalogue, and how many are served."""
     from rich.table import Table
 
+    egos = list(dict.fromkeys(fared.ego for row in rows for fared in row.fared))
     table = Table(box=None, pad_edge=False, header_style="dim", padding=(0, 2, 1, 0))
-    table.add_column("entry", overflow="fold", ratio=2)
-    table.add_column("sentence", overflow="fold", ratio=3)
+    table.add_column("entry", overflow="fold", ratio=1)
     table.add_column("answer", no_wrap=True)
-    table.add_column("program, or why not", overflow="fold", ratio=4)
+    if egos:
+        table.add_column("drives that\nshow it", justify="right", no_wrap=True)
+    for ego in egos:
+        table.add_column(f"{_plain(ego)} crashes\n(avoidable)", justify="right", no_wrap=True)
     for row in rows:
-        parts = [f"{_plain(name)}{' [dim]composed[/]' * (name in row.composed)}" for name in row.snippet_ids]
-        why = [_plain(reason) for reason in row.reasons]
-        unused = [f"[yellow]not used[/]  {_plain(line)}" for line in row.unused]
-        colour = _ANSWERS[row.answer]
+        said = [f"[bold]{_plain(row.entry.name)}[/]", _plain(row.entry.sentence)]
+        parts = " + ".join(f"{_plain(name)}{' (composed)' * (name in row.composed)}" for name in row.snippet_ids)
+        why = [f"[dim]{_plain(line)}[/]" for line in (parts, *row.reasons) if line]
+        why += [f"[yellow]not used[/]  {_plain(line)}" for line in row.unused]
+        why += [f"[yellow]{count} do not show[/]  {_plain(failure)}" for failure, count in row.missed[:1]]
+        fared = {one.ego: f"{one.collisions} ({one.avoidable})" for one in row.fared}
         table.add_row(
-            _plain(row.entry.name),
-            _plain(row.entry.sentence),
-            f"[{colour}]{row.answer}[/]",
-            "\n".join((*parts, *why, *unused)),
+            "\n".join(line for line in (*said, *why) if line),
+            f"[{_ANSWERS[row.answer]}]{row.answer}[/]",
+            *([f"{row.shown} of {row.scenes}" if row.fared else ""] if egos else []),
+            *(fared.get(ego, "") for ego in egos),
         )
     console.print(f"[bold]{_plain(catalogue.title)}[/]\n")
     console.print(table)

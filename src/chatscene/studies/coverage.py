@@ -1,35 +1,85 @@
 """What of a catalogue of traffic situations is served, entry by entry.
 
-An entry is served if its sentence is read and a program is chosen for it.
+An entry is served if its sentence is read and a program is chosen for it; where it is driven as well, if that program
+climbs the validation ladder. Its scenes are drawn at random from the program's ranges, over as many routes as there
+are, and each is driven by every ego.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict
+import hashlib
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
-from chatscene.errors import NothingFits, SettingsError
+import numpy as np
+
+from chatscene import pipeline, runs
+from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.errors import (
+    MapError,
+    MeansSomethingElse,
+    NothingFits,
+    ProgramError,
+    SettingsError,
+    SnippetError,
+    StuckBehavior,
+)
 from chatscene.library.compose import COMPOSED
+from chatscene.maps.drawing import drawing_around
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.measure.drive import Ran
+from chatscene.report.animation import still
+from chatscene.report.coverage import coverage_page
+from chatscene.report.viewer import ranked
+from chatscene.runs.atomic import write_bytes, write_json
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
+from chatscene.search.generator import Written, climb, simulator_of
 from chatscene.search.generators.retrieved import Retrieved
-from chatscene.settings import RetrievalSettings
-from chatscene.terms.coverage import Answer, Catalogue, Covered, Entry, Tally
+from chatscene.settings import Settings
+from chatscene.simulate.simulator import check_jobs, routes_of
+from chatscene.studies.catalogue import slug
+from chatscene.terms.coverage import Answer, Catalogue, Covered, Entry, Fared, Searched, Tally
+from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Scenario, grouped
 from chatscene.terms.snippet import Retrieval
+
+SCENES = 10  # of each entry, if nobody says how many
+EGOS = ("sac", "idm")  # the surrogate that a run has if none is named, and a driver by rule that sees everybody
 
 Task = tuple[int, str, Entry]
 
 
-def cover(
-    catalogues: Sequence[Catalogue], *, settings: RetrievalSettings, jobs: int = 1, progress: Progress
-) -> tuple[Covered, ...]:
-    """Ask for every entry of catalogues.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """What is asked of every entry.
+
+    Attributes:
+        settings: How sentences are read; how scenes are searched in a run, and the seed of those that are drawn.
+        map_name: Where scenes are driven.
+        egos: Who drives; the first of them in runs, too.
+        scenes: How many scenes of each entry are drawn and driven; 0 for none.
+        folder: Where runs are, and what is written; None for nowhere.
+        fill: Whether an entry without a run gets one.
+    """
+
+    settings: Settings = field(default_factory=Settings)
+    map_name: str = "town"
+    egos: tuple[str, ...] = EGOS
+    scenes: int = 0
+    folder: Path | None = None
+    fill: bool = False
+
+
+def cover(catalogues: Sequence[Catalogue], asked: Asked, *, jobs: int = 1, progress: Progress) -> tuple[Covered, ...]:
+    """Ask for every entry of catalogues; runs that are missing can be killed at any time, and are gone on with.
 
     Args:
         catalogues: What to ask for; no two have the same name.
-        settings: How sentences are read.
+        asked: What is asked of each entry.
         jobs: Processes; any number gives the same.
         progress: Told what is done.
 
@@ -37,16 +87,24 @@ def cover(
         A row for each entry, in their order.
 
     Raises:
-        SettingsError: Two catalogues have the same name.
+        SettingsError: Two catalogues have the same name, or there is no such map or simulator.
+        EgoError: An ego cannot be loaded, or fails.
+        RunError: A run in the folder is another than is asked for, or damaged.
     """
     names = [catalogue.name for catalogue in catalogues]
     for name in names:
         if names.count(name) > 1:
             raise SettingsError(f"two catalogues are called {name!r}; give one file another name")
-    asked = [(catalogue.name, entry) for catalogue in catalogues for entry in catalogue.entries]
-    tasks = [(number, name, entry) for number, (name, entry) in enumerate(asked)]
+    if asked.fill and asked.folder is None:
+        raise SettingsError("runs need a folder: say where with --out")
+    check_jobs(asked.settings.simulation, jobs)
+    resolve_map(asked.map_name)  # what is not there is told here, and once
+    for ego in asked.egos:
+        load_ego(ego)
+    every = [(catalogue.name, entry) for catalogue in catalogues for entry in catalogue.entries]
+    tasks = [(number, name, entry) for number, (name, entry) in enumerate(every)]
     rows: dict[int, Covered] = {}
-    for number, row in spread(_Desk, settings, tasks, jobs=jobs):
+    for number, row in spread(_Desk, asked, tasks, jobs=jobs):
         rows[number] = row
         progress("entries", len(rows), len(tasks))
     return tuple(rows[number] for number in range(len(tasks)))
@@ -55,27 +113,111 @@ def cover(
 class _Desk:
     """Answers for one entry after another."""
 
-    def __init__(self, settings: RetrievalSettings) -> None:
-        self._settings = settings
+    def __init__(self, asked: Asked) -> None:
+        self._asked = asked
         self._generator = Retrieved()
+        self._map = resolve_map(asked.map_name)
+        self._egos: dict[str, EgoPolicy] = {}
+        if asked.scenes:
+            self._egos = {name: load_ego(name) for name in asked.egos}
+            self._simulator = simulator_of(self._generator, self._map, asked.settings)
 
     def __call__(self, task: Task) -> tuple[int, Covered]:
         number, catalogue, entry = task
         return number, self._covered(catalogue, entry)
 
     def _covered(self, catalogue: str, entry: Entry) -> Covered:
+        row = Covered(catalogue=catalogue, entry=entry, answer=Answer.OUT_OF_REACH, reasons=(entry.reason,), slots={})
         if not entry.sentence:
-            reasons = (entry.reason,)
-            return Covered(catalogue=catalogue, entry=entry, answer=Answer.OUT_OF_REACH, reasons=reasons, slots={})
-        scenario = self._generator.read(entry.sentence, self._settings)
-        read: dict[str, Any] = {"catalogue": catalogue, "entry": entry, "slots": _in_words(scenario)}
+            return row
+        reading = self._asked.settings.retrieval
+        scenario = self._generator.read(entry.sentence, reading)
+        row = replace(row, slots=_in_words(scenario), unused=tuple(grouped(scenario.unused).values()))
         try:
-            retrieval = self._generator.write(scenario, self._settings).retrieval
-        except NothingFits as refusal:
-            unused = tuple(grouped(scenario.unused).values())
-            return Covered(**read, answer=Answer.REFUSED, reasons=refusal.reasons, unused=unused)
-        assert retrieval is not None  # whoever retrieves says so
-        return Covered(**read, answer=Answer.SERVED, **_chosen(scenario, retrieval))
+            written = self._generator.write(scenario, reading)
+            row = replace(row, answer=Answer.SERVED, reasons=(), **_chosen(scenario, written))
+            if self._asked.scenes:
+                row = self._driven(row, scenario, written)
+            if self._asked.folder:
+                row = self._searched(row, self._asked.folder)
+        except (NothingFits, MeansSomethingElse) as refusal:
+            reasons = refusal.reasons if isinstance(refusal, NothingFits) else (str(refusal),)
+            return replace(row, answer=Answer.REFUSED, reasons=reasons, **_NO_CHOICE)
+        except (MapError, ProgramError, SnippetError, StuckBehavior) as error:
+            return replace(row, answer=Answer.FAILED, reasons=(f"{type(error).__name__}: {error}",), **_NO_CHOICE)
+        return row
+
+    def _driven(self, row: Covered, scenario: Scenario, first: Written) -> Covered:
+        """What drawn scenes show, once the program, or the next best, stands on the ladder."""
+        settings, generator, simulator = self._asked.settings, self._generator, self._simulator
+        surrogate = next(iter(self._egos.values()))
+        written, _ = climb(generator, scenario, first, settings=settings.retrieval, simulator=simulator, ego=surrogate)
+        routes = list(routes_of(simulator, written.program, self._asked.scenes))
+        drives: dict[str, list[Ran]] = {name: [] for name in self._egos}
+        for place, route in enumerate(routes):
+            count = len(range(place, self._asked.scenes, len(routes)))
+            looking = replace(settings.search, scenes=count, block=count, sampler="random")
+            for name, ego in self._egos.items():
+                for block in generator.explore(
+                    written.program, scenario.slots, route, simulator=simulator, ego=ego, settings=looking, done=()
+                ):
+                    drives[name] += block.ran
+        every = [ran for own in drives.values() for ran in own]
+        best = max(every, key=lambda ran: (not ran.meaning, ran.episode.collision is not None), default=None)
+        missed = Counter(failure for ran in every for failure in ran.meaning)
+        return replace(
+            row,
+            **_chosen(scenario, written),
+            fared=tuple(_fared(name, own) for name, own in drives.items()),
+            missed=tuple(missed.most_common()),
+            picture=self._still(best.episode) if best and self._asked.folder else b"",
+        )
+
+    def _still(self, episode: Episode) -> bytes:
+        actors = (episode.ego_track, *episode.adversaries)
+        points = np.concatenate([np.column_stack((track.x, track.y)) for track in actors])
+        return still(episode, drawing_around(load_network(self._map), points))
+
+    def _searched(self, row: Covered, folder: Path) -> Covered:
+        """The row with its run, which is made or gone on with if that is asked for."""
+        name = folder_of(row)
+        run = runs.Workspace(folder / name)
+        if self._asked.fill:
+            record = runs.asked_run(
+                row.entry.sentence,
+                settings=self._asked.settings,
+                map_name=self._asked.map_name,
+                ego=self._asked.egos[0],
+            )
+            if _is_finished(run):
+                runs.take_up(run.path, record)  # or it is another's
+            else:
+                pipeline.run(record, run.path)
+        if not run.file("run.json").is_file():
+            return row
+        found = runs.read_record(run)
+        searched = Searched(folder=name, status=found.status.value, counts=found.counts)
+        best = next(iter(ranked(runs.read_scenes(run))), None) if not row.picture and _is_finished(run) else None
+        if best is None:
+            return replace(row, searched=searched)
+        picture = still(runs.read_episode(run, best["scene_id"]), runs.read_drawing(run))
+        return replace(row, searched=searched, picture=picture)
+
+
+_NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "composed": (), "confidence": None}
+
+
+def _is_finished(run: runs.Workspace) -> bool:
+    """Whether a run is done to its last file, the picture."""
+    if not run.file("run.json").is_file() or not any(run.path.glob("*.gif")):
+        return False
+    return runs.read_record(run).status is runs.Status.DONE
+
+
+def folder_of(row: Covered) -> str:
+    """Where the run of an entry is; another sentence has another one."""
+    said = hashlib.blake2b(row.entry.sentence.encode(), digest_size=3).hexdigest()
+    return f"runs/{row.catalogue}/{slug(row.entry.name)}-{said}"
 
 
 def _in_words(scenario: Scenario) -> dict[str, str]:
@@ -86,7 +228,9 @@ def _in_words(scenario: Scenario) -> dict[str, str]:
     }
 
 
-def _chosen(scenario: Scenario, retrieval: Retrieval) -> dict[str, Any]:
+def _chosen(scenario: Scenario, written: Written) -> dict[str, Any]:
+    retrieval = written.retrieval
+    assert isinstance(retrieval, Retrieval)  # whoever retrieves says so
     ids = tuple(snippet.id for snippet in retrieval.snippets)
     return {
         "snippet_ids": ids,
@@ -96,9 +240,43 @@ def _chosen(scenario: Scenario, retrieval: Retrieval) -> dict[str, Any]:
     }
 
 
-def as_json(catalogues: Sequence[Catalogue], rows: Sequence[Covered]) -> dict[str, Any]:
+def _fared(ego: str, drives: Sequence[Ran]) -> Fared:
+    return Fared(
+        ego=ego,
+        scenes=len(drives),
+        shown=sum(not ran.meaning for ran in drives),
+        collisions=sum(ran.episode.collision is not None for ran in drives),
+        avoidable=sum(ran.avoidable is True for ran in drives),
+    )
+
+
+# What is told
+
+
+def write(folder: Path, catalogues: Sequence[Catalogue], asked: Asked, rows: Sequence[Covered]) -> Path:
+    """Leave ``coverage.json`` and ``coverage.html`` in a folder.
+
+    Returns:
+        The page.
+
+    Raises:
+        RunError: The folder cannot be written.
+    """
+    write_json(folder / "coverage.json", as_json(catalogues, asked, rows))
+    page = folder / "coverage.html"
+    write_bytes(page, coverage_page([(one, of_catalogue(one, rows)) for one in catalogues]).encode())
+    return page
+
+
+def as_json(catalogues: Sequence[Catalogue], asked: Asked, rows: Sequence[Covered]) -> dict[str, Any]:
     """Every entry with what became of it, for a script; `docs/coverage.md` lists the keys."""
-    return {"catalogues": [_told(catalogue, of_catalogue(catalogue, rows)) for catalogue in catalogues]}
+    return {
+        "map": asked.map_name,
+        "seed": asked.settings.search.seed,
+        "scenes": asked.scenes,
+        "egos": list(asked.egos) if asked.scenes else [],
+        "catalogues": [_told(catalogue, of_catalogue(catalogue, rows)) for catalogue in catalogues],
+    }
 
 
 def of_catalogue(catalogue: Catalogue, rows: Sequence[Covered]) -> list[Covered]:
@@ -106,11 +284,11 @@ def of_catalogue(catalogue: Catalogue, rows: Sequence[Covered]) -> list[Covered]
     return [row for row in rows if row.catalogue == catalogue.name]
 
 
-def _told(catalogue: Catalogue, rows: Sequence[Covered]) -> dict[str, Any]:
+def _told(catalogue: Catalogue, rows: Sequence[Covered]) -> Mapping[str, Any]:
     told: list[dict[str, Any]] = []
     for row in rows:
         content = asdict(row)
         entry: dict[str, str] = content.pop("entry")
-        del content["catalogue"]
+        del content["catalogue"], content["picture"]
         told.append({"name": entry["name"], "sentence": entry["sentence"], **content})
     return {"name": catalogue.name, "title": catalogue.title, **asdict(Tally.of(rows)), "rows": told}

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from enum import StrEnum
+
+SHOWN = 0.9  # of the drives of an entry that is told as shown
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +49,40 @@ class Answer(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Fared:
+    """How one ego fared in the scenes of an entry.
+
+    Attributes:
+        ego: The ego.
+        scenes: How many it drove.
+        shown: In how many of them all that was read was seen, every act in order, before it met anything.
+        collisions: In how many it collided.
+        avoidable: How many of these collisions a careful driver would have avoided.
+    """
+
+    ego: str
+    scenes: int
+    shown: int
+    collisions: int
+    avoidable: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Searched:
+    """The run of an entry.
+
+    Attributes:
+        folder: The run folder, seen from the desk's.
+        status: How far it came.
+        counts: Of scenes, as in `run.json`; empty until it is done.
+    """
+
+    folder: str
+    status: str
+    counts: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Covered:
     """An entry and what became of it.
 
@@ -60,6 +96,10 @@ class Covered:
         snippet_ids: Behavior, geometry, spawn; empty if it is not served.
         composed: Those of them that were composed of acts, where the others are packaged or a user's own.
         confidence: Of the choice; None if there is none.
+        fared: How each ego fared; empty if nothing was driven.
+        missed: What drives did not show, and in how many, the commonest first.
+        searched: Its run; None if it has none.
+        picture: A moment of a drive, as WebP; empty if none was drawn.
     """
 
     catalogue: str
@@ -71,6 +111,20 @@ class Covered:
     snippet_ids: tuple[str, ...] = ()
     composed: tuple[str, ...] = ()
     confidence: float | None = None
+    fared: tuple[Fared, ...] = ()
+    missed: tuple[tuple[str, int], ...] = ()
+    searched: Searched | None = None
+    picture: bytes = field(default=b"", repr=False)
+
+    @property
+    def scenes(self) -> int:
+        """How many scenes were driven, each as often as there are egos."""
+        return sum(fared.scenes for fared in self.fared)
+
+    @property
+    def shown(self) -> int:
+        """How many of these drives showed all that was read."""
+        return sum(fared.shown for fared in self.fared)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,11 +135,14 @@ class Tally:
         entries: All.
         in_reach: Those with a sentence.
         served: Of these, those with a program.
+        shown: Of these, those of which a share of `SHOWN` of the drives show all that was read; None if nothing was
+            driven.
     """
 
     entries: int
     in_reach: int
     served: int
+    shown: int | None
 
     @classmethod
     def of(cls, rows: Sequence[Covered]) -> Tally:
@@ -94,8 +151,12 @@ class Tally:
             entries=len(rows),
             in_reach=sum(row.answer is not Answer.OUT_OF_REACH for row in rows),
             served=sum(row.answer is Answer.SERVED for row in rows),
+            shown=sum(row.shown >= SHOWN * row.scenes for row in rows if row.fared)
+            if any(row.fared for row in rows)
+            else None,
         )
 
     def in_words(self) -> str:
         """A line for a person."""
-        return f"{self.served} served of {self.in_reach} in reach, of {self.entries} entries"
+        shown = "" if self.shown is None else f"; {self.shown} shown in at least {100 * SHOWN:.0f} % of the drives"
+        return f"{self.served} served of {self.in_reach} in reach, of {self.entries} entries{shown}"

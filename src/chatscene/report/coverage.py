@@ -1,0 +1,59 @@
+"""`coverage.html`: what of catalogues is served, as one page that needs nothing but a browser."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping, Sequence
+from typing import Any
+from urllib.parse import quote
+
+from chatscene.report.templates import asset, fill
+from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
+
+
+def coverage_page(found: Sequence[tuple[Catalogue, Sequence[Covered]]]) -> str:
+    """The page.
+
+    Args:
+        found: Each catalogue with what became of its entries.
+    """
+    return fill(
+        "coverage.html",
+        style=asset("viewer.css"),
+        own_style=asset("coverage.css"),
+        catalogues=[
+            {
+                "name": catalogue.name,
+                "title": catalogue.title,
+                "tally": Tally.of(rows),
+                "in_words": Tally.of(rows).in_words(),
+                "cards": [_card(row) for row in rows],
+            }
+            for catalogue, rows in found
+        ],
+    )
+
+
+def _card(row: Covered) -> Mapping[str, Any]:
+    return {
+        "name": row.entry.name,
+        "sentence": row.entry.sentence,
+        "answer": row.answer.value,
+        "served": row.answer is Answer.SERVED,
+        "beyond": row.answer is Answer.OUT_OF_REACH,
+        "reasons": row.reasons,
+        "parts": [
+            (component, name.partition("/")[2], name in row.composed)
+            for component, name in ((name.partition("/")[0], name) for name in row.snippet_ids)
+        ],
+        "read": [(name.replace("_", " "), value) for name, value in row.slots.items()],
+        "unused": row.unused,
+        "share": row.shown / row.scenes if row.scenes else None,
+        "shown": row.shown,
+        "scenes": row.scenes,
+        "fared": row.fared,
+        "missed": row.missed[:3],
+        "picture": base64.b64encode(row.picture).decode(),
+        "run": row.searched,
+        "report": f"{quote(row.searched.folder)}/report.html" if row.searched else "",
+    }
