@@ -7,8 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner, Result
 
 from chatscene import pipeline
+from chatscene.commands.main import main
 from chatscene.errors import RunError, SettingsError
 from chatscene.runs import Workspace
 from chatscene.runs.progress import Progress, silent
@@ -241,3 +243,25 @@ def test_the_page_runs_nothing_that_a_catalogue_says(tmp_path: Path) -> None:
     assert "<script" not in page
     assert "script-src" not in page
     assert page.count("&lt;script&gt;alert(1)") >= 3
+
+
+# The command
+
+
+def told(*arguments: str) -> Result:
+    return CliRunner().invoke(main, ["coverage", *arguments])
+
+
+def test_the_command_prints_a_row_for_every_entry(tmp_path: Path) -> None:
+    file = written(tmp_path, '[[entry]]\nname = "b[1]"\nsentence = "The car ahead brakes hard."\n')
+    answer = told("--catalogue", file)
+    assert answer.exit_code == 0
+    assert "b[1]" in answer.stdout
+    assert "geometry/straight-road" in answer.stdout
+    assert "1 served of 1 in reach, of 1 entries" in answer.stdout
+    assert json.loads(told("--catalogue", file, "--json").stdout)["catalogues"][0]["name"] == "mine"
+
+
+def test_the_command_says_what_is_wrong() -> None:
+    assert told("--catalogue", "nhsta").exit_code == 1
+    assert told("--catalogue", "r157", "--fill").exit_code == 2
