@@ -23,9 +23,11 @@ from chatscene.errors import (
     MeansSomethingElse,
     NothingFits,
     ProgramError,
+    SandboxError,
+    ServerError,
     SettingsError,
+    SimulationError,
     SnippetError,
-    StuckBehavior,
 )
 from chatscene.library.compose import COMPOSED
 from chatscene.maps.drawing import drawing_around
@@ -143,7 +145,9 @@ class _Desk:
         except (NothingFits, MeansSomethingElse) as refusal:
             reasons = refusal.reasons if isinstance(refusal, NothingFits) else (str(refusal),)
             return replace(row, answer=Answer.REFUSED, reasons=reasons, **_NO_CHOICE)
-        except (MapError, ProgramError, SnippetError, StuckBehavior) as error:
+        except (ServerError, SandboxError):
+            raise  # which say nothing of the program
+        except (MapError, ProgramError, SnippetError, SimulationError) as error:
             return replace(row, answer=Answer.FAILED, reasons=(f"{type(error).__name__}: {error}",), **_NO_CHOICE)
         return row
 

@@ -147,13 +147,12 @@ class Tally:
     @classmethod
     def of(cls, rows: Sequence[Covered]) -> Tally:
         """Count rows."""
+        driven = [row for row in rows if row.scenes]
         return cls(
             entries=len(rows),
             in_reach=sum(row.answer is not Answer.OUT_OF_REACH for row in rows),
             served=sum(row.answer is Answer.SERVED for row in rows),
-            shown=sum(row.shown >= SHOWN * row.scenes for row in rows if row.fared)
-            if any(row.fared for row in rows)
-            else None,
+            shown=sum(row.shown >= SHOWN * row.scenes for row in driven) if driven else None,
         )
 
     def in_words(self) -> str:
