@@ -50,7 +50,7 @@ def test_the_richer_view_places_a_walker_ahead_and_to_the_left() -> None:
     view.locate(10.0, 0.5)
     ego = VehicleBody(10.0, 0.5, 0.0, LIMITS["Car"], 6.0)
     walker = WalkerBody(22.0, 4.5, -math.pi / 2, LIMITS["Pedestrian"], 1.5)
-    observation = view.actors(ego, [(walker, True)])
+    observation = view.actors(ego, [(walker, True, math.inf)])
     assert observation.shape == (OBSERVATIONS["actors"],)
     assert observation[:4] == pytest.approx((6.0, 0.5, 0.0, 89.0))
     assert observation[4:6] == pytest.approx((5.0, -0.5))
@@ -63,7 +63,7 @@ def test_the_nearest_actors_come_first_and_those_out_of_sight_not_at_all() -> No
     view = RouteView(EAST)
     view.locate(0.0, 0.0)
     ego = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 6.0)
-    others = [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False) for x in (60.0, 40.0, 20.0, 30.0)]
+    others = [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf) for x in (60.0, 40.0, 20.0, 30.0)]
     rows = view.actors(ego, others)[14:].reshape(-1, 11)
     assert rows[:, 3].tolist() == [20.0, 30.0, 40.0, 0.0, 0.0, 0.0]
 

@@ -21,7 +21,9 @@ reference, not an oversight.
 | 4 to 13 | the route 5, 10, 15, 20 and 30 m ahead: x, y in the ego's frame (x ahead, y left) | m |
 | from 14 | for each of the six nearest actors within 50 m: 1; along the route ahead of the ego, left of the route; x, y and velocity x, y in the ego's frame; heading against the ego's; half length, half width; 1 if it walks | 1, m, m/s, rad |
 
-Rows of actors that are not there are zero. Nothing hides anybody: a preset is eyes, not a sensor model.
+Rows of actors that are not there are zero. Nothing hides anybody but night and fog, in which those are not there who
+are farther than light and weather let them be seen (`chatscene.terms.surroundings`): a preset is eyes, not a sensor
+model. ``safebench`` looks no farther than anybody sees in any of these, so that they change nothing of it.
 """  # noqa: E501 - a table
 
 from __future__ import annotations
@@ -110,12 +112,12 @@ class RouteView:
         lateral = hx * (y - wy) - hy * (x - wx)
         return np.array((lateral, _error(hx, hy, heading), abs(speed), 1.0 if vehicle_ahead else 0.0))
 
-    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool]]) -> Observation:
+    def actors(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
         """The preset ``actors`` for an ego that was located at its pose.
 
         Args:
             ego: The ego.
-            others: Everybody else, and whether each walks.
+            others: Everybody else, whether each walks, and from how far it is seen [m].
 
         Returns:
             (``OBSERVATIONS["actors"]``,) float64.
@@ -131,12 +133,13 @@ class RouteView:
         near = sorted(
             (
                 (distance, i)
-                for i, (other, _) in enumerate(others)
-                if (distance := math.hypot(other.x - x, other.y - y)) < RANGE
+                for i, (other, _, sight) in enumerate(others)
+                if (distance := math.hypot(other.x - x, other.y - y)) < (sight if sight < RANGE else RANGE)
             )
         )
         for _, i in near[:NEAREST]:
-            seen += self._row(ego, *others[i])
+            other, walks, _ = others[i]
+            seen += self._row(ego, other, walks)
         seen += [0.0] * (OBSERVATIONS["actors"] - len(seen))
         return np.array(seen)
 

@@ -77,6 +77,7 @@ def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
         notes=notes,
         unused=_unused(frame, slots),
         frame=frame,
+        surroundings=frame.surroundings,
     )
 
 

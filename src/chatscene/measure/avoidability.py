@@ -22,7 +22,7 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, ped
 from chatscene.errors import EgoError, SimulationError
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.actors import LIMITS
+from chatscene.terms.actors import LIMITS, has_lamps
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -40,7 +40,7 @@ def risk_step(episode: Episode, route: Polyline) -> int | None:
     """The step at which the actor that the ego will hit becomes a risk, and stays one while it is judged.
 
     It is a risk if both, going on as they do, will touch within `HORIZON`: the ego along its route at its present
-    speed, the other straight on; and if nothing hides it.
+    speed, the other straight on; and if nothing hides it, neither a thing nor the dark or fog.
 
     Args:
         episode: A drive with a collision.
@@ -184,9 +184,10 @@ def _touching(
 
 
 def _visible(episode: Episode, other: Track) -> NDArray[np.bool_]:
-    """(T,) Whether no thing stands between the centres of the ego and the other."""
+    """(T,) Whether the other is near enough to be seen, and no thing stands between its centre and the ego's."""
     ego = episode.ego_track
-    seen = np.ones(len(ego.x), dtype=bool)
+    sight = episode.surroundings.sight(lit=has_lamps(other.kind))
+    seen: NDArray[np.bool_] = np.hypot(other.x - ego.x, other.y - ego.y) < sight
     for thing in episode.tracks:
         if thing.role is not Role.OCCLUDER or thing is other:
             continue

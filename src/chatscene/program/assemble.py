@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import textwrap
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 from chatscene.errors import NamesNotClosed
 from chatscene.program.orders import ORDERS
@@ -41,6 +41,9 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
         if missing:
             joined = ", ".join(p.id for p in triple)
             raise NamesNotClosed(f"snippet {part.id!r} needs {', '.join(missing)}, which none of {joined} provides")
+    around = scenario.surroundings
+    conditions = ", ".join(f"{name} = '{value}'" for name, value in asdict(around).items())
+    conditions = f"param {conditions}\n" if str(around) else ""
     said = "\n".join(textwrap.wrap(" ".join(scenario.text.split()), 100, initial_indent="# ", subsequent_indent="# "))
     state = scenario.slots.ego
     start = "param egoStart = 'at-line'\n\n" if _waits_at_line(state, spawn) else ""
@@ -48,7 +51,7 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
     source = "\n\n".join(
         (
             said,
-            f"model chatscene.world.model\n\n{start}AdvClass = {adversary.row.scenic}",
+            f"model chatscene.world.model\n{conditions}\n{start}AdvClass = {adversary.row.scenic}",
             f"## {behavior.id}\n{behavior.source.strip()}",
             f"## {geometry.id}\n{_lit(geometry, behavior, state).source.strip()}",
             f"ego = new Car at egoSpawnPt, facing directionOn(egoRoute, 0), with route egoRoute{orders}",

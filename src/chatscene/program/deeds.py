@@ -23,6 +23,9 @@ from chatscene.terms.episode import Array
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
+BRAKING = 1.8  # [m/s²] from which a watcher says that it brakes …
+LOSING = 1.0  # [m/s²] from which it slows, and does not roll out …
+OF_GRIP = 0.5  # … or half of what the road holds, where that is less
 GAIN = 2.0  # [m/s] within `GAINING`: it accelerates
 GAINING = 30  # [steps]
 TURNED = math.radians(45)
@@ -90,7 +93,7 @@ def _speed(s: Seen) -> Array:
 
 def _slowing_since(s: Seen, step: int) -> int:
     """Since when it has lost speed at every step up to one, and more than by rolling out."""
-    losing = np.diff(_speed(s)[: step + 1]) < -1.0 * s.dt
+    losing = np.diff(_speed(s)[: step + 1]) < -min(LOSING, OF_GRIP * s.grip) * s.dt
     return _last(~losing) + 1 if not losing.all() else 0
 
 
@@ -138,7 +141,8 @@ def _hesitates(s: Seen) -> Iterator[Act]:
 
 
 def _brakes(s: Seen) -> Iterator[Act]:
-    return _lasting(np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -1.8, 3)
+    braking = min(BRAKING, OF_GRIP * s.grip)
+    return _lasting(np.diff(_speed(s), prepend=_speed(s)[:1]) / s.dt < -braking, 3)
 
 
 def _accelerates(s: Seen) -> Iterator[Act]:

@@ -29,6 +29,7 @@ class Seen:
         facing: (T,) [rad], heading against the route where it is; on open road, which may bend, else as `bearing`.
         dt: Step [s].
         signals: At the junction on the route.
+        grip: The largest acceleration that the road lets anybody have [m/s²].
     """
 
     track: Track
@@ -43,6 +44,7 @@ class Seen:
     facing: Array
     dt: float
     signals: tuple[SignalTrack, ...]
+    grip: float
 
 
 def watch(episode: Episode, route: Route, track: Track, until: int | None = None) -> Seen:
@@ -71,6 +73,7 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         facing=facing,
         dt=episode.dt,
         signals=episode.signals,
+        grip=episode.surroundings.grip,
     )
 
 

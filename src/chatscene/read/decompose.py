@@ -15,6 +15,7 @@ from chatscene.read import lexicon as words
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
 from chatscene.read.quantities import quantities_of
+from chatscene.read.surroundings import hear_surroundings
 from chatscene.read.unused import known_whole, mentions_of, unused_of
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
@@ -34,39 +35,41 @@ def hear(text: str) -> Frame:
     Raises:
         SettingsError: The text is empty or longer than `LONGEST`.
     """
-    plain, lowered, mended = _mended(text)
+    plain = _printable(text)
+    around = hear_surroundings(canonical(plain))
+    mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), around.rest)
     told = _rewritten(mended)
     clauses = cut(told)
-    notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(lowered, mended)]
+    notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(around.rest, mended)]
     slots = _slots(clauses, notes)
     quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
     return Frame(
         text=plain,
-        canonical=lowered,
+        canonical=around.rest,
         told=told,
         clauses=clauses,
         outright=slots,
         beliefs=certain(slots),
         quantities=quantities,
-        unused=unused_of(told, quantities),
+        unused=unused_of(told, quantities, around.unlike),
         mentions=mentions_of(told),
         notes=tuple(notes),
         plain=slots.adversary is not None
         and bool(slots.actions)
         and known_whole(told, quantities)
         and not (len(slots.actions) > 1 and words.INVERTED.search(told)),
+        surroundings=around.surroundings,
     )
 
 
-def _mended(text: str) -> tuple[str, str, str]:
+def _printable(text: str) -> str:
     plain = "".join(c if c.isprintable() else " " for c in text)
     plain = " ".join(plain.split())
     if not plain:
         raise SettingsError("the text is empty; describe a situation, such as 'a cyclist cuts across from the left'")
     if len(plain) > LONGEST:
         raise SettingsError(f"the text has {len(plain)} characters; describe one situation in at most {LONGEST}")
-    read = canonical(plain)
-    return plain, read, re.sub(r"[a-z]+", lambda m: words.mended(m[0]), read)
+    return plain
 
 
 def _rewritten(text: str) -> str:

@@ -12,6 +12,7 @@ from functools import lru_cache
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Control, Occluder, Place
+from chatscene.terms.surroundings import Light, Surface, Weather, on_the_road
 
 
 def _p(*patterns: str) -> re.Pattern[str]:
@@ -221,19 +222,29 @@ FOREIGN = _p(
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
     r"flood\w*|earthquake|wheelchair robot",
 )
-# Every scene is dry, clear and in daylight
-WEATHER = _p(
-    r"fog(?:gy|s)?|mist|misty|haz[ey]|smog|rain(?:s|ing|y|ed|storm|fall)?|drizzl\w*|downpours?|showers|sleet|snow(?:s|ing|y|ed|fall|storm)?|"
-    r"blizzard|hail(?:stones?|storm|ing)?|thunderstorms?|storm(?:y|s)?|gusts?|crosswinds?|(?:strong|high|heavy) winds?|windy",
-    r"(?:wet|icy|frozen|snowy|snow-covered|flooded|slippery|slick|greasy) (?:\w+ )?(?:road|street|roadway|asphalt|surface|tarmac|pavement|conditions?|carriageway|lane|bend|curve)s?",
-    r"(?:road|street|roadway|surface|asphalt|tarmac|lane)s? (?:is|are|was|were|being) (?:\w+ )?(?:wet|icy|frozen|slippery|slick|flooded|greasy)",
-    r"black ice|(?:on|over|patch of) (?:the )?ice|aquaplan\w*|puddles?|(?:poor|bad|low|reduced|zero) visibility|(?:bad|poor|adverse|severe) weather",
+LIGHTS: dict[Light, re.Pattern[str]] = {light: _p(light.row.words) for light in Light}
+WEATHERS: dict[Weather, re.Pattern[str]] = {weather: _p(weather.row.words) for weather in Weather}
+SURFACES: dict[Surface, re.Pattern[str]] = {surface: _p(surface.row.words) for surface in Surface}
+OF_A_ROAD = re.compile(
+    r"\S+ (?P<road>(?:\w+ )?(?:roads?|streets?|roadway|asphalt|tarmac|carriageway|lanes?|bend|curve))"
 )
-LIGHT = _p(
-    r"(?:at|by|in the|one|late at|dead of|middle of the|this|that|the other) night|night-?time|nightfall|after dark|(?:in|into) the dark|pitch[- ]dark|darkness|"
-    r"dusk|dawn|twilight|moonlight|moonlit|unlit (?:road|street)|no street ?lights?|sun ?glare|low sun|(?:setting|rising|blinding) sun|sunset|sunrise|"
-    r"(?:dazzl|blind)\w* (?:us|by)(?: (?:the |its |his |her )?(?:low |setting |rising )?(?:sun|head ?lights?|high beams?|full beams?))?|"
-    r"(?:at|in) (?:the )?(?:late )?evening|(?:is|was|getting|already) dark|dark (?:road|street|night)|night",
+# What no scene has
+NO_LIGHT = _p(
+    r"sun ?glare|low sun|(?:setting|rising|blinding) sun",
+    r"(?:dazzl|blind)\w* (?:us|by)"
+    r"(?: (?:the |its |his |her )?(?:low |setting |rising )?(?:sun|head ?lights?|high beams?|full beams?))?",
+)
+NO_WEATHER = _p(
+    r"mist|misty|haz[ey]|smog|sleet|hail(?:stones?|storm|ing)?|thunderstorms?|storm(?:y|s)?",
+    r"gusts?|crosswinds?|(?:strong|high|heavy) winds?|windy",
+    rf"{on_the_road('flooded')}|aquaplan\w*|puddles?|patch(?:es)? of (?:black )?ice|ic(?:e|y) patch(?:es)?",
+)
+# What may come of several; no scene has it unless it is said of which
+SLIPPERY = _p(on_the_road("slippery|slick|greasy"))
+HARDLY_SEEN = _p(r"(?:poor|bad|low|reduced|zero|limited) visibility|(?:bad|poor|adverse|severe) weather")
+# Before what is said not to be so
+DENIED = re.compile(
+    r"(?:\b(?:no(?: more| longer)?|without(?: any)?|neither|nor|not)|n't)(?: (?:in|at|on|yet|very|really|any|the|an?|heavy))*$"
 )
 
 RUNNING = _p(r"r[ua]n(?:s|ning)? (?:out|across|into|onto|over|off)")
@@ -461,12 +472,12 @@ def is_english(text: str) -> bool:
 @lru_cache(maxsize=1)
 def _rules() -> tuple[re.Pattern[str], ...]:
     """Every pattern that reads something."""
-    groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS)
+    groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS, LIGHTS, WEATHERS, SURFACES)
     single = (
         EGO, SOMEBODY, ADVERSARIAL, LEADER, BLOCKING, BACKGROUND, LEFT_TURN, RIGHT_TURN, LANE_CHANGE, BYPASS, UNPROTECTED,
         RUNNING, CUTTING_IN, SLOWING, FEINT, MATCHING, ERRATIC, GOING_ON, ONCOMING, FAR, CROSSING, NEIGHBOUR, KERB, NEAR,
         FAR_AWAY, GROUP, MANY_LANES, ONE_LANE, TWO_WAY, EACH_WAY, ONE_WAY, SIDE_ROAD, SAME_LANE, BEHIND, AHEAD, BESIDE,
-        SIDE, HIDING, ENCOUNTER, FOREIGN, WEATHER, LIGHT, REACTION,
+        SIDE, HIDING, ENCOUNTER, FOREIGN, NO_LIGHT, NO_WEATHER, SLIPPERY, HARDLY_SEEN, REACTION,
     )  # fmt: skip
     return (*(pattern for group in groups for pattern in group.values()), *single)
 

@@ -1,4 +1,4 @@
-"""What was said and is not used, whatever else is: weather, light, numbers, words that no rule knows; and who is named.
+"""What was said and is not used, whatever else is: numbers, words that no rule knows; and who is named.
 
 Nothing that a user wrote may vanish in silence. This errs toward naming too much.
 """
@@ -22,17 +22,17 @@ _SHORT = 60  # characters of a text that is not English
 _A = rf"(?:{_ANOTHER}|an?|two|three|several|some)"
 
 
-def unused_of(text: str, quantities: Sequence[Quantity]) -> tuple[Unused, ...]:
+def unused_of(text: str, quantities: Sequence[Quantity], unlike: Sequence[Unused] = ()) -> tuple[Unused, ...]:
     """What of a text is in no slot and no quantity, whatever the slots are.
 
     Args:
         text: Lower case, mended and rewritten, with what the ego then has to do.
         quantities: The numbers that were read in it.
+        unlike: The light and the weather that no scene has.
     """
     if not words.is_english(text):
         return (Unused(said=text[:_SHORT], why=Why.LANGUAGE),)
-    found = [Unused(said=m[0], why=Why.WEATHER) for m in words.WEATHER.finditer(text)]
-    found += [Unused(said=m[0], why=Why.LIGHT) for m in words.LIGHT.finditer(text)]
+    found = [*unlike]
     found += [Unused(said=m[0].strip(" ,"), why=Why.REACTION) for m in words.REACTION.finditer(text)]
     text = words.REACTION.sub(" ", text)
     text = _without(text, quantities)

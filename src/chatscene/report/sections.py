@@ -32,11 +32,17 @@ _BANNERS = {
 _COMPONENTS = {"behavior": "Adversary's behavior", "geometry": "Road geometry", "spawn": "Spawn position"}
 
 
-def heading(record: RunRecord, explanation: Row) -> Markup:
-    """The sentence, what was read in it, and how far the run came where it did not end well."""
+def heading(record: RunRecord, explanation: Row, around: str) -> Markup:
+    """The sentence, what was read in it, and how far the run came where it did not end well.
+
+    Args:
+        record: Of the run.
+        explanation: What was understood.
+        around: Light, weather and road (`chatscene.report.surroundings`).
+    """
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
     own = record.program is not None
-    return fill_section("heading", record.title, own, facts, _BANNERS.get(record.status), record.reason)
+    return fill_section("heading", record.title, own, facts, around, _BANNERS.get(record.status), record.reason)
 
 
 def facts_of(explanation: Row) -> list[tuple[str, object]]:
@@ -173,11 +179,12 @@ def understanding(explanation: Row) -> Markup:
 
 
 def _scenario(scenario: Row) -> Row:
+    facts = scenario.get("slots", {}) | scenario.get("surroundings", {})
     return {
         "text": scenario["text"],
         "confidence": scenario.get("confidence"),
         "base": scenario.get("base"),
-        "slots": [(_words(name), _slot(value)) for name, value in scenario.get("slots", {}).items()],
+        "slots": [(_words(name), _slot(value)) for name, value in facts.items()],
         "notes": scenario.get("notes", []),
         "components": [_component(scenario, key, label) for key, label in _COMPONENTS.items()],
         "ruled_out": _ruled_out(scenario),

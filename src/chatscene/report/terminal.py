@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
+from chatscene.report.surroundings import surroundings_in_words
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
 from chatscene.terms.plan import Foreign
 from chatscene.terms.scenario import Component, grouped
@@ -40,7 +41,11 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
     for name, value in scenario.slots.said().items():
         slots.add_row(name, _plain(", ".join(value) if isinstance(value, tuple) else value))
+    for name, value in scenario.surroundings.said().items():
+        slots.add_row(name, value.row.said)
     console.print(slots)
+    if around := surroundings_in_words(scenario.surroundings):
+        console.print(f"[yellow]as said[/]  {_plain(around)}")
     for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {_plain(note)}")
     for line in grouped((*scenario.unused, *retrieval.unused)).values():

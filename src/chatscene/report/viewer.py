@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
 from chatscene.report.measures import in_words
+from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section
 from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
@@ -87,7 +88,7 @@ def _page(run: Workspace) -> str:
         style=asset("viewer.css"),
         script=script,
         content=_json(content),
-        heading=sections.heading(record, explanation),
+        heading=sections.heading(record, explanation, _around(run, order)),
         verdict=sections.verdict(scenes, egos_in_words(record)[0], read=bool(sections.facts_of(explanation))),
         left_out=fill_section("left_out", len(replays), len(order)) if len(replays) < len(order) else "",
         scenes=sections.scene_table(order, units, replays),
@@ -97,6 +98,12 @@ def _page(run: Workspace) -> str:
         rejections=sections.rejections(scenes),
         provenance=sections.provenance(record),
     )
+
+
+def _around(run: Workspace, order: Sequence[Mapping[str, Any]]) -> str:
+    """Light, weather and road of the scenes that were driven."""
+    first = next(iter(read_episodes(run, [row["scene_id"] for row in order[:1]])), None)
+    return surroundings_in_words(first.surroundings) if first else ""
 
 
 def _replays(run: Workspace, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, dict[str, Any]], list[Box]]:

@@ -126,6 +126,7 @@ def _ran_row(ran: Ran) -> SceneRow:
         ending=ran.episode.ending.value,
         route_completion=float(ran.episode.route_completion),
         dt=ran.episode.dt,
+        **asdict(ran.episode.surroundings),
         metrics={name: float(value) for name, value in ran.metrics.items()},
         measurements=asdict(ran.measurements),
         criticality={

@@ -19,6 +19,7 @@ from chatscene.search.generator import Choice, Written
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
 from chatscene.terms.snippet import Match, Retrieval
+from chatscene.terms.surroundings import Surroundings
 
 
 def explain(text: str, understood: Sequence[tuple[Scenario, Retrieval | None]]) -> dict[str, Any]:
@@ -46,6 +47,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "base": scenario.base.value if scenario.base else None,
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
+        "surroundings": {name: value.value for name, value in scenario.surroundings.said().items()},
         "notes": [*map(str, scenario.notes), *(retrieval.notes if retrieval else ())],
         "unused": [
             {"said": one.said, "why": one.why.value}
@@ -115,6 +117,7 @@ class _Explained(_Told):
     base: BaseScenario | None
     parts: SubDescriptions
     slots: Slots
+    surroundings: Surroundings = Surroundings()
     notes: list[str]
     confidence: float | None = None
     adversary: AdversaryKind | None = None
@@ -157,7 +160,14 @@ def read_choice(run: Workspace) -> tuple[Scenario, Choice | None]:
     if explanation is None:
         raise RunError(f"{run.path} has no explanation.json: nothing was made of the text yet, or the file was removed")
     told = explanation.scenarios[0]
-    scenario = Scenario(id=told.scenario_id, text=told.text, base=told.base, parts=told.parts, slots=told.slots)
+    scenario = Scenario(
+        id=told.scenario_id,
+        text=told.text,
+        base=told.base,
+        parts=told.parts,
+        slots=told.slots,
+        surroundings=told.surroundings,
+    )
     if not told.chosen:
         return scenario, None
     behavior, geometry, spawn = (told.chosen.get(component) for component in Component)

@@ -391,6 +391,9 @@ class SceneRow(_Frozen):
     ending: str | None = None
     route_completion: float | None = None
     dt: float | None = None
+    light: str | None = None
+    weather: str | None = None
+    surface: str | None = None
     metrics: dict[str, float] = {}
     measurements: dict[str, float | None] = {}
     criticality: dict[str, float | None] = {}

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import io
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,7 @@ from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.metrics import Measurements
 from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.surroundings import Surroundings
 
 Table = Any  # a `pyarrow.Table`; pyarrow ships no types
 
@@ -111,6 +112,9 @@ _SCENE_OUTCOME = pa.schema(
         ("ending", pa.string()),
         ("route_completion", pa.float64()),
         ("dt", pa.float64()),
+        ("light", pa.string()),
+        ("weather", pa.string()),
+        ("surface", pa.string()),
     ]
 )
 _SCENE_TAIL = pa.schema(
@@ -131,6 +135,8 @@ _OPTIONAL = frozenset(
     {"reason", "impact_speed", "severity", "fault", "avoidable", f"{RAW}time", "distance_to_route", "off_road"}
     | set(_CRITICALITY)
 )
+# What folders lack that were written before there was such a column, and what every scene that was driven had then.
+_LATER: dict[str, str] = {name: str(value) for name, value in asdict(Surroundings()).items()}
 
 
 def write_table(path: Path, table: Table) -> str:
@@ -165,6 +171,9 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
         # No partitioning: the file has all columns, and a folder named `seed=1` is only a name.
         options: dict[str, Any] = {"partitioning": None, "page_checksum_verification": True}
         table = pq.read_table(path, filters=chosen, **options)
+        for name in (_LATER.keys() & set(columns.names)).difference(table.column_names):
+            ran = [_LATER[name] if status == "ran" else None for status in table.column("status").to_pylist()]
+            table = table.append_column(name, pa.array(ran, pa.string()))
         _check_columns(table, columns)
     except (OSError, ValueError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
@@ -280,6 +289,8 @@ def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dic
     row |= scene.values | scene.metrics | scene.criticality
     row |= {f"{RAW}{name}": value for name, value in scene.measurements.items()}
     driven = scene.reason is None
+    if driven:
+        row |= {name: row[name] or usual for name, usual in _LATER.items()}  # of a block that was done before
     return row | {
         "scenario_id": part.scenario_id,
         "route_id": route_id(part.route),
@@ -390,6 +401,7 @@ def episode_of(
         route_completion=scene["route_completion"],
         distance_to_route=rows.column("distance_to_route")[:ego].to_numpy(),
         off_road=rows.column("off_road")[:ego].to_numpy(),
+        surroundings=Surroundings.named(scene),
     )
 
 

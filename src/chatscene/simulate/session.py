@@ -17,7 +17,7 @@ from chatscene.simulate.contact import approach_speed, contact_side, touch
 from chatscene.simulate.obedience import obeyed
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.terms.actors import LIMITS, kind_of
+from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.order import Order
 from chatscene.terms.route import Route
@@ -94,7 +94,7 @@ class SteppedSession:
         self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
-        self._others: list[tuple[Body, bool]] = []
+        self._others: list[tuple[Body, bool, float]] = []
         self._rows: list[float] = []
         self._since: list[int] = []
         self._offsets: list[float] = []
@@ -192,7 +192,8 @@ class SteppedSession:
                 self._moving.append(body)
                 self._since.append(len(self._offsets))
             if body is not self._ego:
-                self._others.append((body, getattr(obj, "isWalker", False)))
+                sight = simulation.surroundings.sight(lit=has_lamps(kind_of(obj)))
+                self._others.append((body, getattr(obj, "isWalker", False), sight))
                 if getattr(obj, "isVehicle", False):
                     self._vehicles.append(body)
 
@@ -281,6 +282,7 @@ class SteppedSession:
             else min(max(self._view.along / self._route.length, 0.0), 1.0),
             distance_to_route=np.abs(np.array(self._offsets)),
             off_road=off_road,
+            surroundings=self._simulation.surroundings,
         )
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:

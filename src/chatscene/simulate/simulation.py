@@ -31,6 +31,7 @@ from scenic.syntax import veneer
 
 from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.terms.actors import kind_of
+from chatscene.terms.surroundings import Surroundings, surroundings_of
 from chatscene.world.actors import QUARTER
 from chatscene.world.bodies import Body, Placement
 from chatscene.world.control import Pose
@@ -146,9 +147,11 @@ class PhysicsSimulation(DrivingSimulation):
         bodies: The body of each object of the scene, the ego's first.
         lights: The traffic lights, once a program asks for them.
         axes: By junction, the direction [rad] that has green first, where it matters to somebody.
+        surroundings: Light, weather and the state of the road, as the program asks for them.
     """
 
     bodies: list[Body]
+    surroundings: Surroundings
     lights: TrafficLights | None
     axes: dict[str, float]
 
@@ -159,6 +162,7 @@ class PhysicsSimulation(DrivingSimulation):
     def setup(self) -> None:
         """Create every object of the scene, the ego first."""
         self.bodies = []
+        self.surroundings = surroundings_of(self.scene.params)
         self.lights = None
         self.axes = {}
         self._pilots: dict[Any, Pilot] = {}
@@ -189,6 +193,7 @@ class PhysicsSimulation(DrivingSimulation):
                 wheelbase=original.get("wheelbase", 0.0),
                 wheel_angle=original.get("wheelAngle", 0.0),
                 blueprint=original.get("blueprint") or "",
+                grip=self.surroundings.grip,
             )
         )
         self.bodies.append(proxy.body)

@@ -353,6 +353,11 @@ def manner_of(kind: str) -> Manner | None:
     return BY_CLASS[kind].row.manner if kind in BY_CLASS else None
 
 
+def has_lamps(kind: str) -> bool:
+    """Whether what a track is of is seen by its own lamps at night, which the law asks of vehicles and cycles."""
+    return manner_of(kind) not in (None, Manner.WALKS)
+
+
 def kind_of(thing: object) -> str:
     """The kind of road user that a thing is: the nearest of its classes in `LIMITS`; else its own class."""
     names = [cls.__name__ for cls in type(thing).__mro__]

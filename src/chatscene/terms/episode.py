@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
+
+from chatscene.terms.surroundings import Surroundings
 
 Array = NDArray[np.float64]
 
@@ -127,6 +129,7 @@ class Episode:
         route_completion: Share of the route driven, in [0, 1].
         distance_to_route: (T,) [m], lateral, unsigned.
         off_road: (T,) bool: the ego's centre was off every driving lane.
+        surroundings: Light, weather and the state of the road.
     """
 
     scene_id: str
@@ -139,6 +142,7 @@ class Episode:
     route_completion: float
     distance_to_route: Array
     off_road: NDArray[np.bool_]
+    surroundings: Surroundings = field(default_factory=Surroundings)
 
     @property
     def ego_track(self) -> Track:

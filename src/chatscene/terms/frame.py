@@ -13,6 +13,7 @@ from typing import Any
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Quantity, Slots, Unused
+from chatscene.terms.surroundings import Surroundings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -138,7 +139,7 @@ class Frame:
 
     Attributes:
         text: The text as it was written, printable and with single spaces.
-        canonical: The text in the one form in which it is read.
+        canonical: The text in the one form in which it is read, without what it says of the surroundings.
         told: `canonical`, mended and put into the words that patterns know.
         clauses: `told`, sorted by whom it speaks of.
         outright: The facts that words say outright.
@@ -149,6 +150,7 @@ class Frame:
         notes: What was unsure.
         reader: The language model that read it; empty for our own reader.
         plain: Whether every word is known and says what is done: then nothing was said beyond that.
+        surroundings: Light, weather and the state of the road.
     """
 
     text: str = ""
@@ -163,3 +165,4 @@ class Frame:
     notes: tuple[Note, ...] = ()
     reader: str = ""
     plain: bool = False
+    surroundings: Surroundings = field(default_factory=Surroundings)

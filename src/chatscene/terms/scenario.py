@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.surroundings import Surroundings
 
 if TYPE_CHECKING:
     from chatscene.terms.frame import Frame, Note
@@ -207,8 +208,9 @@ class Why(StrEnum):
     """Why something that was said is not in the program, in the order in which that is listed."""
 
     LANGUAGE = "only English is read"
-    WEATHER = "weather: every scene is dry and clear"
-    LIGHT = "light: every scene is in daylight"
+    WEATHER = "no scene has this; there are rain, snowfall or fog, and roads that are dry, wet, snowy or icy all over"
+    LIGHT = "no scene has this; there are day, dusk and night"
+    DEGREE = "there is one rain, one snowfall and one fog"
     REACTION = "how the ego reacts is its own affair"
     ROAD_USER = "another road user; one adversary is searched with"
     NUMBER = "nothing in the program can be set to it"
@@ -265,6 +267,7 @@ class Scenario:
         unused: What was said and is in no slot and no quantity.
         frame: What the sentence says and how sure that is; None for what nobody read from a sentence, such as a
             program of one's own.
+        surroundings: Light, weather and the state of the road, as it says them.
     """
 
     id: str
@@ -275,3 +278,4 @@ class Scenario:
     notes: tuple[Note, ...] = ()
     unused: tuple[Unused, ...] = ()
     frame: Frame | None = None
+    surroundings: Surroundings = field(default_factory=Surroundings)

@@ -82,4 +82,4 @@ def _seen(preset: str, ego: _Car, others: list[_Car]) -> Observation:
     view.locate(ego.x, ego.y)
     if preset == "safebench":
         return view.four_numbers(ego.x, ego.y, ego.heading, ego.speed, bool(others))
-    return view.actors(ego, [(other, False) for other in others])
+    return view.actors(ego, [(other, False, math.inf) for other in others])

@@ -31,6 +31,7 @@ class Placement:
         wheelbase: Of a vehicle [m]; else 0.
         wheel_angle: Largest wheel angle of a vehicle [rad]; else 0.
         blueprint: What the program says that it is in CARLA; empty where it does not.
+        grip: The largest acceleration that the road lets it have [m/s²].
     """
 
     kind: str
@@ -43,6 +44,7 @@ class Placement:
     wheelbase: float = 0.0
     wheel_angle: float = 0.0
     blueprint: str = ""
+    grip: float = math.inf
 
 
 class Body:
@@ -56,11 +58,13 @@ class Body:
         speed: [m/s] along the heading, negative backwards.
         before: The speed before the last step [m/s]: what an impact happens at, since a step may end in standstill.
         length, width: [m].
+        grip: The largest acceleration that the road lets it have [m/s²].
     """
 
     __slots__ = (
         "before",
         "cos",
+        "grip",
         "half_length",
         "half_width",
         "heading",
@@ -84,6 +88,7 @@ class Body:
         self.before = 0.0
         self.length = length
         self.width = width
+        self.grip = math.inf
         self.half_length = length / 2
         self.half_width = width / 2
         self.radius = math.hypot(length, width) / 2
@@ -136,4 +141,6 @@ def body_of(placement: Placement) -> Body:
     """The plain body of a thing, for a simulator that keeps how it moves elsewhere."""
     limits = LIMITS.get(placement.kind)
     cls = Body if limits is None else Vehicle if limits.wheelbase else Walker
-    return cls(placement.x, placement.y, placement.heading, placement.length, placement.width, placement.speed)
+    body = cls(placement.x, placement.y, placement.heading, placement.length, placement.width, placement.speed)
+    body.grip = placement.grip
+    return body

@@ -17,13 +17,15 @@ LOOK_AHEAD = 4.0  # [m], least distance of the point aimed at
 LOOK_AHEAD_TIME = 0.6  # [s]
 CURVE_ACCELERATION = 4.0  # [m/s²], lateral, that a driver takes curves with
 CURVE_BRAKING = 3.0  # [m/s²], with which a driver slows for a curve ahead
+HELD_BACK = 0.8  # share of what the road holds that a driver who knows the road uses in and before a curve
 
 
-def curve_speeds(line: Polyline) -> list[float]:
+def curve_speeds(line: Polyline, grip: float = math.inf) -> list[float]:
     """The speed [m/s] at which each segment can be driven with `CURVE_ACCELERATION`, slowing in time.
 
     Args:
         line: N points.
+        grip: What the road holds [m/s²].
 
     Returns:
         N - 1 speeds, one per segment.
@@ -37,10 +39,11 @@ def curve_speeds(line: Polyline) -> list[float]:
         if len(heading) > 1
         else np.zeros(1)
     )
-    cap = np.sqrt(CURVE_ACCELERATION * length / np.maximum(turn, 1e-6))
+    lateral, braking = (min(most, HELD_BACK * grip) for most in (CURVE_ACCELERATION, CURVE_BRAKING))
+    cap = np.sqrt(lateral * length / np.maximum(turn, 1e-6))
     speeds: list[float] = cap.tolist()
     for i in range(len(speeds) - 2, -1, -1):
-        reachable = math.sqrt(speeds[i + 1] ** 2 + 2 * CURVE_BRAKING * float(length[i]))
+        reachable = math.sqrt(speeds[i + 1] ** 2 + 2 * braking * float(length[i]))
         speeds[i] = min(speeds[i], reachable)
     return speeds
 
@@ -53,13 +56,16 @@ class Tracker:
         wheelbase: Of the vehicle [m].
         wheel_angle: Its largest wheel angle [rad].
         left: Constant lateral offset from the line [m, positive = left].
+        grip: What the road holds [m/s²].
     """
 
     __slots__ = ("_angle", "_caps", "_left", "_line", "_near", "_wheelbase", "along", "offset")
 
-    def __init__(self, line: Polyline, wheelbase: float, wheel_angle: float, left: float = 0.0) -> None:
+    def __init__(
+        self, line: Polyline, wheelbase: float, wheel_angle: float, left: float = 0.0, grip: float = math.inf
+    ) -> None:
         self._line = line
-        self._caps = curve_speeds(line)
+        self._caps = curve_speeds(line, grip)
         self._wheelbase = wheelbase
         self._angle = wheel_angle
         self._left = left

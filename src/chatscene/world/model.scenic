@@ -31,6 +31,12 @@ if 'signals' not in globalParameters:
     param signals = 'clock'
 if 'egoStart' not in globalParameters:
     param egoStart = 'approach'
+if 'light' not in globalParameters:
+    param light = 'day'
+if 'weather' not in globalParameters:
+    param weather = 'clear'
+if 'surface' not in globalParameters:
+    param surface = None  # what follows from the weather
 
 if 'simulator' not in globalParameters:
     from chatscene.settings import SimulationSettings as _SimulationSettings

@@ -70,7 +70,7 @@ class Autopilot:
                 agent.setControls(0.0, 1.0, 0.0, False)
                 return
             self._line = laneLine(lane, AHEAD)
-            self._tracker = Tracker(self._line, agent.wheelbase, agent.wheelAngle)
+            self._tracker = Tracker(self._line, agent.wheelbase, agent.wheelAngle, grip=agent.body.grip)
         wish = followingSpeed(self._line, agent, list(self._others()), self._speed)
         if self._heeds_lights:
             wish = min(wish, self._speed_for_light())

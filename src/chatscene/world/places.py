@@ -341,7 +341,7 @@ def headingLine(x: float, y: float, heading: float, length: float = 60.0) -> Pol
 
 def trackerFor(agent: Any, path: Any, left: float = 0.0) -> Tracker:  # noqa: N802
     """A tracker of a path for an agent of the world model."""
-    return Tracker(line_of(path), agent.wheelbase, agent.wheelAngle, left)
+    return Tracker(line_of(path), agent.wheelbase, agent.wheelAngle, left, agent.body.grip)
 
 
 def progressOn(path: Any, agent: Any, near: int | None = None) -> tuple[float, int]:  # noqa: N802
@@ -388,8 +388,8 @@ def unplaced() -> Vector:
 
 
 def brakingDistance(agent: Any) -> float:  # noqa: N802
-    """How far [m] an agent still goes if it brakes now as hard as it can."""
-    return agent.pose[3] ** 2 / (2 * LIMITS[kind_of(agent)].brake)
+    """How far [m] an agent still goes if it brakes now as hard as it and the road can."""
+    return agent.pose[3] ** 2 / (2 * min(LIMITS[kind_of(agent)].brake, agent.body.grip))
 
 
 def restsWithin(path: Any, agent: Any, distance: float) -> bool:  # noqa: N802

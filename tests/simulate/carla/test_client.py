@@ -423,3 +423,17 @@ def test_every_kind_has_a_blueprint_with_a_size(simulator: Any) -> None:
     for kind in (*LIMITS, *PROPS):
         length, width = simulator.size_of(Placement(kind=kind, x=0.0, y=0.0, heading=0.0, length=2.0, width=1.0))
         assert 0.1 < width <= length < 15.0 or kind == "Pedestrian", kind
+
+
+def test_light_weather_and_road_show_and_leave_the_tyres_as_they_are(
+    simulator: Any, look: Callable[[], Any], caplog: pytest.LogCaptureFixture
+) -> None:
+    leader = AHEAD.format(kind="Car", at=60)
+    dry = driven(simulator, leader).ego_track
+    wet = driven(simulator, leader, before="param light = 'night', weather = 'rain'\n").ego_track
+    weather = look().get_weather()
+    assert weather.sun_altitude_angle < 0.0
+    assert weather.precipitation > 0.0
+    assert weather.wetness > 0.0
+    assert "CARLA's tyres hold as on a dry road" in caplog.text
+    assert wet.speed[10] == pytest.approx(dry.speed[10], abs=0.01)

@@ -123,6 +123,7 @@ class CarlaPhysics:
         connection: To the server.
         map_path: What the scene lies on.
         dt: Step [s].
+        weather: How the world looks; it moves nothing.
         lights: What traffic lights show after so many steps, by their ids in OpenDRIVE.
         told: Is told what CARLA's collision sensor and our boxes say differently of the ego.
         watched: Whether the server's own window looks down on the ego.
@@ -135,6 +136,7 @@ class CarlaPhysics:
         map_path: Path,
         dt: float,
         *,
+        weather: Any,
         lights: Callable[[int], Mapping[str, str]],
         told: Callable[[str], None],
         watched: bool,
@@ -143,6 +145,7 @@ class CarlaPhysics:
         self._connection = connection
         self._map_path = map_path
         self._dt = dt
+        self._weather = weather
         self._shows = lights
         self._shown: dict[str, str] = {}
         self._told = told
@@ -170,7 +173,7 @@ class CarlaPhysics:
         measured = connection.measured(name)
         length, width = size_as_placed(placement, measured)
         heading = placement.heading + (0.0 if length == measured.length else math.pi / 2)
-        body = body_of(replace(placement, length=length, width=width))
+        body = body_of(replace(placement, length=length, width=width, grip=math.inf))  # its tyres know no weather
         cos, sin = math.cos(heading), math.sin(heading)
         origin = transform(
             placement.x - measured.ahead * cos + measured.left * sin,
@@ -241,6 +244,8 @@ class CarlaPhysics:
     def _begin(self) -> Any:
         connection = self._connection
         self._world = connection.begin(self._map_path, self._dt)
+        with connection.asking("change its weather"):
+            self._world.set_weather(self._weather)
         if self._recording is not None:
             with connection.asking("record"):
                 connection.client.start_recorder(str(self._recording))

@@ -16,10 +16,12 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.carla.blueprints import PROPS, blueprint_of
 from chatscene.simulate.carla.connection import address, connected
 from chatscene.simulate.carla.physics import CarlaPhysics, size_as_placed
+from chatscene.simulate.carla.weather import weather_of
 from chatscene.simulate.stepped import SteppedSimulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.scene import Scene
 from chatscene.terms.simulator import SimulatorIdentity
+from chatscene.terms.surroundings import Surface, surroundings_of
 from chatscene.world.bodies import Placement
 
 ENGINE = "CARLA's engine"
@@ -54,6 +56,7 @@ class CarlaSimulator(SteppedSimulator):
         super().__init__(map_path, settings, identity=identity, physics_of=None)
         self._watched = False
         self._recording: Path | None = None
+        self._held_dry: set[Surface] = set()
         self.disagreements: list[str] = []
 
     def show(self, *, watched: bool, recording: Path | None) -> None:
@@ -117,10 +120,15 @@ class CarlaSimulator(SteppedSimulator):
             self.disagreements.append(f"{scene.id}: {disagreement}")
             _log.warning("%s: %s", scene.id, disagreement)
 
+        surroundings = surroundings_of(placed.params)
+        if surroundings.surface not in (Surface.DRY, *self._held_dry):
+            self._held_dry.add(surroundings.surface)
+            _log.warning("%s: %s; CARLA's tyres hold as on a dry road", scene.id, surroundings.surface.row.said)
         return CarlaPhysics(
             self._connection,
             self._map_path,
             dt,
+            weather=weather_of(surroundings),
             lights=lights,
             told=told,
             watched=self._watched,

@@ -23,6 +23,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place
 from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 Message = dict[str, Any]
 Kind = TypeVar("Kind", bound=StrEnum)
@@ -152,6 +153,7 @@ def episode_to_json(episode: Episode) -> Message:
         "route_completion": episode.route_completion,
         "distance_to_route": episode.distance_to_route.tolist(),
         "off_road": episode.off_road.astype(int).tolist(),
+        "surroundings": asdict(episode.surroundings),
     }
 
 
@@ -190,6 +192,15 @@ def episode_from_json(message: Message, *, scene_id: str, ego: str, dt: float, s
         route_completion=completion,
         distance_to_route=numbers(message.get("distance_to_route"), steps),
         off_road=numbers(message.get("off_road"), steps) != 0,
+        surroundings=_surroundings(_object(message.get("surroundings"))),
+    )
+
+
+def _surroundings(message: Message) -> Surroundings:
+    return Surroundings(
+        light=_choice(Light, message, "light"),
+        weather=_choice(Weather, message, "weather"),
+        surface=_choice(Surface, message, "surface"),
     )
 
 

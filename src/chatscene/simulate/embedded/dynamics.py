@@ -1,7 +1,7 @@
 """How bodies move at once: a kinematic bicycle for vehicles and two-wheelers, a point for walkers, nothing for things.
 
 No body can be asked to teleport or to change its velocity at once: every request is limited to what the kind of body
-can do (decision 0008).
+can do (decision 0008), and to what the road holds (`Body.grip`, decision 0056).
 """
 
 from __future__ import annotations
@@ -51,8 +51,9 @@ class VehicleBody(Vehicle):
             self.y += mean * self.sin * dt
         elif mean > 1e-6 or mean < -1e-6:
             curvature = math.tan(self.wheel) / limits.wheelbase
-            grip = limits.lateral / (mean * mean)
-            curvature = grip if curvature > grip else -grip if curvature < -grip else curvature
+            lateral = limits.lateral if limits.lateral < self.grip else self.grip
+            tightest = lateral / (mean * mean)
+            curvature = tightest if curvature > tightest else -tightest if curvature < -tightest else curvature
             # Slip of a centre half a wheelbase ahead of the rear axle, which follows the arc.
             slip = math.atan(0.5 * limits.wheelbase * curvature)
             turned = mean * curvature * math.cos(slip) * dt
@@ -66,16 +67,19 @@ class VehicleBody(Vehicle):
 
     def _next_speed(self, dt: float) -> float:
         """The speed [m/s] after `dt`: pedals, drag, and never through standstill within one step."""
-        limits, speed = self.limits, self.speed
+        limits, speed, grip = self.limits, self.speed, self.grip
         if self.target_speed is not None:
             wish = self.target_speed - speed
-            most = (limits.throttle if abs(self.target_speed) > abs(speed) else limits.brake) * dt
+            able = limits.throttle if abs(self.target_speed) > abs(speed) else limits.brake
+            most = (able if able < grip else grip) * dt
             return speed + (most if wish > most else -most if wish < -most else wish)
         fade = 1.0 - abs(speed) / limits.top_speed
         throttle = 0.0 if self.throttle < 0.0 else 1.0 if self.throttle > 1.0 else self.throttle
         brake = 0.0 if self.brake < 0.0 else 1.0 if self.brake > 1.0 else self.brake
         push = limits.throttle * throttle * (fade if fade > 0.0 else 0.0)
-        resist = limits.brake * brake + limits.drag + AIR_DRAG * speed * speed
+        push = push if push < grip else grip
+        braked = limits.brake * brake
+        resist = (braked if braked < grip else grip) + limits.drag + AIR_DRAG * speed * speed
         forward = speed > LEAST_REVERSAL or (speed >= -LEAST_REVERSAL and not self.reverse)
         sign = 1.0 if forward else -1.0
         if forward == self.reverse:  # gear against motion: the engine cannot push, the wheels brake
@@ -109,7 +113,7 @@ class WalkerBody(Walker):
         ax = wish * math.cos(self.course) - self.vx
         ay = wish * math.sin(self.course) - self.vy
         change = math.hypot(ax, ay)
-        most = (limits.throttle if wish >= self.speed else limits.brake) * dt
+        most = min(limits.throttle if wish >= self.speed else limits.brake, self.grip) * dt
         if change > most:
             ax, ay = ax * most / change, ay * most / change
         vx, vy = self.vx + ax, self.vy + ay
@@ -149,4 +153,6 @@ def make_body(
     limits = replace(
         known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle
     )
-    return vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
+    body = vehicle(x, y, heading, limits, speed) if known.wheelbase else WalkerBody(x, y, heading, limits, speed)
+    body.grip = min(body.grip, placement.grip)
+    return body

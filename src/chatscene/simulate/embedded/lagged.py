@@ -32,8 +32,8 @@ import math
 
 from chatscene.simulate.embedded.dynamics import AIR_DRAG, REVERSE_SPEED, VehicleBody
 from chatscene.terms.actors import Limits
+from chatscene.terms.surroundings import GRAVITY
 
-GRAVITY = 9.81  # [m/s²]
 DRY = 0.9  # friction coefficient of dry asphalt, of which 0.8 to 1.0 are published
 LAG_SPEED = 20.0  # [m/s], at which `Limits.yaw_lag` holds
 
@@ -55,7 +55,7 @@ class LaggedVehicle(VehicleBody):
         yaw_rate: [rad/s].
     """
 
-    __slots__ = ("braking", "drive", "grip", "yaw_rate")
+    __slots__ = ("braking", "drive", "yaw_rate")
 
     def __init__(
         self, x: float, y: float, heading: float, limits: Limits, speed: float = 0.0, friction: float = DRY
