@@ -36,6 +36,7 @@ from chatscene.commands.library import (
     progress,
     say,
 )
+from chatscene.commands.maps import map_group
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
@@ -559,58 +560,12 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Read
 for command in COMMANDS:
     library.add_command(command)
 main.add_command(library)
+main.add_command(map_group)
 main.add_command(describe)
 main.add_command(finetune)
 main.add_command(coverage)
 main.add_command(reproduce)
 main.add_command(serve_carla)
-
-
-@main.group("map")
-def map_group() -> None:
-    """The maps that scenes run on."""
-
-
-@map_group.command("info")
-@click.argument("map_name", metavar="MAP", default="town")
-@JSON
-def show_map(map_name: str, as_json: bool) -> None:
-    """Show what a map offers: junctions, lanes, and how many routes each base scenario finds.
-
-    \b
-    chatscene map info
-    chatscene map info Town04.xodr
-    """
-    from dataclasses import asdict
-
-    from chatscene.maps.network import resolve_map
-    from chatscene.maps.survey import describe_map
-    from chatscene.report.terminal import print_map
-
-    description = describe_map(resolve_map(map_name))
-    if as_json:
-        say(json.dumps(asdict(description), indent=1))
-    else:
-        print_map(console(), description)
-
-
-@map_group.command("check")
-@click.argument("map_name", metavar="MAP")
-def check_map_file(map_name: str) -> None:
-    """Check that a map can be used, and name what is wrong with it.
-
-    \b
-    chatscene map check my-town.xodr
-    """
-    from chatscene.maps.network import resolve_map
-    from chatscene.maps.survey import check_map
-
-    problems = check_map(resolve_map(map_name))
-    for problem in problems:
-        say(problem)
-    if problems:
-        sys.exit(1)
-    say("no problems found")
 
 
 @main.command()

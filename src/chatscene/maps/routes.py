@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import count as counter
@@ -28,7 +29,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery, Site
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
 
-__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line"]
+__all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line", "lacking"]
 
 APPROACHES = (42.0, 36.0, 48.0, 30.0)  # [m] from the start to the junction's entry; the first where possible
 EXIT = 45.0  # [m] driven after the junction
@@ -103,13 +104,13 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
     """
     find = _at_site if query.site in AT_JUNCTIONS else _through_junctions if _needs_junction(query) else _along_roads
     if query.site is not None and find is _through_junctions:
-        raise MapError(f"no route leads through a junction and along the {query.site}: {_in_words(query)}")
+        raise MapError(f"no route leads through a junction and along the {query.site}: {', '.join(_in_words(query))}")
     candidates: list[_Candidate] = []
     for variant in range(len(APPROACHES)):  # later variants only fill up what earlier ones leave
         if len(candidates) < count:
             candidates += find(network, map_name, query, variant)
     if not candidates:
-        raise MapError(f"map {map_name!r} has no place for {_in_words(query)}")
+        raise MapError(f"map {map_name!r} has no place for {', '.join(_in_words(query))}")
     chosen = _spread(candidates)[:count]
     return tuple(replace(route, id=f"{query.slug}-{number:02d}") for number, route in enumerate(chosen))
 
@@ -133,7 +134,21 @@ def _spread(candidates: list[_Candidate]) -> list[Route]:
     return [route for *_, route in sorted(keyed, key=lambda entry: entry[:3])]
 
 
-def _in_words(query: RouteQuery) -> str:
+def lacking(network: Any, map_name: str, query: RouteQuery) -> str:
+    """What a map that has no route for a query has not, in words.
+
+    That is the one thing without which there would be routes, or two; else all that was asked for.
+    """
+    anything = replace(query, control=None, place=None)
+    for freer in (replace(query, conflicting_from=()), replace(query, control=None), anything):
+        if freer != query:
+            with suppress(MapError):
+                find_routes(network, map_name, freer, 1)
+                return ", ".join(word for word in _in_words(query) if word not in _in_words(freer))
+    return ", ".join(_in_words(query))
+
+
+def _in_words(query: RouteQuery) -> list[str]:
     words = [f"the manoeuvre {query.maneuver}"]
     if query.place is not None:
         words.append(f"place {query.place}")
@@ -151,7 +166,10 @@ def _in_words(query: RouteQuery) -> str:
     words += [f"lane {query.lane} from the outermost"] * (query.lane is not None)
     if query.conflicting_from:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
-    return ", ".join(words)
+    if query.site is None:
+        before = f"{min(APPROACHES):.0f} m of lane before a junction"
+        words.append(before if _needs_junction(query) else f"{SHORT_ROAD:.0f} m of lane without a junction")
+    return words
 
 
 def _at_site(network: Any, map_name: str, query: RouteQuery, variant: int) -> Iterator[_Candidate]:

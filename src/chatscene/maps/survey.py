@@ -19,7 +19,7 @@ from chatscene.maps.layout import (
     weaving_sections,
 )
 from chatscene.maps.network import load_network
-from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
+from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes, lacking
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
@@ -50,6 +50,7 @@ class MapDescription:
         bus_bays: Along roads.
         routes: How many routes each base scenario finds, ten being all that are asked for; where it is made of
             several manoeuvres, all of them together, ten each.
+        lacking: By base scenario that finds none, what the map has not.
     """
 
     name: str
@@ -69,6 +70,7 @@ class MapDescription:
     parking_strips: int
     bus_bays: int
     routes: dict[str, int]
+    lacking: dict[str, str]
 
 
 def describe_map(path: Path) -> MapDescription:
@@ -82,6 +84,10 @@ def describe_map(path: Path) -> MapDescription:
     kinds = Counter(junction_kinds(network).values())
     furniture = furniture_of(network)
     standing = Counter(place.use for place in furniture.standing)
+    routes = {
+        base: sum(_count(network, path.stem, query) for query in queries)
+        for base, queries in BASE_SCENARIO_QUERIES.items()
+    }
     return MapDescription(
         name=path.stem,
         file=str(path),
@@ -99,9 +105,11 @@ def describe_map(path: Path) -> MapDescription:
         crosswalks=len(furniture.crosswalks),
         parking_strips=standing[Stand.PARKING],
         bus_bays=standing[Stand.BUS],
-        routes={
-            base.value: sum(_count(network, path.stem, query) for query in queries)
-            for base, queries in BASE_SCENARIO_QUERIES.items()
+        routes={base.value: count for base, count in routes.items()},
+        lacking={
+            base.value: " or ".join(lacking(network, path.stem, query) for query in BASE_SCENARIO_QUERIES[base])
+            for base, count in routes.items()
+            if count == 0
         },
     )
 

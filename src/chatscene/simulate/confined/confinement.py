@@ -11,10 +11,12 @@ import resource
 import signal
 import sys
 import sysconfig
-from collections.abc import Callable, Iterable
+import warnings
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from chatscene.errors import SandboxError
 from chatscene.simulate.confined.audit import watch
 from chatscene.simulate.confined.landlock import landlock_version, read_only
 from chatscene.simulate.confined.seccomp import filter_system_calls, no_new_privileges
@@ -25,7 +27,8 @@ _PR_SET_DUMPABLE, _PR_SET_PDEATHSIG = 4, 1
 _OPEN_FILES = 64
 
 LIMITS, NAMESPACES, LANDLOCK, SECCOMP, AUDIT = "limits", "namespaces", "landlock", "seccomp", "audit"
-LAYERS = (LIMITS, NAMESPACES, LANDLOCK, SECCOMP, AUDIT)
+KERNEL = (LIMITS, NAMESPACES, LANDLOCK, SECCOMP)
+LAYERS = (*KERNEL, AUDIT)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,6 +62,22 @@ def confine(limits: Limits, readable: Iterable[str], end: Callable[[str], Any]) 
         The layers in force, of `LAYERS`.
     """
     readable = (*readable, *python_folders())
+    layers = give_up(limits, readable)
+    watch(readable, end)
+    return (*layers, AUDIT)
+
+
+def give_up(limits: Limits, readable: Iterable[str], program: str = "") -> tuple[str, ...]:
+    """Have the kernel take from this process, for ever, everything but computing.
+
+    Args:
+        limits: Time and memory.
+        readable: Files and folders that may be read, beside the libraries of the system.
+        program: The file of another program that this process is about to become; empty for none.
+
+    Returns:
+        The layers in force, of `KERNEL`.
+    """
     no_new_privileges()
     _limit(limits)
     alone = _leave_network()
@@ -68,12 +87,40 @@ def confine(limits: Limits, readable: Iterable[str], end: Callable[[str], Any]) 
     layers = {
         LIMITS: True,
         NAMESPACES: alone,
-        LANDLOCK: landlock_version() > 0 and read_only((*readable, *_SHARED_LIBRARIES)),
+        LANDLOCK: landlock_version() > 0
+        and read_only((*readable, *_SHARED_LIBRARIES), (program, *_LOADERS) if program else ()),
         # Last of the kernel's walls, since it forbids putting up the others.
-        SECCOMP: filter_system_calls(),
+        SECCOMP: filter_system_calls(starting=bool(program)),
     }
-    watch(readable, end)
-    return (*(name for name, stands in layers.items() if stands), AUDIT)
+    return tuple(name for name, stands in layers.items() if stands)
+
+
+def check_layers(layers: Collection[str], of: Iterable[str]) -> None:
+    """Warn of layers that are missing where others will do.
+
+    Args:
+        layers: Those in force.
+        of: All that there could be.
+
+    Raises:
+        SandboxError: The others will not do.
+    """
+    if SECCOMP not in layers:
+        raise SandboxError(
+            "this kernel or machine cannot confine programs by strangers (no seccomp filter on "
+            f"{os.uname().machine}); run chatscene on Linux on x86_64 or aarch64"
+        )
+    if LANDLOCK not in layers and os.geteuid() == 0:
+        raise SandboxError(
+            "this kernel has no Landlock, and to root every file is open: programs by strangers are not run; "
+            "run chatscene as another user, or on Linux 5.13 or later"
+        )
+    if missing := [layer for layer in of if layer not in layers]:
+        warnings.warn(
+            f"programs by strangers run without {', '.join(missing)} here; docs/security.md says what that means",
+            RuntimeWarning,
+            stacklevel=3,
+        )
 
 
 def python_folders() -> tuple[str, ...]:
@@ -82,6 +129,7 @@ def python_folders() -> tuple[str, ...]:
     return tuple(sorted({os.path.realpath(path) for path in (*library, *sys.path) if path and os.path.exists(path)}))  # noqa: PTH110
 
 
+_LOADERS = ("/lib64/ld-linux-x86-64.so.2", "/lib/ld-linux-aarch64.so.1")  # what the kernel starts a program with
 _SHARED_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache")
 
 

@@ -15,7 +15,7 @@ from collections.abc import Iterable
 _CREATE, _ADD, _RESTRICT = 444, 445, 446  # the same numbers on every machine
 _ASK_VERSION = 1
 _BENEATH = 1
-_READ_FILE, _READ_FOLDER = 1 << 2, 1 << 3
+_EXECUTE, _READ_FILE, _READ_FOLDER = 1 << 0, 1 << 2, 1 << 3
 _FILE_RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15, 5: 16}  # how many kinds of access to files each version knows
 _TCP = 0b11  # bind and connect, from version 4 on
 _SCOPES = 0b11  # abstract sockets and signals, from version 6 on
@@ -26,11 +26,12 @@ def landlock_version() -> int:
     return max(0, _call(_CREATE, None, 0, _ASK_VERSION))
 
 
-def read_only(paths: Iterable[str]) -> bool:
+def read_only(paths: Iterable[str], programs: Iterable[str] = ()) -> bool:
     """Let this process read what lies in the given folders, and those files, and nothing else, for ever.
 
     Args:
         paths: Folders and files; what does not exist is passed over.
+        programs: Files that it may read and become.
 
     Returns:
         Whether it is so; False if the kernel has no Landlock.
@@ -45,18 +46,19 @@ def read_only(paths: Iterable[str]) -> bool:
     if rules < 0:
         return False
     try:
-        return all(_allow(rules, path) for path in paths) and _call(_RESTRICT, rules, 0) == 0
+        granted = [*((path, 0) for path in paths), *((program, _EXECUTE) for program in programs)]
+        return all(_allow(rules, *each) for each in granted) and _call(_RESTRICT, rules, 0) == 0
     finally:
         os.close(rules)
 
 
-def _allow(rules: int, path: str) -> bool:
+def _allow(rules: int, path: str, more: int) -> bool:
     try:
         place = os.open(path, os.O_PATH | os.O_CLOEXEC)
     except OSError:
         return True
     try:
-        access = _READ_FILE | (_READ_FOLDER if stat.S_ISDIR(os.fstat(place).st_mode) else 0)
+        access = more | _READ_FILE | (_READ_FOLDER if stat.S_ISDIR(os.fstat(place).st_mode) else 0)
         return _call(_ADD, rules, _BENEATH, struct.pack("=Qi", access, place), 0) == 0
     finally:
         os.close(place)

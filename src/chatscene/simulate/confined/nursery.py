@@ -12,7 +12,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import warnings
 import weakref
 from contextlib import suppress
 from dataclasses import asdict
@@ -25,7 +24,7 @@ from chatscene import errors
 from chatscene.errors import ChatSceneError, DoesNotCompile, SandboxError, StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.child import CHUNK, WATCHMAN
-from chatscene.simulate.confined.confinement import LANDLOCK, LAYERS, SECCOMP, Limits
+from chatscene.simulate.confined.confinement import LAYERS, Limits, check_layers
 from chatscene.simulate.confined.wire import Message, decode, encode, nonsense, program_to_json, words
 from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
 from chatscene.terms.scene import ScenicProgram
@@ -256,22 +255,7 @@ class Confined:
         """
         said = self._hear("confining itself").get("layers")
         self.layers = tuple(layer for layer in LAYERS if isinstance(said, list) and layer in said)
-        if SECCOMP not in self.layers:
-            raise SandboxError(
-                "this kernel or machine cannot confine programs by strangers (no seccomp filter on "
-                f"{os.uname().machine}); run chatscene on Linux on x86_64 or aarch64"
-            )
-        if LANDLOCK not in self.layers and os.geteuid() == 0:
-            raise SandboxError(
-                "this kernel has no Landlock, and to root every file is open: programs by strangers are not run; "
-                "run chatscene as another user, or on Linux 5.13 or later"
-            )
-        if missing := [layer for layer in LAYERS if layer not in self.layers]:
-            warnings.warn(
-                f"programs by strangers run without {', '.join(missing)} here; docs/security.md says what that means",
-                RuntimeWarning,
-                stacklevel=2,
-            )
+        check_layers(self.layers, LAYERS)
         self._label = f"program {program.scenario_id!r}"
         self.ask("load", program=program_to_json(program))
 

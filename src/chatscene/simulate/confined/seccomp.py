@@ -19,22 +19,30 @@ _MODE_FILTER = 2
 _LOAD, _JUMP_EQUAL, _JUMP_ANY_BIT, _RETURN = 0x20, 0x15, 0x45, 0x06
 _ALLOW, _KILL = 0x7FFF0000, 0x80000000
 _REFUSE = 0x00050000 | errno.EPERM
-_NUMBER, _MACHINE, _FLAGS = 0, 4, 32  # offsets in struct seccomp_data; the flags are openat's third argument
+_NUMBER, _MACHINE, _SECOND, _THIRD = 0, 4, 24, 32  # offsets in struct seccomp_data; the last two are of arguments
 _OPENING_TO_WRITE = 0o3 | 0o100 | 0o1000  # access mode, O_CREAT, O_TRUNC
+_BUT_DUPLICATING = 0xFFFFFFFC  # what asks fcntl for more than F_DUPFD, F_GETFD, F_SETFD and F_GETFL
 
 
 @dataclass(frozen=True, slots=True)
 class _Machine:
-    """The numbers of one kind of machine (``asm/unistd.h``, ``linux/audit.h``)."""
+    """The numbers of one kind of machine (``asm/unistd.h``, ``linux/audit.h``).
+
+    `starting` are the calls that the start of a program needs besides; `openat` and, for it, `fcntl` are judged by
+    what they ask for.
+    """
 
     audit: int
     openat: int
+    fcntl: int
     allowed: dict[str, int]
+    starting: dict[str, int]
 
 
 _X86_64 = _Machine(
     0xC000003E,
     257,
+    72,
     {
         "read": 0, "write": 1, "close": 3, "fstat": 5, "poll": 7, "lseek": 8, "mmap": 9, "mprotect": 10,
         "munmap": 11, "brk": 12, "rt_sigaction": 13, "rt_sigprocmask": 14, "rt_sigreturn": 15, "pread64": 17,
@@ -47,10 +55,12 @@ _X86_64 = _Machine(
         "pselect6": 270, "ppoll": 271, "getrandom": 318, "membarrier": 324, "statx": 332, "rseq": 334,
         "faccessat2": 439,
     },
+    {"execve": 59, "arch_prctl": 158, "set_tid_address": 218, "set_robust_list": 273, "stat": 4, "lstat": 6},
 )  # fmt: skip
 _AARCH64 = _Machine(
     0xC00000B7,
     56,
+    25,
     {
         "read": 63, "write": 64, "close": 57, "fstat": 80, "lseek": 62, "mmap": 222, "mprotect": 226, "munmap": 215,
         "brk": 214, "rt_sigaction": 134, "rt_sigprocmask": 135, "rt_sigreturn": 139, "pread64": 67, "readv": 65,
@@ -62,6 +72,7 @@ _AARCH64 = _Machine(
         "faccessat": 48, "pselect6": 72, "ppoll": 73, "getrandom": 278, "membarrier": 283, "statx": 291,
         "rseq": 293, "faccessat2": 439,
     },
+    {"execve": 221, "set_tid_address": 96, "set_robust_list": 99},
 )  # fmt: skip
 _MACHINES = {"x86_64": _X86_64, "aarch64": _AARCH64}
 
@@ -76,30 +87,44 @@ def no_new_privileges() -> bool:
     return libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0
 
 
-def filter_system_calls() -> bool:
-    """Put the filter on this process, for ever; False if the kernel or the machine has none."""
+def filter_system_calls(*, starting: bool = False) -> bool:
+    """Put the filter on this process, for ever; False if the kernel or the machine has none.
+
+    Args:
+        starting: Whether this process may become another program, which the filter goes on to hold.
+    """
     machine = _MACHINES.get(platform.machine())
     if machine is None or not no_new_privileges():
         return False
-    code = _assemble(machine)
+    allowed, judged = [*machine.allowed.values()], [(machine.openat, _THIRD, _OPENING_TO_WRITE)]
+    if starting:
+        allowed += machine.starting.values()
+        judged.append((machine.fcntl, _SECOND, _BUT_DUPLICATING))
+    code = _assemble(machine.audit, allowed, judged)
     room = ctypes.create_string_buffer(code, len(code))
     program = _Program(len(code) // 8, ctypes.addressof(room))
     libc = ctypes.CDLL(None, use_errno=True)
     return libc.prctl(_PR_SET_SECCOMP, _MODE_FILTER, ctypes.byref(program), 0, 0) == 0
 
 
-def _assemble(machine: _Machine) -> bytes:
-    """The filter as the kernel reads it: 8 bytes an instruction, jumps count instructions to skip."""
-    count = len(machine.allowed)
+def _assemble(audit: int, allowed: list[int], judged: list[tuple[int, int, int]]) -> bytes:
+    """The filter as the kernel reads it: 8 bytes an instruction, jumps count instructions to skip.
+
+    Judged calls are given with the offset of an argument and the bits that it may not have.
+    """
     steps = [
         (_LOAD, 0, 0, _MACHINE),
-        (_JUMP_EQUAL, 1, 0, machine.audit),
+        (_JUMP_EQUAL, 1, 0, audit),
         (_RETURN, 0, 0, _KILL),  # called as another kind of machine, whose numbers mean other calls
         (_LOAD, 0, 0, _NUMBER),
-        (_JUMP_EQUAL, 0, 2, machine.openat),
-        (_LOAD, 0, 0, _FLAGS),
-        (_JUMP_ANY_BIT, count, count + 1, _OPENING_TO_WRITE),
     ]
-    steps += [(_JUMP_EQUAL, count - i, 0, number) for i, number in enumerate(machine.allowed.values())]
+    for i, (number, argument, forbidden) in enumerate(judged, 1):
+        left = 3 * (len(judged) - i) + len(allowed)
+        steps += [
+            (_JUMP_EQUAL, 0, 2, number),
+            (_LOAD, 0, 0, argument),
+            (_JUMP_ANY_BIT, left, left + 1, forbidden),
+        ]
+    steps += [(_JUMP_EQUAL, len(allowed) - i, 0, number) for i, number in enumerate(allowed)]
     steps += [(_RETURN, 0, 0, _REFUSE), (_RETURN, 0, 0, _ALLOW)]
     return b"".join(struct.pack("=HBBI", *step) for step in steps)
