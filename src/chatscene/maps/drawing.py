@@ -12,6 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from chatscene.maps.furniture import furniture_of
 from chatscene.maps.junctions import junction_signals
+from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.terms.route import Route
 
 Points = list[list[float]]
@@ -74,12 +75,12 @@ def _boundaries(network: Any) -> Iterator[tuple[str, BaseGeometry]]:
     for road in network.roads:
         for section in road.sections:
             for lane in section.lanes:
-                left, right = lane._laneToLeft, lane._laneToRight
+                left, right = section_beside(lane, 1), section_beside(lane, -1)
                 if left is None:
                     yield "solid", _line(lane.leftEdge)
-                elif left.isForward == lane.isForward:
+                elif not opposes(lane.lane, left.lane):
                     yield "dashed", _line(lane.leftEdge)
-                elif lane.isForward:  # the opposite lane has the same line as its own left edge
+                elif (lane.isForward, lane.uid) > (left.isForward, left.uid):  # whose own left edge is the same line
                     yield "centre", _line(lane.leftEdge)
                 if right is None:
                     yield "solid", _line(lane.rightEdge)

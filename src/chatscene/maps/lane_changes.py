@@ -9,6 +9,7 @@ import shapely
 from numpy.typing import NDArray
 
 from chatscene.maps.lane_runs import LaneRun
+from chatscene.maps.neighbours import section_beside
 from chatscene.terms.polyline import Polyline
 
 NARROW = 2.5  # [m]; a lane that is narrower, as where it begins or tapers out, is none to drive in
@@ -64,8 +65,8 @@ def neighbour(run: LaneRun, at: float, side: int) -> Any:
     """The lane beside a run at an arc length [m]: left for side 1, right for -1; None if there is none to drive in."""
     lane, point = run.lane_at(at), run.line.point_at(at)
     section = next((s for s in lane.sections if s.containsPoint(point)), lane.sections[0])
-    beside = section._laneToLeft if side > 0 else section._laneToRight
-    return None if beside is None or width_at(beside, point) < NARROW else beside.lane
+    there = section_beside(section, side)
+    return None if there is None or width_at(there, point) < NARROW else there.lane
 
 
 def width_at(section: Any, point: tuple[float, float]) -> float:
@@ -78,8 +79,3 @@ def width_at(section: Any, point: tuple[float, float]) -> float:
 def wide_at(run: LaneRun, at: float) -> bool:
     """Whether a run is wide enough to drive in at an arc length [m]."""
     return width_at(run.lane_at(at), run.line.point_at(at)) >= NARROW
-
-
-def opposes(lane: Any, other: Any) -> bool:
-    """Whether a lane beside another runs against it."""
-    return lane.group is not other.group

@@ -19,6 +19,7 @@ import numpy as np
 import shapely
 
 from chatscene.maps.lane_runs import centre_line, lane_runs
+from chatscene.maps.neighbours import opposes, section_beside
 
 _SAME_WAY = math.radians(30)  # between the directions of two roads of one arm
 _SAME_PLACE = 30.0  # [m] between them: the widest median, and some
@@ -268,7 +269,8 @@ def motorway_groups(network: Any) -> tuple[Any, ...]:
 
 def _divided(group: Any) -> bool:
     sections = (section for lane in group.lanes for section in lane.sections)
-    return all(s._laneToLeft is None or s._laneToLeft.isForward == s.isForward for s in sections)
+    lefts = ((section, section_beside(section, 1)) for section in sections)
+    return not any(left is not None and opposes(section.lane, left.lane) for section, left in lefts)
 
 
 def ramp_ways(network: Any, kind: JunctionKind) -> tuple[Any, ...]:

@@ -1,13 +1,65 @@
-"""The lane beside the ego's."""
+"""The lane beside a lane, whichever road the map has it in."""
 
 from __future__ import annotations
 
 from typing import Any
 
+import shapely
+
 from chatscene.errors import MapError
 from chatscene.maps.lane_runs import lane_runs
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
+
+_TOGETHER = 0.2  # [m] at most between the left edges of two lanes that are one line
+
+
+def section_beside(section: Any, side: int) -> Any:
+    """The section of a lane that lies directly beside another: left for side 1, right for -1; None if there is none.
+
+    Some maps have a road for each direction of a street, SUMO's among them. There the lane to the left of the
+    innermost is the innermost of the road whose left edge is the same line from end to end, the other way round.
+    Where lanes of two roads only meet, or run together for a while, they are not beside each other.
+
+    Args:
+        section: Scenic's lane section.
+        side: Seen in its own driving direction.
+    """
+    own = section._laneToLeft if side > 0 else section._laneToRight
+    if own is not None or side < 0 or not _one_way(section.road):
+        return own
+    edge = section.leftEdge.lineString
+    begin, end = (shapely.Point(edge.coords[i]) for i in (0, -1))
+    begins, innermost = _innermost_of_one_way(section.network)
+    for i in sorted(begins.query(end, predicate="dwithin", distance=_TOGETHER).tolist()):
+        other = innermost[i].leftEdge.lineString
+        back = shapely.Point(other.coords[-1]).distance(begin) < _TOGETHER
+        if back and innermost[i].road is not section.road and edge.hausdorff_distance(other) < _TOGETHER:
+            return innermost[i]
+    return None
+
+
+def opposes(lane: Any, other: Any) -> bool:
+    """Whether a lane beside another runs against it."""
+    return lane.group is not other.group
+
+
+def _one_way(road: Any) -> bool:
+    return road.forwardLanes is None or road.backwardLanes is None
+
+
+def _innermost_of_one_way(network: Any) -> tuple[Any, list[Any]]:
+    """Where the left edges of the innermost lanes of one-way roads begin, to be searched, and their sections.
+
+    Kept on the network: what a lane knows of its network is a weak reference, by which nothing can be remembered.
+    """
+    kept = getattr(network, "innermost", None)
+    if kept is None:
+        lanes = [lane for road in network.roads if _one_way(road) for lane in road.lanes]
+        found = [section for lane in lanes for section in lane.sections if section._laneToLeft is None]
+        kept = shapely.STRtree([shapely.Point(s.leftEdge.lineString.coords[0]) for s in found]), found
+        setattr(network, "innermost", kept)  # noqa: B010 - a class of somebody else's
+    return kept
 
 
 def neighbour_line(network: Any, route: Route, side: str) -> Polyline:
@@ -29,11 +81,11 @@ def neighbour_line(network: Any, route: Route, side: str) -> Polyline:
     x, y = route.line.point_at(0.0)
     section = network.laneSectionAt((x, y)) or lane.sections[0]
     # Scenic's left and right are those of the lane's own driving direction, as are the ego's.
-    beside = section._laneToLeft if side == "left" else section._laneToRight
-    if beside is None:
+    there = section_beside(section, 1 if side == "left" else -1)
+    if there is None:
         raise MapError(f"route {route.id!r} on map {route.map_name!r} has no lane to its {side}")
-    line = lane_runs(network)[beside.lane.uid].line
-    if beside.isForward != section.isForward:
+    line = lane_runs(network)[there.lane.uid].line
+    if opposes(section.lane, there.lane):
         return line
     level, _, _ = line.project(x, y)
     return line.between(level, line.length)

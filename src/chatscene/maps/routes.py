@@ -21,9 +21,10 @@ import shapely
 from chatscene.errors import MapError
 from chatscene.maps.crossings import TURNS, CrossingPath, conflicting_paths
 from chatscene.maps.junctions import junction_control
-from chatscene.maps.lane_changes import neighbour, opposes, shifted, wide_at
+from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
+from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery, Site
@@ -380,14 +381,14 @@ def _offers(lane: Any, query: RouteQuery) -> bool:
     """Whether a lane has the neighbours a query asks for."""
     if len(lane.group.lanes) < query.lanes_same_way:
         return False
-    left, right = lane.sections[0]._laneToLeft, lane.sections[0]._laneToRight
+    left, right = section_beside(lane.sections[0], 1), section_beside(lane.sections[0], -1)
     if query.lane not in (None, _number_of(lane)):
         return False
     if query.lane_beside == "none" and len(lane.group.lanes) > 1:
         return False
     if query.lane_beside in ("left", "right"):
-        beside = left if query.lane_beside == "left" else right
-        if beside is None or opposes(lane, beside.lane):
+        there = left if query.lane_beside == "left" else right
+        if there is None or opposes(lane, there.lane):
             return False
     if query.opposite_lane is None:
         return True

@@ -8,9 +8,10 @@ from typing import Any
 
 from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.junctions import junction_control
-from chatscene.maps.lane_changes import changed, neighbour, opposes, wide_at
+from chatscene.maps.lane_changes import changed, neighbour, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, roundabouts, weaving_sections
+from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery, Site
 from chatscene.terms.scenario import Control, Maneuver, Place
@@ -261,10 +262,13 @@ def along(network: Any, run: LaneRun, site: Site) -> bool:
     if site is Site.MOTORWAY:
         groups = {group.uid for group in motorway_groups(network)}
         return all(lane.group.uid in groups for lane in run.lanes)
-    roads = [lane.road for lane in run.lanes]
-    return all(
-        road.forwardLanes is not None
-        and road.backwardLanes is not None
-        and all(len(g.lanes) == 1 and g._sidewalk is None for g in (road.forwardLanes, road.backwardLanes))
-        for road in roads
-    )
+    both = [(lane.group, _opposite(lane)) for lane in run.lanes]
+    return all(g is not None and len(g.lanes) == 1 and g._sidewalk is None for groups in both for g in groups)
+
+
+def _opposite(lane: Any) -> Any:
+    """The lanes of the other direction of a lane's street, in its own road or in another; None if there are none."""
+    if lane.group._opposite is not None:
+        return lane.group._opposite
+    there = section_beside(lane.sections[0], 1)
+    return None if there is None else there.lane.group

@@ -18,7 +18,7 @@ from scenic.core.vectors import Vector
 
 from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
-from chatscene.maps.neighbours import neighbour_line
+from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
@@ -207,13 +207,17 @@ def waitingTraffic(route: EgoRoute) -> tuple[CrossingPath, ...]:  # noqa: N802
 
 def lanesBeside(route: EgoRoute) -> tuple[tuple[Polyline, bool], ...]:  # noqa: N802
     """The lines of the lanes directly beside the ego's, and whether each runs against it."""
-    lane = route.network.elements[route.route.lane_ids[0]]
-    section = route.network.laneSectionAt(route.line.point_at(0.0)) or lane.sections[0]
     return tuple(
-        (neighbour_line(route.network, route.route, side), beside.isForward != section.isForward)
-        for side, beside in (("left", section._laneToLeft), ("right", section._laneToRight))
-        if beside is not None
+        (neighbour_line(route.network, route.route, side), against) for side, against in _beside_start(route).items()
     )
+
+
+def _beside_start(route: EgoRoute) -> dict[str, bool]:
+    """On which sides of the ego's start a lane lies, and whether that runs against the ego's."""
+    start = route.line.point_at(0.0)
+    section = route.network.laneSectionAt(start) or route.network.elements[route.route.lane_ids[0]].sections[0]
+    there = {side: section_beside(section, turn) for side, turn in (("left", 1), ("right", -1))}
+    return {side: opposes(section.lane, other.lane) for side, other in there.items() if other is not None}
 
 
 @_deferred
@@ -267,10 +271,9 @@ def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
     Raises:
         MapError: The ego's is the only lane of its direction.
     """
-    lane = route.network.elements[route.route.lane_ids[0]]
-    section = route.network.laneSectionAt(route.line.point_at(0.0)) or lane.sections[0]
-    for side, beside in (("right", section._laneToRight), ("left", section._laneToLeft)):
-        if beside is not None and beside.isForward == section.isForward:
+    there = _beside_start(route)
+    for side in ("right", "left"):
+        if there.get(side) is False:
             return neighbour_line(route.network, route.route, side)
     raise MapError(f"route {route.route.id!r} has no second lane of its direction")
 
