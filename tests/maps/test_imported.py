@@ -13,12 +13,13 @@ from chatscene.maps.junctions import junction_control
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.layout import motorway_groups, roundabouts
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import PACKAGED, load_network, resolve_map
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.maps.survey import check_map, describe_map
 from chatscene.terms.route import RouteQuery, Site
 from chatscene.terms.scenario import BaseScenario, Control, Maneuver
 from chatscene.world.places import EgoRoute, lanesBeside
+from places import SHARED
 
 MADE = Path(__file__).with_name("osm")
 (BYPASS,) = BASE_SCENARIO_QUERIES[BaseScenario.VEHICLE_PASSING]
@@ -97,12 +98,15 @@ def test_oncoming_lanes_of_two_roads_are_each_beside_the_other() -> None:
     assert all(pairs[there] == uid for uid, there in pairs.items())
 
 
-def test_lanes_of_two_roads_that_only_meet_are_not_beside_each_other() -> None:
-    network: Any = load_network(resolve_map("outskirts"))
-    one_way = [road for road in network.roads if road.forwardLanes is None or road.backwardLanes is None]
-    assert len(one_way) > 10
-    sections = (section for road in one_way for lane in road.lanes for section in lane.sections)
+@pytest.mark.parametrize("name", ["town", "outskirts", "Town04"])
+def test_lanes_of_two_roads_that_only_meet_are_not_beside_each_other(name: str) -> None:
+    path = SHARED / "data" / "maps" / f"{name}.xodr"
+    if name not in PACKAGED and not path.is_file():
+        pytest.skip(f"{path.name} is not beside this repository")
+    network: Any = load_network(PACKAGED.get(name, path))
+    sections = [section for road in network.roads for lane in road.lanes for section in lane.sections]
     assert all(section_beside(section, 1) is section._laneToLeft for section in sections)
+    assert all(section_beside(section, -1) is section._laneToRight for section in sections)
 
 
 def test_a_street_of_two_roads_is_rural_where_it_has_no_sidewalk() -> None:
