@@ -14,6 +14,7 @@ from chatscene.errors import SettingsError
 from chatscene.read import lexicon as words
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
+from chatscene.read.ego_state import ego_state_of
 from chatscene.read.quantities import quantities_of
 from chatscene.read.surroundings import hear_surroundings
 from chatscene.read.unused import known_whole, mentions_of, unused_of
@@ -147,6 +148,7 @@ def _slots(clauses: Clauses, notes: list[Note]) -> Slots:
         group=bool(words.GROUP.search(clauses.adversary)) or None,
         lanes=_lanes(clauses, place),
         two_way=_two_way(clauses, place),
+        ego=ego_state_of(clauses.whole, words.ANYBODY),
     )
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from chatscene.read.ego_state import SAID as EGO_STATES
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Control, Occluder, Place
@@ -40,6 +41,7 @@ EGO_AS_OBJECT = re.compile(
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
     kind: _p(kind.row.words) for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
 }
+ANYBODY = re.compile("|".join(pattern.pattern for pattern in KINDS.values()))
 ENCOUNTER = _p(
     r"encounter\w*|meets?|faces?|notices?|sees?|spots?",
     r"(?:surprised|cut off|cut up|overtaken|passed|hit|approached|blocked|struck|confronted|followed|tailgated) by",
@@ -472,7 +474,7 @@ def is_english(text: str) -> bool:
 @lru_cache(maxsize=1)
 def _rules() -> tuple[re.Pattern[str], ...]:
     """Every pattern that reads something."""
-    groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS, LIGHTS, WEATHERS, SURFACES)
+    groups = (KINDS, OCCLUDERS, PLACES, CONTROLS, ACTIONS, LIGHTS, WEATHERS, SURFACES, EGO_STATES)
     single = (
         EGO, SOMEBODY, ADVERSARIAL, LEADER, BLOCKING, BACKGROUND, LEFT_TURN, RIGHT_TURN, LANE_CHANGE, BYPASS, UNPROTECTED,
         RUNNING, CUTTING_IN, SLOWING, FEINT, MATCHING, ERRATIC, GOING_ON, ONCOMING, FAR, CROSSING, NEIGHBOUR, KERB, NEAR,

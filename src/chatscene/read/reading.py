@@ -12,6 +12,7 @@ from chatscene.files.caches import cache_folder
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.asking import ask
 from chatscene.read.decompose import hear
+from chatscene.read.ego_state import without_state
 from chatscene.read.lexicon import ACTIONS
 from chatscene.read.slot_classifier import believe
 from chatscene.settings import OFFLINE, RetrievalSettings
@@ -38,7 +39,8 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Frame:
 
 def _missed(frame: Frame) -> bool:
     """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
-    named = {action for action, pattern in ACTIONS.items() if pattern.search(frame.told)}
+    told = frame.told if frame.outright.ego is None else without_state(frame.told)
+    named = {action for action, pattern in ACTIONS.items() if pattern.search(told)}
     if frame.outright.position is Position.ONCOMING:
         named.discard(Action.ONCOMING)  # at a junction that is where it comes from
     return any(frame.beliefs.heard(action) >= LIKELY for action in named.difference(frame.outright.actions))

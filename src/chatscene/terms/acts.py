@@ -423,7 +423,10 @@ class Action(StrEnum):
             meaning="drives on along its lane",
             words=(
                 r"(?:driv|rid|keep|go|carr|travel)\w* (?:on|along|going|straight on)|continu\w*|tailgat\w*|"
-                "follow(?:s|ing) (?:us|the ego|its lane)"
+                "follow(?:s|ing) (?:us|the ego|its lane)|"
+                "(?:driv|drove|crash|run|ran|slam|plough|plow|bump|smash)[a-z]* "
+                r"(?:straight |right |hard )?into (?:us|the ego|our (?:car|rear|back|tail|boot))|rear-?end\w*|"
+                "(?:hits?|strikes?|struck|collides? with|bumps?) (?:us|the ego|our (?:car|rear|back)) from behind"
             ),
             walks="[walk] on | [keep] walking | [carry] on walking | [walk] on along the road",
             rides="""

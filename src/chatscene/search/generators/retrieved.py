@@ -15,6 +15,7 @@ from chatscene.interpret.decide import decide
 from chatscene.library.bind import narrowed
 from chatscene.library.load import library_with
 from chatscene.program.assemble import assemble
+from chatscene.program.orders import ORDERS
 from chatscene.read.canonical import canonical
 from chatscene.read.reading import read
 from chatscene.search.explore import Block, explore
@@ -45,6 +46,9 @@ class Retrieved:
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
         retrieval, triple = choose(scenario, settings, tried)
+        if scenario.slots.ego is not None:
+            told = f"the ego is under orders: {ORDERS[scenario.slots.ego].words}"
+            retrieval = replace(retrieval, notes=(*retrieval.notes, told))
         return Written(program=assemble(scenario, triple, retrieval.adversary), retrieval=retrieval)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:
