@@ -217,7 +217,14 @@ def test_a_contact_that_carla_s_sensor_does_not_confirm_is_told(
 
 
 def test_a_contact_that_only_carla_s_sensor_tells_of_is_told(simulator: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    hear = physics.CarlaPhysics._hear
+
+    def late(bodies: Any, event: Any) -> None:
+        time.sleep(0.1)  # the drive ends with the contact
+        hear(bodies, event)
+
     monkeypatch.setattr(physics, "HEARING", 1.0)  # for a busy machine
+    monkeypatch.setattr(physics.CarlaPhysics, "_hear", late)
     monkeypatch.setattr(physics, "touch", Mock(return_value=False))
     driven(simulator, AHEAD.format(kind="Container", at=12))
     assert ["their boxes never do" in told for told in simulator.disagreements] == [True]

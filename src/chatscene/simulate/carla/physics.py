@@ -27,7 +27,7 @@ from chatscene.world.control import pedals
 CLEARANCE = 0.5  # [m] above the road that vehicles and walkers begin at; lower, CARLA finds the road in their way
 SETTLED = 0.05  # [m/s], vertical, of who has come to rest on it
 SETTLING = 20  # ticks allowed for that
-HEARING = 0.2  # [s] until the wheel hears a new sensor
+HEARING = 0.2  # [s] until the wheel hears a new sensor, and until it has passed on what one told of a step
 VIEW_HEIGHT = 60.0  # [m], of the spectator above the ego
 _STATES = {"g": carla.TrafficLightState.Green, "y": carla.TrafficLightState.Yellow, "r": carla.TrafficLightState.Red}
 _HELD = carla.VehicleControl(hand_brake=True, manual_gear_shift=True, gear=1)
@@ -159,6 +159,7 @@ class CarlaPhysics:
         self._heard: dict[int, str] = {}
         self._steps = 0
         self._frame = 0
+        self._ticked = 0.0
 
     def add(self, placement: Placement) -> Body:
         """Spawn a thing's actor and make its body, which has the size that the actor has.
@@ -312,6 +313,7 @@ class CarlaPhysics:
                 "can use at a time"
             )
         self._frame = snapshot.frame
+        self._ticked = time.monotonic()
         return snapshot
 
     # The sensor of collisions, beside our own boxes
@@ -327,10 +329,8 @@ class CarlaPhysics:
                 self._touched.setdefault(other.handle.id, self._steps)
 
     def _compare(self) -> None:
-        """Say where the sensor and our boxes differ; what was told last may still be on its way."""
-        patience = time.monotonic() + HEARING
-        while self._touched.keys() - self._heard.keys() and time.monotonic() < patience:
-            time.sleep(HEARING / 20)
+        """Say where the sensor and our boxes differ, once what it told last, perhaps of the last step, has come."""
+        time.sleep(max(0.0, HEARING - (time.monotonic() - self._ticked)))
         names = {actor.handle.id: actor.kind for actor in self._actors}
         for number, step in self._touched.items():
             if number not in self._heard:
