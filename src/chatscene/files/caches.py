@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import suppress
 from pathlib import Path
 from typing import Literal
@@ -11,9 +12,22 @@ from platformdirs import user_cache_path
 from chatscene.files.atomic import write_whole
 
 
-def cache_folder(kind: Literal["maps", "replies", "vectors"]) -> Path:
+def cache_folder(kind: Literal["code", "maps", "replies", "vectors"]) -> Path:
     """The folder of one kind of kept files, where this operating system has such; it need not exist."""
     return user_cache_path("chatscene", appauthor=False) / kind
+
+
+def only_mine(folder: Path) -> Path | None:
+    """A folder, made if need be, that nobody but this user can write to; None where there can be none.
+
+    What is executed when it is read, as code is, may come from such a folder alone.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        state = folder.stat()
+    except OSError:
+        return None  # a cache saves a second; a run must not fail for want of one
+    return folder if state.st_uid == os.getuid() and not state.st_mode & 0o022 else None
 
 
 def keep(path: Path, content: bytes) -> None:

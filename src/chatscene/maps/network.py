@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import difflib
 import hashlib
-import os
 import warnings
 from collections.abc import Iterator
 from functools import lru_cache
@@ -18,7 +17,7 @@ from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
 from chatscene.files.atomic import write_whole
-from chatscene.files.caches import cache_folder
+from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.furniture import read_furniture
 
 LONGEST = 1e5  # [m] of a road
@@ -155,16 +154,14 @@ def _within(value: str, low: float, high: float) -> bool:
 
 def _private_copy(path: Path, digest: str) -> Path | None:
     """The map in the user's cache folder, or None where there can be none."""
-    base = cache_folder("maps") / digest
-    copy = base / path.name
+    if (folder := only_mine(cache_folder("maps") / digest)) is None:
+        return None
+    copy = folder / path.name
     try:
-        base.mkdir(parents=True, exist_ok=True, mode=0o700)
-        if base.stat().st_uid != os.getuid() or base.stat().st_mode & 0o022:
-            return None
         if not copy.exists():
             write_whole(copy, path.read_bytes())
     except OSError:
-        return None  # a cache saves a second; a run must not fail for want of one
+        return None
     return copy
 
 

@@ -1,25 +1,39 @@
 """Compiling a program: Scenic's compiler with a memory.
 
 Scenic parses the driving library anew for every program, which takes most of a second. Here the parsed code of
-each source text is kept for the life of the process, and the road network of each map likewise.
+each source text is kept for the life of the process, and the road network of each map likewise; the code of the library
+itself is kept in the user's cache folder, too, for the next process.
 """
 
 from __future__ import annotations
 
 import ast
 import hashlib
+import marshal
 from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import version
+from importlib.util import MAGIC_NUMBER
 from pathlib import Path
+from types import CodeType
 from typing import Any
 
+import scenic
 from scenic.core.errors import ScenicError
 from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
+from chatscene.files.caches import cache_folder, keep, only_mine
 from chatscene.maps.network import install_network_memo
 from chatscene.terms.scene import OWN_MODEL
+from chatscene.world import searched
 from chatscene.world.models import STANDS_IN
-from chatscene.world.searched import make_searchable
+
+_LIBRARY = (Path(str(scenic.__file__)).parent, Path(__file__).parents[1])
+_SEAL = 16  # bytes; `marshal` may break the interpreter with what is damaged
+
+keeping = True
+"""Whether code is kept between processes; a confined one, which may touch no such folder, sets it off."""
 
 _code: dict[tuple[bytes, str], tuple[Any, Any, bytes]] = {}
 
@@ -33,13 +47,40 @@ def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filena
         source = stream.read()
         key = (hashlib.blake2b(source, digest_size=16).digest(), str(filename))
         if key not in _code:
-            _code[key] = _translate(source.decode("utf-8"), filename)
+            of_library = any(folder in Path(filename).parents for folder in _LIBRARY)
+            _code[key] = (_kept if of_library else _translate)(source.decode("utf-8"), filename)
         code, requirements, digest = _code[key]
         translator.executeCodeIn(code, namespace)
         translator.storeScenarioStateIn(namespace, requirements, digest, options)
     finally:
         veneer.deactivate()
     return code, ""
+
+
+def _kept(source: str, filename: str) -> tuple[Any, Any, bytes]:
+    """`_translate` for a text of the library, which is the same for every process: its code is kept between them."""
+    if not keeping or (folder := only_mine(cache_folder("code"))) is None:
+        return _translate(source, filename)
+    named = hashlib.blake2b(repr((source, str(filename))).encode() + _translator(), digest_size=_SEAL)
+    path = folder / named.hexdigest()
+    try:
+        seal, content = (whole := path.read_bytes())[:_SEAL], whole[_SEAL:]
+    except OSError:
+        seal, content = b"", b""
+    if seal == hashlib.blake2b(content, digest_size=_SEAL).digest():
+        code, digest = marshal.loads(content)
+        return code, [], digest
+    code, requirements, digest = _translate(source, filename)
+    if isinstance(code, CodeType) and not requirements:  # these are trees, which `marshal` does not know
+        content = marshal.dumps((code, digest))
+        keep(path, hashlib.blake2b(content, digest_size=_SEAL).digest() + content)
+    return code, requirements, digest
+
+
+@cache
+def _translator() -> bytes:
+    """What code depends on besides its text: Python, Scenic and what is done to syntax trees here."""
+    return MAGIC_NUMBER + version("scenic").encode() + Path(searched.__file__).read_bytes()
 
 
 def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
@@ -54,7 +95,7 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
             f"Scenic's parser breaks off in {filename} with {type(error).__name__}: {error}; look for an unclosed "
             "bracket or quote, and for an empty line within brackets; chatscene library lint says which snippet it is"
         ) from error
-    make_searchable(parsed)
+    searched.make_searchable(parsed)
     tree: Any
     tree, requirements = translator.compileScenicAST(parsed, filename=filename)
     digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()

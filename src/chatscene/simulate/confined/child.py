@@ -36,6 +36,7 @@ from chatscene.simulate.confined.wire import (
 )
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.world import compilation
 
 WATCHMAN = 77  # exit status of a process that the watchman ended
 CHUNK = 1 << 16
@@ -99,8 +100,15 @@ def _serve(control: socket.socket, setup: Message) -> None:
 
 def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simulator:
     os.environ["XDG_CACHE_HOME"] = cache
+    try:
+        return _warmed_up(map_path, settings)
+    finally:
+        del os.environ["XDG_CACHE_HOME"]
+        compilation.keeping = False
+
+
+def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
     load_network(map_path)
-    del os.environ["XDG_CACHE_HOME"]
     simulator = load_simulator(map_path, settings)
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=(), digest="warm-up")
     drawn = replace(program, source=WARM_UP_DRAWN, digest="drawn", model="scenic.simulators.carla.model")

@@ -1,0 +1,72 @@
+"""Code of the library is kept between processes, and is that of its text."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+compilation: Any = importlib.import_module("chatscene.world.compilation")
+
+TEXT = "behavior Waits():\n    wait\nparam STEPS = 3\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where code is kept, nothing yet."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    return tmp_path / "chatscene" / "code"
+
+
+@pytest.fixture
+def parsed(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The texts that were parsed."""
+    texts: list[str] = []
+    parse = compilation.translator.parse_string
+
+    def noted(text: str, *arguments: Any, **named: Any) -> Any:
+        texts.append(text)
+        return parse(text, *arguments, **named)
+
+    monkeypatch.setattr(compilation.translator, "parse_string", noted)
+    return texts
+
+
+def test_a_text_is_parsed_once_and_its_code_is_the_same_afterwards(folder: Path, parsed: list[str]) -> None:
+    first, again = (compilation._kept(TEXT, "/library/waits.scenic") for _ in range(2))
+    assert again == first == compilation._translate(TEXT, "/library/waits.scenic")
+    assert again[0].co_filename == "/library/waits.scenic"
+    assert parsed == [TEXT, TEXT]
+    (kept,) = folder.iterdir()
+    assert kept.stat().st_mode & 0o077 == 0
+
+
+def test_another_text_or_place_has_code_of_its_own(folder: Path) -> None:
+    for text, place in ((TEXT, "one"), (TEXT, "other"), (TEXT + "\n", "one")):
+        compilation._kept(text, place)
+    assert len(list(folder.iterdir())) == 3
+
+
+def test_what_is_damaged_is_not_run_but_parsed_again(folder: Path, parsed: list[str]) -> None:
+    first = compilation._kept(TEXT, "place")
+    (kept,) = folder.iterdir()
+    whole = kept.read_bytes()
+    for damaged in (whole[:-1], whole[:40] + b"?" + whole[41:], b""):
+        kept.write_bytes(damaged)
+        for _ in range(2):
+            assert compilation._kept(TEXT, "place") == first
+    assert len(parsed) == 4
+
+
+def test_code_is_taken_from_no_folder_that_others_can_write_to(folder: Path, parsed: list[str]) -> None:
+    compilation._kept(TEXT, "place")
+    folder.chmod(0o777)
+    compilation._kept(TEXT, "place")
+    assert parsed == [TEXT, TEXT]
+
+
+def test_code_with_requirements_or_outside_of_the_library_is_not_kept(folder: Path) -> None:
+    compilation._kept("require True\n", "place")
+    assert not folder.exists() or not list(folder.iterdir())
