@@ -79,3 +79,10 @@ def test_a_kind_survives_being_copied_and_written_down() -> None:
     for kind in AdversaryKind:
         assert AdversaryKind(str(kind)) is kind
         assert kind == kind.value
+
+
+def test_who_acts_like_another_is_of_its_manner_and_no_other_acts_like_it() -> None:
+    for kind in AdversaryKind:
+        assert kind.acts_as.acts_as is kind.acts_as
+        assert kind.acts_as.row.manner is kind.row.manner
+        assert kind.row.limits.wheelbase == 0.0 or kind.row.limits.wheelbase < kind.row.limits.length

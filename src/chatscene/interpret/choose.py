@@ -56,7 +56,7 @@ def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequenc
         position = position or found.spawn.snippet.slots.position
     if position is None:
         return None
-    asked = Asked(kind=slots.adversary, position=position, actions=slots.actions)
+    asked = Asked(kind=slots.adversary.acts_as, position=position, actions=slots.actions)
     unsaid = goes_without_saying(asked)
     if isinstance(found, Retrieval) and does_just(found.behavior.snippet, slots.actions, unsaid):
         return None

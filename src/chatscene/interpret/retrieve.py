@@ -459,7 +459,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
             found.append(f"{slot}: said {_words(wanted)}, does {_words(does)}")
-    if said.adversary is not None and snippet.adversaries and said.adversary not in snippet.adversaries:
+    if said.adversary is not None and snippet.adversaries and said.adversary.acts_as not in snippet.adversaries:
         found.append(f"adversary: said {said.adversary}, does {_words(snippet.adversaries)}")
     return found
 
@@ -586,7 +586,7 @@ def _ruled_out(
             swapped = {**chosen, component: candidate.snippet}
             reason = incompatibility(*(swapped[c] for c in Component))
             if reason is None and kind is not None and candidate.snippet.adversaries:
-                reason = None if kind in candidate.snippet.adversaries else f"it has no {kind}"
+                reason = None if kind.acts_as in candidate.snippet.adversaries else f"it has no {kind}"
             against = f"it contradicts what was read: {'; '.join(candidate.conflicts)}" if candidate.conflicts else None
             why = reason or against or "its partners score lower in sum"
             out.append(RuledOut(snippet_id=candidate.snippet.id, reason=why))

@@ -123,8 +123,8 @@ class Compatibility:
 
     def able(self, kind: AdversaryKind | None) -> tuple[Mask, Mask, Mask]:
         """(B,), (G,) and (S,): the parts whose adversary can be of a kind; all of them for None."""
-        acts = np.array([kind is None or kind in s.adversaries for s in self.behaviors], bool)
-        fits = np.array([kind is None or kind in s.adversaries for s in self.spawns], bool)
+        acts = np.array([kind is None or kind.acts_as in s.adversaries for s in self.behaviors], bool)
+        fits = np.array([kind is None or kind.acts_as in s.adversaries for s in self.spawns], bool)
         return acts, np.ones(len(self.geometries), bool), fits
 
     def of_kind(self, kind: AdversaryKind | None) -> Mask:

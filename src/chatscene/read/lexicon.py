@@ -218,7 +218,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
 
 # What happens on roads and is in no library of ours; who speaks of it is refused rather than served something else
 FOREIGN = _p(
-    r"dogs?|cats?|horses?|cows?|cattle|deer|sheep|animals?|moose|boars?|birds?|pony|ponies|fox|foxes|ducks?|kangaroos?",
+    r"cats?|horses?|cows?|cattle|sheep|animals?|moose|boars?|birds?|pony|ponies|fox|foxes|ducks?|kangaroos?",
     r"trams?|tramways?|trains?|railway|level crossing|helicopters?|aeroplanes?|airplanes?|planes?|drones?|boats?|spaceships?|meteors?|robots?|dragons?",
     r"roundabouts?|rotary|car parks?|parking (?:garage|lot)|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",

@@ -13,7 +13,7 @@ from __future__ import annotations
 import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
 from chatscene.models.encoders.embedding import MiniLM
+from chatscene.read.lexicon import KINDS
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Frame
 from chatscene.terms.scenario import Slots
@@ -242,7 +243,7 @@ def _trained(path: Path) -> tuple[SlotClassifier, tuple[MiniLM, ...]]:
 
 
 def believe(frame: Frame, own: str = "") -> Beliefs:
-    """How likely each fact is in a sentence.
+    """How likely each fact is in a sentence; a kind of road user that was not trained is heard as what it is like.
 
     Args:
         frame: The sentence, and what its words say outright.
@@ -250,4 +251,10 @@ def believe(frame: Frame, own: str = "") -> Beliefs:
     """
     at = Path(own) / NAME
     classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
-    return classifier.classify([encoder.states(frame.canonical) for encoder in encoders], frame.outright)
+    kind = frame.outright.adversary
+    if kind is None or kind.acts_as is kind or str(kind) in classifier.classes["adversary"]:
+        return classifier.classify([encoder.states(frame.canonical) for encoder in encoders], frame.outright)
+    text, known = KINDS[kind].sub(kind.acts_as.noun, frame.canonical), replace(frame.outright, adversary=kind.acts_as)
+    beliefs = classifier.classify([encoder.states(text) for encoder in encoders], known)
+    who = {kind if value is kind.acts_as else value: p for value, p in beliefs.slots["adversary"].items()}
+    return replace(beliefs, slots={**beliefs.slots, "adversary": who})

@@ -164,6 +164,8 @@ class _Pool:
         rows = rows[~bypass | _having(joint, rows, lambda s: s.slots.blocker is True)]  # what it goes around
         if wanted.kinds:
             rows = rows[np.isin(rows[:, 3], [_KINDS.index(kind) for kind in wanted.kinds])]
+        else:
+            rows = rows[np.isin(rows[:, 3], [k for k, kind in enumerate(_KINDS) if kind.acts_as is kind])]
         for slot, value in wanted.slots.said().items():
             rows = rows[_having(joint, rows, lambda s, slot=slot, value=value: _does(value, getattr(s.slots, slot)))]
         self.rows = rows

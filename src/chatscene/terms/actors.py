@@ -1,5 +1,8 @@
 """Road users: the one table of their kinds. A new kind is a row here, and a class in `world/model.scenic`.
 
+A row may be *like* another (`RoadUser.like`): then snippets that name the other serve it too, and whoever was trained
+before there was such a kind hears it as the other. It differs in what it is: size, limits, words, drawing.
+
 Sizes are those of typical road users, accelerations mid-size production figures; the car is CARLA's Lincoln MKZ
 2017. How long pedals and the yaw rate take is for the physics ``lagged`` alone, where the sources stand
 (`chatscene.simulate.embedded.lagged`). Walkers: sprint starts reach about 4 m/s²; 8 m/s is a fast adult's sprint. The
@@ -76,6 +79,7 @@ class RoadUser:
             stands the pronoun, where it is not the kind's usual one.
         painted: Whether it comes in any colour.
         motorised: Whether it is meant where a text speaks of vehicles in general.
+        like: The kind that it acts like, by name; empty where it acts like none but itself.
         slow: Speed [m/s] below which a watcher calls it slow.
         fast: Speed [m/s] from which a watcher calls it fast.
     """
@@ -90,6 +94,7 @@ class RoadUser:
     general: int = 0
     painted: bool = False
     motorised: bool = True
+    like: str = ""
     slow: float = 4.0
     fast: float = 11.0
 
@@ -337,6 +342,119 @@ class AdversaryKind(StrEnum):
             """,
         ),
     )
+
+    # Those that act like another. Sizes and speeds: an e-scooter may be 2 m long and 0.7 m wide, must go no faster than
+    # 20 km/h and brake with 3.5 m/s² (German eKFV, sections 1, 3 and 4; 25 km/h elsewhere); a wheelchair is up to 1.3 m
+    # long and 0.7 m wide (ISO 7193) and, with a motor, up to 15 km/h fast (EN 12184), commonly 6 to 10; dogs run 24 to
+    # 40 km/h, roe deer up to 60, figures as animal books give them. All at second hand. CARLA 0.9 has neither these nor
+    # animals: what stands in for them there has another look, and the size of that.
+    E_SCOOTER = (
+        "e-scooter",
+        RoadUser(
+            scenic="EScooter",
+            like="bicycle",
+            blueprint="vehicle.bh.crossbike",
+            mass=95.0,
+            limits=Limits(
+                length=1.2,
+                width=0.6,
+                throttle=1.5,
+                brake=3.5,
+                top_speed=7.0,
+                wheelbase=0.9,
+                wheel_angle=0.8,
+                wheel_rate=2.5,
+                lateral=3.0,
+                yaw_lag=0.2,
+                characteristic_speed=math.inf,
+            ),
+            manner=Manner.RIDES,
+            words=(
+                r"(?:[a-z]+ (?:on|riding) (?:an?|his|her|their) )?"
+                r"(?:e-?scooters?|(?:electric|stand-?up|kick|push|hire|rental)[- ]?(?:e-)?scooters?)(?: riders?)?|"
+                r"e-?scooterists?"
+            ),
+            nouns="""
+                e-scooter:it | e-scooter rider | electric scooter:it | man on an e-scooter:he
+                woman on an e-scooter:she | rental e-scooter:it
+            """,
+            general=-1,
+            motorised=False,
+            slow=3.0,
+            fast=5.0,
+        ),
+    )
+    WHEELCHAIR = (
+        "wheelchair",
+        RoadUser(
+            scenic="Wheelchair",
+            like="pedestrian",
+            blueprint="walker.pedestrian.0001",
+            mass=140.0,
+            limits=Limits(length=1.2, width=0.7, throttle=1.2, brake=2.0, top_speed=2.8),
+            manner=Manner.WALKS,
+            words=(
+                r"(?:(?:elderly |old |young )?[a-z]+ (?:in|using|on) (?:an?|his|her|their|the) "
+                r"(?:electric |power |manual |powered )?)?"
+                r"(?:wheel-?chairs?(?: users?)?|mobility scooters?(?: users?)?)"
+            ),
+            nouns="""
+                wheelchair user | wheelchair user | wheelchair:it | person in a wheelchair | man in a wheelchair:he
+                woman in a wheelchair:she | electric wheelchair:it
+            """,
+            general=-1,
+            motorised=False,
+            slow=0.9,
+            fast=2.0,
+        ),
+    )
+    DOG = (
+        "dog",
+        RoadUser(
+            scenic="Dog",
+            like="pedestrian",
+            blueprint="walker.pedestrian.0009",
+            mass=30.0,
+            limits=Limits(length=0.9, width=0.3, throttle=5.0, brake=6.0, top_speed=10.0),
+            manner=Manner.WALKS,
+            words=(
+                r"(?<!my )(?<!our )(?<!his )(?<!her )(?<!toy )dogs?(?! (?:walkers?|food))|"
+                r"pupp(?:y|ies)|hounds?|labradors?|retrievers?|terriers?"
+            ),
+            nouns="dog:it | dog:it | puppy:it | stray dog:it | big dog:it | hound:it | small dog:it",
+            general=-1,
+            motorised=False,
+            slow=1.5,
+            fast=5.0,
+        ),
+    )
+    DEER = (
+        "deer",
+        RoadUser(
+            scenic="Deer",
+            like="pedestrian",
+            blueprint="walker.pedestrian.0001",
+            mass=25.0,
+            limits=Limits(length=1.2, width=0.35, throttle=6.0, brake=6.0, top_speed=15.0),
+            manner=Manner.WALKS,
+            words=r"(?:roe )?deer|stags?(?! part)|fawns?",
+            nouns="deer:it | deer:it | roe deer:it | stag:it | fawn:it | young deer:it | frightened deer:it",
+            general=-1,
+            motorised=False,
+            slow=1.5,
+            fast=6.0,
+        ),
+    )
+
+    @property
+    def acts_as(self) -> AdversaryKind:
+        """The kind whose snippets serve it: itself, or that which it is like."""
+        return AdversaryKind(self.row.like) if self.row.like else self
+
+    @property
+    def noun(self) -> str:
+        """What it is called first of all."""
+        return self.row.nouns.split("|")[0].strip().partition(":")[0]
 
     @property
     def is_vulnerable(self) -> bool:

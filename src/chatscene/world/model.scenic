@@ -114,6 +114,24 @@ class Pedestrian(Walking, Pedestrian):
     isWalker: True
     label: ''
 
+class EScooter(Car):
+    length: _LIMITS['EScooter'].length
+    width: _LIMITS['EScooter'].width
+    wheelbase: _wheelbase_of('EScooter', self.length)
+    wheelAngle: _LIMITS['EScooter'].wheel_angle
+
+class Wheelchair(Pedestrian):
+    length: _LIMITS['Wheelchair'].length
+    width: _LIMITS['Wheelchair'].width
+
+class Dog(Pedestrian):
+    length: _LIMITS['Dog'].length
+    width: _LIMITS['Dog'].width
+
+class Deer(Pedestrian):
+    length: _LIMITS['Deer'].length
+    width: _LIMITS['Deer'].width
+
 ## Things that stand in the way or in the line of sight
 
 class Prop(Placed, DrivingObject):
