@@ -10,7 +10,9 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from chatscene.commands.main import main
 from chatscene.library.load import load_library
 from chatscene.search.generators.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
 from chatscene.search.generators.baselines.learning_to_collide import LearningToCollide
@@ -37,23 +39,20 @@ def commands(page: Path) -> list[tuple[str, int]]:
     return found
 
 
-def test_the_commands_of_the_tour_do_what_it_says(tmp_path: Path) -> None:
+def test_the_commands_of_the_tour_do_what_it_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     steps = commands(ROOT / "docs" / "tour.md")
     assert len(steps) >= 7
     for command, status in steps:
-        arguments = [sys.executable, "-m", *shlex.split(command)]
-        done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert done.returncode == status, f"{command}\n{done.stdout}\n{done.stderr}"
+        done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
+        assert done.exit_code == status, f"{command}\n{done.output}"
 
 
 def test_every_command_in_the_readme_exists() -> None:
     for command, _ in commands(ROOT / "README.md"):
         words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]
         verb = words[:2] if words[0] in ("library", "map") else words[:1]
-        done = subprocess.run(
-            [sys.executable, "-m", "chatscene", *verb, "--help"], capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, command
+        assert CliRunner().invoke(main, [*verb, "--help"], catch_exceptions=False).exit_code == 0, command
 
 
 def ran(code: str, folder: Path) -> None:

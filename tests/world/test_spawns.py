@@ -69,19 +69,20 @@ def _starts(spawn_id: str) -> tuple[tuple[Episode, Route], ...]:
     return tuple(found)
 
 
-def _poses(spawn: Snippet) -> list[tuple[tuple[str, ...], NDArray[Any]]]:
+@cache
+def _poses(spawn_id: str) -> list[tuple[tuple[str, ...], NDArray[Any]]]:
     """Of each of the three drives, the kinds of all but the ego and their (N, 3) poses."""
     return [
         (
             tuple(track.kind for track in episode.tracks[1:]),
             np.array([(track.x[0], track.y[0], track.heading[0]) for track in episode.tracks[1:]]),
         )
-        for episode, _ in _starts(spawn.id)
+        for episode, _ in _starts(spawn_id)
     ]
 
 
 def _alike(one: Snippet, other: Snippet) -> bool:
-    for (kinds, poses), (others, their) in zip(_poses(one), _poses(other), strict=True):
+    for (kinds, poses), (others, their) in zip(_poses(one.id), _poses(other.id), strict=True):
         if kinds != others or float(np.abs(poses - their).max()) > APART:
             return False
     return True
