@@ -8,9 +8,11 @@ itself is kept in the user's cache folder, too, for the next process.
 from __future__ import annotations
 
 import ast
+import gc
 import hashlib
 import marshal
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from importlib.metadata import version
 from importlib.util import MAGIC_NUMBER
@@ -102,6 +104,21 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     return translator.compileTranslatedTree(tree, filename), requirements, digest
 
 
+@contextmanager
+def _without_collecting() -> Generator[None]:
+    """Let the garbage collector rest.
+
+    A compilation makes many objects and drops few, and half its time would go into looking through map and library.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
 def compile_program(
     source: str, *, map_path: Path, route: int, filename: str = "<program>", model: str = OWN_MODEL
 ) -> Any:
@@ -125,9 +142,10 @@ def compile_program(
     install_network_memo()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
     try:
-        return translator.scenarioFromString(
-            source, filename=filename, params=parameters, model=STANDS_IN[model], mode2D=True
-        )
+        with _without_collecting():
+            return translator.scenarioFromString(
+                source, filename=filename, params=parameters, model=STANDS_IN[model], mode2D=True
+            )
     except (ChatSceneError, MemoryError):
         raise
     except ScenicError as error:
