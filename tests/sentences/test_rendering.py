@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from chatscene.read.inflection import Form, conjugated, plural, with_article
 from chatscene.sentences.grammar import deed_pairs, deeds, roads, where, who
-from chatscene.sentences.grammar.inflection import Form, conjugated, plural, with_article
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.rendering import implied, render
 from chatscene.terms.actors import AdversaryKind

@@ -18,7 +18,7 @@ class Deed:
         meaning: What is seen of somebody who does it.
         words: Regular expression of the words that name it, in lower case.
         drives: Phrases for somebody who drives, parted by `|` or lines. Verbs are marked for
-            `chatscene.sentences.grammar.inflection`; ``{from}`` is where somebody comes from and may be empty.
+            `chatscene.read.inflection`; ``{from}`` is where somebody comes from and may be empty.
         rides: The same for somebody on two wheels; empty for who speaks like a driver.
         walks: The same for somebody on foot; empty for who speaks like a driver.
         brings: Acts that come along without a word: whoever cuts in changes lanes.

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from chatscene.read.inflection import Form, conjugated, plural, with_article
 from chatscene.sentences.grammar import deed_pairs, deeds, where, who
-from chatscene.sentences.grammar.inflection import Form, conjugated, plural, with_article
 from chatscene.sentences.grammar.quoting import predicate
 from chatscene.sentences.grammar.voice import Voice
 from chatscene.terms.actors import Manner

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chatscene.sentences.grammar.inflection import listed
+from chatscene.read.inflection import listed
 from chatscene.terms.actors import Manner
 from chatscene.terms.acts import Action
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from chatscene.read.inflection import Form, conjugated, with_article
 from chatscene.sentences.grammar import roads
-from chatscene.sentences.grammar.inflection import Form, conjugated, with_article
 from chatscene.sentences.grammar.voice import Voice
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.description import Style
