@@ -98,7 +98,7 @@ def test_every_packaged_behavior_and_spawn_is_part_of_some_triple() -> None:
     ] == []
     assert [
         s.id for s, used in zip(joint.spawns, np.any(joint.mask, axis=(0, 1)).tolist(), strict=True) if not used
-    ] == []
+    ] == ["spawn/on-foot-ahead"]  # of those who walk there, who are composed
 
 
 # The choice

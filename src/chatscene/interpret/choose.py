@@ -7,12 +7,13 @@ from contextlib import suppress
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.retrieve import does_just, retrieve
+from chatscene.interpret.retrieve import does_all, does_just, retrieve
 from chatscene.library.bind import Triple, bound
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
+from chatscene.terms.conclusions import JUNCTIONS
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.snippet import Retrieval, Snippet, Tried
 
@@ -43,6 +44,7 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
             return _bound(own, scenario, "no snippet does just this: the behavior is composed of its acts")
     if isinstance(found, NothingFits):
         raise found
+    _refuse_another(scenario, found)
     return _bound(found, scenario)
 
 
@@ -56,12 +58,32 @@ def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequenc
         position = position or found.spawn.snippet.slots.position
     if position is None:
         return None
-    asked = Asked(kind=slots.adversary.acts_as, position=position, actions=slots.actions)
+    junction = slots.place in JUNCTIONS
+    asked = Asked(kind=slots.adversary.acts_as, position=position, actions=slots.actions, junction=junction)
     unsaid = goes_without_saying(asked)
     if isinstance(found, Retrieval) and does_just(found.behavior.snippet, slots.actions, unsaid):
         return None
     made = compose(asked)
     return None if made is None or any(made.id in one.snippet_ids for one in tried) else made
+
+
+def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
+    """Refuse what does not do all that was said, in order, where it is sure that nothing else was said.
+
+    Raises:
+        NothingFits: Neither a snippet does it, nor are there steps for it.
+    """
+    frame, actions = scenario.frame, scenario.slots.actions
+    if frame is None or not frame.plain or does_all(found.behavior.snippet, actions):
+        return
+    kind = scenario.slots.adversary
+    reason = f"no snippet, and no steps that a plan could be composed of: {kind} {', then '.join(actions)}"
+    raise NothingFits(
+        f"nothing in the library does this: {reason}",
+        reasons=(reason,),
+        confidence=found.confidence,
+        nearest={snippet.id: snippet.description for snippet in found.snippets},
+    )
 
 
 def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retrieval, Triple]:

@@ -15,7 +15,7 @@ from chatscene.models.encoders.embedding import load_embedder
 from chatscene.read.reading import read
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
-from chatscene.terms.conclusions import base_of
+from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note
 from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
 from chatscene.terms.slots import SLOTS
@@ -38,17 +38,17 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
 def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     """Every reader's belief weighed slot by slot, then settled together with what the library has.
 
-    Each slot that ends otherwise than the patterns read it is a note. Where the patterns know every word, what they
-    read stands, and nothing else was said to be done; so does what a language model read.
+    Each slot that ends otherwise than the patterns read it is a note. Where every phrase has its place, what was read
+    stands, and nothing else was said; so does what a language model read.
     """
     if frame.reader:
         return understood(frame, frame.outright, frame.notes)
     library = library_with(settings.library)
     frame = _with_own_behaviors(frame, library, settings.embedder)
+    if frame.plain:
+        return understood(frame, concluded(frame.outright), frame.notes)
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
     slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
-    if frame.plain:
-        slots = replace(slots, **frame.outright.said())
     slots = settle(frame, slots, library)
     differ = [
         Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))

@@ -21,7 +21,6 @@ from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
 from chatscene.library.compatibility import compatibility, incompatibility
-from chatscene.library.compose import is_composed
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
 from chatscene.settings import RetrievalSettings
@@ -48,6 +47,7 @@ from chatscene.terms.snippet import Match, Retrieval, RuledOut, Snippet, Tried
 
 CONFLICT = 5.0  # what one contradicted action or quantity costs, in nats
 UNASKED = 0.5  # likelihood of a thing nobody asked for: an occluder, a leader, a control, a group …
+UNASKED_SURELY = 0.02  # … where every phrase of the text has its place, so that it was not said
 UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
 UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
@@ -56,6 +56,7 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 CONFIDENCE = {
     "base": -5.18, "scope": 0.52, "beyond": -1.38, "outright": 0.71, "wording": 2.90, "meant": 0.57,
 }  # fmt: skip
+WHOLE = 0.95  # confidence in a text of which every phrase has its place: set, not fitted, as few of others' are
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
@@ -146,8 +147,6 @@ def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
     for component, snippet in zip(Component, triple, strict=True):
         for name in slots_of(component):
             said, value = getattr(slots, name), getattr(snippet.slots, name)
-            if name == "actions" and frame.plain:
-                continue
             if name == "actions":
                 known = beliefs.behaviors.get(snippet.id, 1.0)  # the classifier has not heard of a user's own
                 heard = bool(outright.actions) and set(outright.actions) <= set(value)
@@ -166,8 +165,7 @@ def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
 def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryKind | None, tuple[Snippet, ...]] | None:
     """The likeliest triple, for every kind of adversary that it may be, with that kind; None if nobody can act any."""
     joint = compatibility(library)
-    # What is done is part of the doubt, unless words say it.
-    heard = slots if frame.plain else replace(slots, actions=())
+    heard = replace(slots, actions=())  # what is done is part of the doubt
     ranked = _ranked(_Asked(frame, heard, parts_of(frame, frame.outright)), library)
     scores = [ranked[component].score for component in Component]
     who = slots.adversary
@@ -284,7 +282,7 @@ def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
         score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
     else:
         score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
-        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs))
+        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs), sure=frame.plain)
     if frame.quantities:
         score = score - CONFLICT * np.array(
             [out_of_reach(s, frame.quantities, slots.adversary) for s in shelf.snippets]
@@ -346,12 +344,12 @@ class _Shelf:
     def _told(self, beliefs: Beliefs) -> Scores:
         return np.array([beliefs.meant(s.id) for s in self.snippets])
 
-    def likelihood(self, maybe: Alternatives) -> Scores:
+    def likelihood(self, maybe: Alternatives, *, sure: bool) -> Scores:
         """(N,) log-likelihood that the facts of each snippet are what was said."""
         total = np.zeros(len(self.snippets))
         for name in slots_of(self.component):
             table = [
-                sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value))
+                sum(p * (_agreement(wanted, value) if wanted is not None else _free(name, value, sure=sure))
                     for wanted, p in maybe[name])
                 for value in self.values[name]
             ]  # fmt: skip
@@ -407,6 +405,11 @@ def does_just(behavior: Snippet, said: tuple[Action, ...], unsaid: frozenset[Act
     return more is not None and more <= unsaid
 
 
+def does_all(behavior: Snippet, said: tuple[Action, ...]) -> bool:
+    """Whether a behavior does what was said, in order, whatever else it does."""
+    return _more(behavior, said) is not None
+
+
 def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
     """What a behavior does beyond what was said and what that brings along; None if it does not do that, in order."""
     does = set(behavior.slots.actions)
@@ -430,11 +433,13 @@ def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
     return found
 
 
-def _free(name: str, value: object) -> float:
+def _free(name: str, value: object, *, sure: bool) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
     if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
         return 1.0
-    return UNASKED if SLOTS[name].added else UNASKED_VALUE
+    if SLOTS[name].added:
+        return UNASKED_SURELY if sure else UNASKED
+    return UNASKED_VALUE
 
 
 def _does(snippet: Snippet, name: str) -> Any:
@@ -513,9 +518,7 @@ def doubts(
     """
     kind, beliefs = scenario.slots.adversary, frame.beliefs
     able = [s for s in library.of(Component.BEHAVIOR) if kind is None or kind in s.adversaries]
-    meant = 1.0 if is_composed(behavior) else beliefs.meant(behavior.id)  # of what words say, one after the other
-    if frame.plain and _more(behavior, scenario.slots.actions) == frozenset():
-        meant += sum(beliefs.behaviors.get(s.id, 0.0) for s in able if _more(s, scenario.slots.actions))
+    meant = beliefs.meant(behavior.id)
     meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0
     text, description = embedder.encode([scenario.parts.behavior, behavior.description])
     return {
@@ -542,9 +545,12 @@ def _confidence(
     """
     if any(one.why in REFUSED for one in scenario.unused):
         return 0.0
+    contradicted = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
+    if frame.plain:
+        return WHOLE * contradicted
     against = doubts(scenario, frame, triple[0].snippet, library, embedder)
     odds = sum(CONFIDENCE[name] * value for name, value in against.items())
-    return CONTRADICTED ** sum(len(match.conflicts) for match in triple) / (1.0 + math.exp(-odds))
+    return contradicted / (1.0 + math.exp(-odds))
 
 
 def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:

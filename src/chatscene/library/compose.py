@@ -23,6 +23,7 @@ from chatscene.terms.snippet import ParameterRange, Snippet
 
 COMPOSED = "behavior/composed."
 
+_THERE = "-at-junction"
 _STAND = "self.pose[3] < 0.05"
 _OWN = "ownLane(egoRoute)"
 
@@ -35,20 +36,24 @@ class Step:
         does: Phases, as Scenic writes them behind `do`; ``{path}`` is the line that one goes along, ``$NAME`` the
             parameter ``OPT_NAME``.
         last: The same where nothing is done afterwards; empty for a step that is followed by going on.
+        back: What follows where cutting in was not said: it goes back to its lane all the same.
         path: The line one goes along from there on; empty for the same as before.
         stands: Whether one stands then.
         halts: Whether one comes to stand for it, so that braking before it is a part of it.
         moving: Whether it can only be done by somebody who has not stood.
         long: Whether it takes so long that it must begin at once.
+        after: What must be done right before it; None for nothing.
     """
 
     does: tuple[str, ...]
     last: tuple[str, ...] = ()
+    back: tuple[str, ...] = ()
     path: str = ""
     stands: bool = False
     halts: bool = False
     moving: bool = False
     long: bool = False
+    after: Action | None = None
 
 
 _BRAKES_TO_STAND = f"BrakeOnPath({{path}}, $BRAKE) until {_STAND}"
@@ -132,6 +137,9 @@ _BRISKLY = "MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < 3"  # or the eg
 _RESTS = f"{_COMES} until restsWithin(egoRoute, self, $STOP_DISTANCE)"  # how it comes where it is to stand
 
 
+_INTO_LANE = "DrivePath(egoRoute, $ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 1"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Start:
     """What is done before the first act, by where one starts.
@@ -207,13 +215,12 @@ STARTS: dict[Position, Start] = {
                 long=True,
             ),
             Action.OVERTAKE: Step(
-                does=(
-                    f"DrivePath(extended(adjacentLane, 20), {_OVERTAKE}",
-                    "DrivePath(egoRoute, $ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 1",
-                ),
+                does=(f"DrivePath(extended(adjacentLane, 20), {_OVERTAKE}",),
+                back=(_INTO_LANE,),
                 path="egoRoute",
                 moving=True,
             ),
+            Action.CUT_IN: Step(does=(_INTO_LANE,), path="egoRoute", after=Action.OVERTAKE),
         },
     ),
     Position.ONCOMING: Start(
@@ -271,6 +278,35 @@ STARTS: dict[Position, Start] = {
     ),
 }
 
+ON_FOOT: dict[Position, Start] = {
+    Position.ROADSIDE: STARTS[Position.ROADSIDE],
+    Position.AHEAD: Start(
+        path="egoRoute",
+        opening=(f"{_COMES} until headway(egoRoute, ego, self) < $ADV_DISTANCE",),
+        steps={Action.STOP: ACROSS[Action.STOP], Action.ACCELERATE: ACROSS[Action.ACCELERATE]},
+        at=(12, 30, _TO_IT),
+        constants=("advAlong = 0",),
+    ),
+}
+"""The same for somebody on foot: where else one starts, there are no steps."""
+
+
+AT_JUNCTION: dict[Position, Start] = {
+    Position.ONCOMING: replace(
+        STARTS[Position.CROSSING],
+        steps=_without(STARTS[Position.CROSSING].steps, Action.CROSS),
+        given=frozenset((Action.ONCOMING,)),
+    ),
+}
+"""The same at a junction, where it is another."""
+
+
+def _start(asked: Asked) -> Start | None:
+    if _walks(asked):
+        return ON_FOOT.get(asked.position)
+    return (asked.junction and AT_JUNCTION.get(asked.position)) or STARTS.get(asked.position)
+
+
 _RANGES: dict[str, tuple[float, float, str, str]] = {
     "BRAKE": (0.3, 1, "1", "how hard it brakes"),
     "BRAKE_TIME": (0.6, 1.1, "s", "for how long it brakes"),
@@ -303,50 +339,59 @@ class Asked:
         kind: Who does it.
         position: Where it starts.
         actions: What it does, in order.
+        junction: Whether it is at a junction, where that makes another start of the position.
     """
 
     kind: AdversaryKind
     position: Position
     actions: tuple[Action, ...]
+    junction: bool = False
 
     @property
     def snippet_id(self) -> str:
         """The id of the behavior."""
-        return COMPOSED + ".".join((self.kind, self.position, *self.actions))
+        there = _THERE if self.junction and self.position in AT_JUNCTION else ""
+        return COMPOSED + ".".join((self.kind, self.position + there, *self.actions))
 
 
 def compose(asked: Asked) -> Snippet | None:
     """A behavior that does what is asked for and nothing else; None if there are no steps for that, or not in order."""
-    start = STARTS.get(asked.position)
-    if start is None or not asked.actions or (_walks(asked) and start.steps is not ACROSS):
+    start = _start(asked)
+    if start is None or not asked.actions:
         return None
     steps = _ACROSS_RIDING if start.steps is ACROSS and not _walks(asked) else start.steps
     lasting = {action for action in asked.actions if action.row.all_along}
     acts = [action for action in asked.actions if action not in lasting]
     if acts[:1] and acts[0] in start.given:
         acts = acts[1:]  # it comes from there
-    if Action.BLOCK in lasting and Action.STOP not in acts:
+    if Action.BLOCK in lasting and Action.STOP not in acts and not _stands(asked):
         acts.append(Action.STOP)
-    if not set(acts) <= steps.keys() or not lasting <= {*start.given, *_PACES, Action.BLOCK}:
-        return None
-    if start.first is not None and acts[:1] != [start.first]:
-        return None
-    stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
-    if any(steps[action].moving and before for action, before in zip(acts, stood, strict=False)):
+    if not _doable(asked, start, steps, acts, lasting):
         return None
     return _snippet(asked, start, len(acts), tuple(_phases(asked, start, steps, acts)))
 
 
+def _doable(
+    asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action], lasting: set[Action]
+) -> bool:
+    """Whether there are steps for all of it, in this order."""
+    if _stands(asked):
+        return not acts and lasting <= {Action.STAND, Action.BLOCK}
+    if not set(acts) <= steps.keys() or not lasting <= {*start.given, *_PACES, Action.BLOCK}:
+        return False
+    if (_on_foot_ahead(start) and len(acts) > 1) or (start.first is not None and acts[:1] != [start.first]):
+        return False
+    if any(steps[action].after not in (None, before) for before, action in zip((None, *acts), acts, strict=False)):
+        return False
+    stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
+    return not any(steps[action].moving and before for action, before in zip(acts, stood, strict=False))
+
+
 def goes_without_saying(asked: Asked) -> frozenset[Action]:
     """What whoever does what is asked for does as well: who reverses has stopped, who stands ahead is in the way."""
-    start = STARTS.get(asked.position)
+    start = _start(asked)
     implied = {one for action in asked.actions for one in _IMPLIED.get(action, ())}
     return frozenset(implied | (start.given if start else frozenset()))
-
-
-def is_composed(snippet: Snippet) -> bool:
-    """Whether a snippet was composed."""
-    return snippet.id.startswith(COMPOSED)
 
 
 def composed_again(snippet_id: str) -> Snippet:
@@ -357,7 +402,12 @@ def composed_again(snippet_id: str) -> Snippet:
     """
     try:
         kind, position, *actions = snippet_id.removeprefix(COMPOSED).split(".")
-        asked = Asked(kind=AdversaryKind(kind), position=Position(position), actions=tuple(map(Action, actions)))
+        asked = Asked(
+            kind=AdversaryKind(kind),
+            position=Position(position.removesuffix(_THERE)),
+            actions=tuple(map(Action, actions)),
+            junction=position.endswith(_THERE),
+        )
     except ValueError as error:
         raise SnippetError(f"there is no snippet {snippet_id!r}: {error}") from error
     if (made := compose(asked)) is None:
@@ -366,8 +416,29 @@ def composed_again(snippet_id: str) -> Snippet:
 
 
 _PART_OF_HALTING = (Action.BRAKE, Action.CROSS)  # what need not be done before somebody halts
-_IMPLIED = {Action.REVERSE: (Action.STOP,), Action.STOP: (Action.BRAKE, Action.BLOCK)}
+_IMPLIED = {
+    Action.STAND: (Action.BLOCK,),
+    Action.BLOCK: (Action.STAND,),
+    Action.REVERSE: (Action.STOP,),
+    Action.STOP: (Action.BRAKE, Action.BLOCK),
+}
 _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
+
+
+def _stands(asked: Asked) -> bool:
+    """Whether it stands from the beginning on."""
+    quiet = all(action.row.all_along for action in asked.actions)
+    ahead = asked.position is Position.AHEAD and quiet
+    return Action.STAND in asked.actions or (ahead and Action.BLOCK in asked.actions)
+
+
+def _meets(asked: Asked, start: Start) -> bool:
+    """Whether its way and the ego's meet in a junction."""
+    return asked.position is Position.CROSSING or start is AT_JUNCTION.get(asked.position)
+
+
+def _on_foot_ahead(start: Start) -> bool:
+    return start is ON_FOOT[Position.AHEAD]
 
 
 def _walks(asked: Asked) -> bool:
@@ -376,9 +447,18 @@ def _walks(asked: Asked) -> bool:
 
 def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
     """What is done, phase by phase."""
-    if not acts:
+    if not acts and _stands(asked):
+        yield "Halt()" if start.steps is ACROSS or _walks(asked) else f"BrakeOnPath({start.path}, 1)"
+    elif not acts:
         yield from _on_its_way(asked, start)
-        return
+    elif _on_foot_ahead(start):
+        yield from (*start.opening, *steps[acts[0]].last)
+    else:
+        yield from _acting(asked, start, steps, acts)
+
+
+def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
+    """The phases of acts, with what leads to the first and from each to the next."""
     yield from _opening(asked, start, acts[0], steps)
     path, stands, across = start.path, False, start.steps is ACROSS
     for before, action, after in zip((None, *acts), acts, (*acts[1:], None), strict=False):
@@ -398,18 +478,18 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
         elif not across and stands and action not in (Action.REVERSE, Action.ACCELERATE):
             yield f"DrivePath({path}, $ADV_SPEED) for 2.5 seconds"
         path = step.path or path
+        does = step.does if after is Action.CUT_IN else (*step.does, *step.back)
         if after is None:
-            yield from (phase.format(path=path) for phase in step.last or (*step.does, "DrivePath({path}, $ADV_SPEED)"))
-        else:
-            yield from (phase.format(path=path) for phase in step.does)
+            does = step.last or (*does, "DrivePath({path}, $ADV_SPEED)")
+        yield from (phase.format(path=path) for phase in does)
         stands = step.stands
 
 
 def _on_its_way(asked: Asked, start: Start) -> Iterator[str]:
     """What somebody does of whom no act was said: goes on."""
-    if start.steps is ACROSS or asked.position is Position.CROSSING:
+    if start.steps is ACROSS or _meets(asked, start):
         yield start.opening[0]
-    yield _COMES if start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
+    yield _COMES if _walks(asked) or start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
 
 
 def _opening(asked: Asked, start: Start, first: Action, steps: dict[Action, Step]) -> Iterator[str]:
@@ -419,7 +499,7 @@ def _opening(asked: Asked, start: Start, first: Action, steps: dict[Action, Step
         yield f"{along} for 0.5 seconds"
     elif asked.position is Position.AHEAD and _PACES.intersection(asked.actions):
         yield f"{along} until headway(egoRoute, ego, self) < $ADV_DISTANCE"
-    elif Action.CROSS in asked.actions and asked.position is Position.CROSSING and steps[first].halts:
+    elif {Action.CROSS, Action.ONCOMING}.intersection(asked.actions) and _meets(asked, start) and steps[first].halts:
         yield from (_SETS_OFF, f"{_COMES_UP} brakingDistance(self) / $BRAKE - $REST_DISTANCE")
     else:
         yield from start.opening
@@ -485,6 +565,8 @@ def _speeds(asked: Asked) -> tuple[float, float]:
         return round(0.4 * row.slow, 2), round(0.8 * row.slow, 2)
     if Action.FAST in asked.actions:
         return round(1.02 * row.fast, 2), round(1.25 * row.fast, 2)
+    if _walks(asked) and asked.position is Position.AHEAD:
+        return 0.9, 2.2
     if asked.position is Position.ROADSIDE:
         return (2.2, 3.2) if Action.TURN_BACK in asked.actions and not _walks(asked) else (1.4, 4)
     if asked.position in (Position.ONCOMING, Position.CROSSING):

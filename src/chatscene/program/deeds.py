@@ -340,6 +340,12 @@ def _follows(s: Seen) -> Iterator[Act]:
         yield Act(_last(moved < 0.1), _first(moved > 5.0))
 
 
+def _stands(s: Seen) -> Iterator[Act]:
+    still = _speed(s) < STANDING
+    if still.all():
+        yield from _lasting(still, 10)
+
+
 ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.CROSS: _crosses,
     Action.STOP: _stops,
@@ -367,4 +373,5 @@ ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.BLOCK: _blocks_way,
     Action.FAST: _fast,
     Action.FOLLOW: _follows,
+    Action.STAND: _stands,
 }

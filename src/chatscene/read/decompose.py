@@ -15,9 +15,10 @@ from chatscene.read import lexicon as words
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
 from chatscene.read.ego_state import ego_state_of
+from chatscene.read.parse import parse
 from chatscene.read.quantities import quantities_of
 from chatscene.read.surroundings import hear_surroundings
-from chatscene.read.unused import known_whole, mentions_of, unused_of
+from chatscene.read.unused import mentions_of, unused_of
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
@@ -42,6 +43,24 @@ def hear(text: str) -> Frame:
     told = _rewritten(mended)
     clauses = cut(told)
     notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(around.rest, mended)]
+    parsed = parse(mended)
+    # What the ego does may be how it reacts, which is its own affair.
+    if parsed is not None and parsed.slots.ego is (parsed.slots.ego and ego_state_of(clauses.whole, words.ANYBODY)):
+        return Frame(
+            text=plain,
+            canonical=around.rest,
+            told=told,
+            clauses=clauses,
+            outright=parsed.slots,
+            beliefs=certain(parsed.slots),
+            quantities=parsed.quantities,
+            unused=around.unlike,
+            notes=tuple(notes),
+            plain=True,
+            surroundings=around.surroundings,
+            others=parsed.others,
+            order=parsed.order,
+        )
     slots = _slots(clauses, notes)
     quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
     return Frame(
@@ -55,10 +74,6 @@ def hear(text: str) -> Frame:
         unused=unused_of(told, quantities, around.unlike),
         mentions=mentions_of(told),
         notes=tuple(notes),
-        plain=slots.adversary is not None
-        and bool(slots.actions)
-        and known_whole(told, quantities)
-        and not (len(slots.actions) > 1 and words.INVERTED.search(told)),
         surroundings=around.surroundings,
     )
 

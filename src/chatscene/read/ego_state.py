@@ -133,13 +133,6 @@ def ego_state_of(text: str, others: re.Pattern[str]) -> EgoState | None:
     return None
 
 
-def without_state(text: str) -> str:
-    """A text without the words that say what the ego does at the pedals, which are no acts of anybody else."""
-    for said in SAID.values():
-        text = said.sub(" ", text)
-    return text
-
-
 def _reacts(before: str, after: str, others: re.Pattern[str]) -> bool:
     """Whether the ego slows down, brakes or stops because of the adversary, by what is said before and after that."""
     named = [other.start() for other in others.finditer(after)]

@@ -156,9 +156,10 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 
 # What the adversary does
 
-INVERTED = re.compile(r"\b(?:after|once|having)\b")  # what is said later may come first
 # Turns are looked for later: the ego makes them as well, in the same words
-ACTIONS: dict[Action, re.Pattern[str]] = {action: _p(action.row.words) for action in Action if not action.row.turn}
+ACTIONS: dict[Action, re.Pattern[str]] = {
+    action: _p(action.row.words) for action in Action if action.row.words and not action.row.turn
+}
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # Who reports, and under what title, is not part of the situation
@@ -484,12 +485,11 @@ def _rules() -> tuple[re.Pattern[str], ...]:
     return (*(pattern for group in groups for pattern in group.values()), *single)
 
 
-def known_to_no_rule(text: str, *, strictly: bool = False) -> list[str]:
+def known_to_no_rule(text: str) -> list[str]:
     """The runs of words that no rule reads and that mean something, as they stand in a text.
 
     Args:
         text: Lower case, mended; numbers are left to those who read numbers.
-        strictly: Also words that would be part of what somebody does.
     """
     read = bytearray(len(text))
     for rule in _rules():
@@ -497,7 +497,7 @@ def known_to_no_rule(text: str, *, strictly: bool = False) -> list[str]:
             read[found.start() : found.end()] = b"\1" * (found.end() - found.start())
     runs: list[tuple[int, int]] = []
     for word in re.finditer(r"[^\W\d_]+(?:['-][^\W\d_]+)*", text):
-        if word[0] in _PLAIN or (word[0] in _DEEDS and not strictly) or all(read[word.start() : word.end()]):
+        if word[0] in _PLAIN or word[0] in _DEEDS or all(read[word.start() : word.end()]):
             continue
         if runs and text[runs[-1][1] : word.start()] == " ":
             runs[-1] = (runs[-1][0], word.end())

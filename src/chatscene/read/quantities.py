@@ -69,11 +69,43 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
         text = whole if measure in (Measure.TRIGGER, Measure.TIME) else adversary
         match = pattern.search(text)
         if match and measure not in found and not (measure is Measure.DISTANCE and Measure.TRIGGER in found):
-            number = _NUMBERS.get(match["number"])
-            value = (_number(match["number"]) if number is None else number) * _UNITS[_SQUARED.sub("²", match["unit"])]
-            said = match.groupdict().get("said") or match[0]
-            found[measure] = Quantity(measure=measure, value=round(value, 3), said=said)
+            found[measure] = _quantity(measure, match)
     return tuple(found.values())
+
+
+_AT_PLACE: tuple[tuple[Measure, re.Pattern[str]], ...] = (
+    (Measure.SPEED, re.compile(rf"(?:at|with) (?:an? )?(?:constant |steady |speed of |about |some |around |roughly )*{_NUMBER} ?{_SPEED}(?!\w)")),
+    (Measure.DECELERATION, re.compile(rf"(?:with|at|by) (?:about |some |around |roughly )*{_NUMBER} ?{_DECELERATION}")),
+    (Measure.TIME, re.compile(rf"for (?:about |some |around |roughly )?{_NUMBER} ?{_TIME}(?!\w)")),
+    (
+        Measure.DISTANCE,
+        re.compile(rf"(?:about |some |just |only )?{_NUMBER}[ -]?{_LENGTH} (?:away|ahead|in front|behind)(?: of us| from us| us)?(?!\w)"),
+    ),
+)  # fmt: skip
+_WALKING_PACE = re.compile(r"at (?:a )?walking (?:pace|speed)")
+
+
+def quantity_at(text: str, start: int) -> tuple[Quantity, int] | None:
+    """The number that is said at a place in a text, and where it ends; None if there is none.
+
+    Args:
+        text: Lower case, mended.
+        start: Where it must begin.
+    """
+    if pace := _WALKING_PACE.match(text, start):
+        return Quantity(measure=Measure.SPEED, value=1.4, said=pace[0]), pace.end()
+    found = [(m, measure) for measure, pattern in _AT_PLACE if (m := pattern.match(text, start))]
+    if not found:
+        return None
+    match, measure = max(found, key=lambda one: one[0].end())
+    return _quantity(measure, match), match.end()
+
+
+def _quantity(measure: Measure, match: re.Match[str]) -> Quantity:
+    number = _NUMBERS.get(match["number"])
+    value = (_number(match["number"]) if number is None else number) * _UNITS[_SQUARED.sub("²", match["unit"])]
+    said = match.groupdict().get("said") or match[0]
+    return Quantity(measure=measure, value=round(value, 3), said=said)
 
 
 def _number(figures: str) -> float:

@@ -12,13 +12,9 @@ from chatscene.files.caches import cache_folder
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.asking import ask
 from chatscene.read.decompose import hear
-from chatscene.read.ego_state import without_state
-from chatscene.read.lexicon import ACTIONS
 from chatscene.read.slot_classifier import believe
 from chatscene.settings import OFFLINE, RetrievalSettings
-from chatscene.terms.acts import Action
-from chatscene.terms.frame import LIKELY, Frame
-from chatscene.terms.scenario import Position
+from chatscene.terms.frame import Frame, certain
 
 
 def read(text: str, settings: RetrievalSettings | None = None) -> Frame:
@@ -30,17 +26,8 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Frame:
     """
     settings = settings or RetrievalSettings()
     heard = hear(text)
-    frame = replace(heard, beliefs=believe(heard, settings.library))
-    frame = replace(frame, plain=frame.plain and not _missed(frame))
+    believed = believe(heard, settings.library)
+    frame = replace(heard, beliefs=certain(heard.outright, believed) if heard.plain else believed)
     if settings.language_model == OFFLINE:
         return frame
     return ask(load_language_model(settings.language_model, cache=cache_folder("replies")), frame)
-
-
-def _missed(frame: Frame) -> bool:
-    """Whether the classifier hears an act that words name, and that the patterns did not take for the adversary's."""
-    told = frame.told if frame.outright.ego is None else without_state(frame.told)
-    named = {action for action, pattern in ACTIONS.items() if pattern.search(told)}
-    if frame.outright.position is Position.ONCOMING:
-        named.discard(Action.ONCOMING)  # at a junction that is where it comes from
-    return any(frame.beliefs.heard(action) >= LIKELY for action in named.difference(frame.outright.actions))

@@ -41,12 +41,6 @@ def unused_of(text: str, quantities: Sequence[Quantity], unlike: Sequence[Unused
     return tuple(dict.fromkeys(found))
 
 
-def known_whole(text: str, quantities: Sequence[Quantity]) -> bool:
-    """Whether some pattern knows every word of a text."""
-    text = words.REACTION.sub(" ", _without(text, quantities))
-    return not words.known_to_no_rule(_NUMBER.sub(" , ", text), strictly=True)
-
-
 def _without(text: str, quantities: Sequence[Quantity]) -> str:
     for quantity in quantities:
         text = text.replace(quantity.said, " , ")

@@ -16,11 +16,13 @@ class Deed:
 
     Attributes:
         meaning: What is seen of somebody who does it.
-        words: Regular expression of the words that name it, in lower case.
+        words: Regular expression of the words that name it, in lower case; empty for what is only read where every
+            word of a text is.
         drives: Phrases for somebody who drives, parted by `|` or lines. Verbs are marked for
             `chatscene.read.inflection`; ``{from}`` is where somebody comes from and may be empty.
         rides: The same for somebody on two wheels; empty for who speaks like a driver.
         walks: The same for somebody on foot; empty for who speaks like a driver.
+        also: Further phrases, in which it is read but not written.
         brings: Acts that come along without a word: whoever cuts in changes lanes.
         opposite: The act that nobody means who says this one; empty for none.
         turn: The side to which it turns: 1 for left, -1 for right.
@@ -33,10 +35,11 @@ class Deed:
     """
 
     meaning: str
-    words: str
     drives: str
+    words: str = ""
     rides: str = ""
     walks: str = ""
+    also: str = ""
     brings: tuple[str, ...] = ()
     opposite: str = ""
     turn: int = 0
@@ -90,6 +93,19 @@ class Action(StrEnum):
             sudden=True,
             directed=True,
             named="^cross",
+            also="""
+                [cross] | [cross] the road | [cross] the street | [cross] {egos} lane | [cross] {egos} way
+                [step] out | [run] across the street | [run] across the road | [walk] across | [run] across
+                [ride] across | [drive] across | [run] into the road | [run] into the street
+                [walk] into the road | [step] into the road | [walk] into {egos} path
+                [step] into {egos} path | [step] into {egos} lane | [ride] across the street
+                [ride] across {egos} lane | [step] onto the street | [step] off the kerb | [step] off the curb
+                [run] out | [run] out in front of {ego} | [walk] onto the road | [step] out in front of {ego}
+                [ride] into the road | [ride] into {egos} path | [cross] the junction
+                [cross] the intersection | [drive] into {egos} path | [cross] at the crosswalk
+                [cross] {egos} lane in front of {ego} | [ride] out | [walk] out | [run] into {egos} path
+                [drive] across the junction | [drive] across the intersection | [drive] through the junction
+            """,
         ),
     )
     STOP = (
@@ -111,6 +127,13 @@ class Action(StrEnum):
             """,
             brings=("brake",),
             sudden=True,
+            also="""
+                [stop] | [come] to a stop | [come] to rest | [stop] in the lane | [stop] in the road
+                [stop] in {its} lane | [stop] on the road | [stop] moving | [stop] there
+                [stop] in the middle of the road | [freeze] | [halt] | [stop] halfway | [stop] midway
+                [stop] in the junction | [stop] completely | [stop] in front of {ego}
+                [stop] in the middle of the junction
+            """,
         ),
     )
     BRAKE = (
@@ -128,6 +151,9 @@ class Action(StrEnum):
             """,
             opposite="accelerate",
             sudden=True,
+            also="""
+                [brake] | [slam] on {its} brakes | [brake] in front of {ego} | [decelerate] | [brake] heavily
+            """,
         ),
     )
     ACCELERATE = (
@@ -153,6 +179,9 @@ class Action(StrEnum):
             opposite="brake",
             sudden=True,
             hasty=True,
+            also="""
+                [accelerate] | [speed] up | [gain] speed
+            """,
         ),
     )
     SLOW = (
@@ -173,6 +202,9 @@ class Action(StrEnum):
                 [drive] at a snail's pace | [drive] much too slowly | [inch] along
             """,
             all_along=True,
+            also="""
+                [drive] slowly | [ride] slowly | [walk] slowly | [crawl] | [creep] | [move] slowly
+            """,
         ),
     )
     REVERSE = (
@@ -187,6 +219,10 @@ class Action(StrEnum):
                 [start] to reverse | [drive] backwards towards {ego}
             """,
             sudden=True,
+            also="""
+                [reverse] | [back] up | [roll] back | [drive] backwards | [move] backwards
+                [back] towards {ego}
+            """,
         ),
     )
     CUT_IN = (
@@ -208,6 +244,13 @@ class Action(StrEnum):
             """,
             brings=("change-lane",),
             sudden=True,
+            also="""
+                [cut] in | [cut] in in front of {ego} | [cut] into {egos} lane | [cut] in ahead of {ego}
+                [merge] in front of {ego} | [change] into {egos} lane | [change] to {egos} lane
+                [move] into {egos} lane | [pull] into {egos} lane | [move] over into {egos} lane
+                [change] lanes in front of {ego} | [come] into {egos} lane | [enter] {egos} lane
+                [drift] over into {egos} lane | [drift] into {egos} lane
+            """,
         ),
     )
     CHANGE_LANE = (
@@ -220,6 +263,12 @@ class Action(StrEnum):
                 [make] a sudden lane change | [switch] lanes | [change] lanes without indicating
             """,
             sudden=True,
+            also="""
+                [change] lanes | [change] lane | [leave] {egos} lane | [change] into the next lane
+                [move] over to the next lane | [change] to the next lane | [leave] the lane | [cut] out
+                [cut] out of {egos} lane | [move] to the next lane | [pull] out into the next lane
+                [change] into the adjacent lane | [move] into the next lane | [leave] {its} lane
+            """,
         ),
     )
     WEAVE = (
@@ -235,6 +284,9 @@ class Action(StrEnum):
                 [weave] from side to side | [zigzag] along | [weave] between lanes | [swing] from side to side
                 [weave] about erratically | [snake] along the road | [slalom] along
             """,
+            also="""
+                [weave] | [zigzag] | [swerve] from side to side | [sway] from side to side | [swerve] about
+            """,
         ),
     )
     SWERVE = (
@@ -248,6 +300,9 @@ class Action(StrEnum):
                 [swerve] into {egos} lane | [lurch] towards {ego} | [veer] off {its} line
             """,
             sudden=True,
+            also="""
+                [swerve] | [veer] | [swerve] into {egos} path | [swerve] in front of {ego}
+            """,
         ),
     )
     PACE = (
@@ -267,6 +322,9 @@ class Action(StrEnum):
                 [keep] level with {ego} | [keep] pace with {ego} | [drive] parallel to {ego} | [drive] alongside {ego}
                 [keep] pace beside {ego} | [stay] level with {ego} and [leave] no gap
                 [keep] pace and [refuse] to let {ego} in
+            """,
+            also="""
+                [drive] beside {ego} | [ride] beside {ego} | [match] {egos} speed | [keep] up with {ego}
             """,
         ),
     )
@@ -294,6 +352,10 @@ class Action(StrEnum):
                 [run] the red
             """,
             at_junction=True,
+            also="""
+                [run] a red | [drive] through a red light | [cross] on red | [cross] against the red light
+                [go] through the red light | [run] the light | [disregard] a red light | [ignore] a red light
+            """,
         ),
     )
     TURN_LEFT = (
@@ -317,6 +379,10 @@ class Action(StrEnum):
             at_junction=True,
             directed=True,
             named="turn-left",
+            also="""
+                [turn] left | [turn] left across {egos} path | [turn] left in front of {ego}
+                [turn] off to the left
+            """,
         ),
     )
     TURN_RIGHT = (
@@ -341,6 +407,10 @@ class Action(StrEnum):
             at_junction=True,
             directed=True,
             named="turn-right|right-turn",
+            also="""
+                [turn] right | [turn] right across {egos} path | [turn] right in front of {ego}
+                [turn] off to the right | [turn] right across {egos} lane
+            """,
         ),
     )
     ONCOMING = (
@@ -363,6 +433,9 @@ class Action(StrEnum):
             """,
             all_along=True,
             directed=True,
+            also="""
+                [come] towards {ego} | [approach] {ego} | [drive] straight towards {ego} | [come] at {ego}
+            """,
         ),
     )
     HESITATE = (
@@ -378,6 +451,9 @@ class Action(StrEnum):
                 [hesitate] for a moment | [pause] briefly
             """,
             brings=("stop",),
+            also="""
+                [hesitate] | [pause]
+            """,
         ),
     )
     DIAGONAL = (
@@ -395,6 +471,9 @@ class Action(StrEnum):
             """,
             brings=("cross",),
             all_along=True,
+            also="""
+                [cross] diagonally | [cross] the road diagonally | [cross] at an angle
+            """,
         ),
     )
     TURN_BACK = (
@@ -415,6 +494,10 @@ class Action(StrEnum):
             """,
             brings=("stop",),
             sudden=True,
+            also="""
+                [go] back | [turn] back | [run] back | [walk] back | [step] back | [turn] around
+                [go] back where {it} came from
+            """,
         ),
     )
     FOLLOW = (
@@ -438,6 +521,18 @@ class Action(StrEnum):
                 [continue] at a constant speed | [drive] on without slowing | [keep] going along {its} lane
             """,
             all_along=True,
+            also="""
+                [drive] on | [go] on | [keep] going | [go] straight on | [drive] straight on | [continue]
+                [carry] on | [keep] {its} lane | [keep] its speed | [drive] | [ride] | [walk]
+                [go] straight ahead | [travel] | [run] along the road | [drive] along | [ride] along
+                [ride] on | [ride] straight on | [walk] along the road | [walk] along the lane
+                [ride] along the lane | [ride] along the road | [drive] along the road | [walk] along
+                [walk] along the edge of the road | [ride] along the edge of the road | [drive] along the lane
+                [move] | [come] up | [keep] driving | [keep] riding | [keep] walking | [drive] into {ego}
+                [ride] into {ego} | [run] into {ego} | [hit] {ego} | [go] through | [continue] straight on
+                [go] straight | [drive] straight ahead | [drive] up | [ride] up | [come] | [keep] coming
+                [approach] | [drive] ahead | [jog] along the road
+            """,
         ),
     )
     OVERTAKE = (
@@ -455,6 +550,9 @@ class Action(StrEnum):
                 [go] past {ego} | [overtake] {ego} at the last moment | [drive] past {ego}
             """,
             named="overtake",
+            also="""
+                [overtake] | [pass] {ego} | [overtake] {ego} on that side
+            """,
         ),
     )
     TAILGATE = (
@@ -479,6 +577,9 @@ class Action(StrEnum):
                 [tailgate] {ego} | [drive] bumper to bumper behind {ego} | [follow] {ego} much too closely
                 [hang] on {egos} rear bumper | [sit] right on {egos} tail | [follow] {ego} at an unsafe distance
                 [close] right up to {egos} rear bumper
+            """,
+            also="""
+                [follow] {ego} closely | [drive] close behind {ego} | [follow] {ego} too closely
             """,
         ),
     )
@@ -509,6 +610,12 @@ class Action(StrEnum):
                 "change-lane",
             ),
             sudden=True,
+            also="""
+                [pull] out | [pull] away | [move] off | [pull] out in front of {ego} | [pull] into traffic
+                [pull] away from the kerb | [pull] out of {its} parking space | [leave] {its} parking space
+                [set] off | [drive] off | [leave] the kerb | [pull] out of a parking space
+                [move] out in front of {ego}
+            """,
         ),
     )
     WRONG_WAY = (
@@ -537,6 +644,12 @@ class Action(StrEnum):
             all_along=True,
             directed=True,
             named="wrong-way",
+            also="""
+                [drive] in {egos} lane against traffic | [drive] against the traffic | [drive] the wrong way
+                [come] towards {ego} in {egos} lane | [drive] towards {ego} in {egos} lane
+                [come] straight at {ego} in {egos} lane | [drive] straight towards {ego} in {egos} lane
+                [approach] {ego} in {egos} lane
+            """,
         ),
     )
     U_TURN = (
@@ -560,6 +673,10 @@ class Action(StrEnum):
             sudden=True,
             directed=True,
             named="u-turn",
+            also="""
+                [make] a u-turn | [turn] around in the road | [do] a u-turn
+                [make] a u-turn in front of {ego}
+            """,
         ),
     )
     BLOCK = (
@@ -577,6 +694,26 @@ class Action(StrEnum):
                 [block] {egos} path
             """,
             all_along=True,
+            also="""
+                [block] {egos} lane | [block] the road | [block] {egos} way | [block] the junction
+                [block] the lane
+            """,
+        ),
+    )
+    STAND = (
+        "stand",
+        Deed(
+            meaning="stands still all the time",
+            walks="[stand] still | [wait] | [stand] there | [stay] where {it} is",
+            drives="[stand] still | [stand] there motionless | [stand] still with {its} hazard lights on",
+            all_along=True,
+            also="""
+                [stand] | [stand] still | [wait] | [stay] where {it} is | [stay] there | [stand] motionless
+                [be] parked | [sit] | [be] standing | [be] stationary | [be] stopped | [be] waiting
+                [have] broken down | [stand] there | [sit] still | [stand] on the road | [have] stalled
+                [lie] | [lie] there | [be] broken down | [do] not move | [do] not cross | [do] not step out
+                [stay] put | [wait] there | [remain] standing | [be] standing still
+            """,
         ),
     )
     FAST = (
@@ -602,6 +739,9 @@ class Action(StrEnum):
             """,
             all_along=True,
             hasty=True,
+            also="""
+                [speed] | [race] | [drive] fast | [ride] fast | [run] fast | [drive] at high speed
+            """,
         ),
     )
 

@@ -6,13 +6,14 @@ Paper: section 3.3, step ii. A reader makes a frame once; whoever interprets it 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Quantity, Slots, Unused
+from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Surroundings
 
 
@@ -74,7 +75,7 @@ def certain(slots: Slots, beliefs: Beliefs | None = None) -> Beliefs:
         slots: The facts.
         beliefs: How sure the rest is, which behavior is meant and whether any is.
     """
-    single = {f.name: {getattr(slots, f.name): 1.0} for f in fields(Slots) if f.name != "actions"}
+    single = {name: {getattr(slots, name): 1.0} for name, slot in SLOTS.items() if slot.taught}
     return replace(
         beliefs or Beliefs(), slots=single, actions={action: float(action in slots.actions) for action in Action}
     )
@@ -149,8 +150,10 @@ class Frame:
         mentions: The road users that it names.
         notes: What was unsure.
         reader: The language model that read it; empty for our own reader.
-        plain: Whether every word is known and says what is done: then nothing was said beyond that.
+        plain: Whether every phrase has its place: then this is what was said, and nothing beyond it.
         surroundings: Light, weather and the state of the road.
+        others: What is said of each further road user that does something, beside the adversary; where `plain` only.
+        order: Who does what, in the order of telling: 0 is the adversary, 1 the first of the others.
     """
 
     text: str = ""
@@ -166,3 +169,5 @@ class Frame:
     reader: str = ""
     plain: bool = False
     surroundings: Surroundings = field(default_factory=Surroundings)
+    others: tuple[Slots, ...] = ()
+    order: tuple[tuple[int, Action], ...] = ()

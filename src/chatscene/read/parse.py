@@ -1,0 +1,410 @@
+"""A text read from its first word to its last: what each phrase means, of whom, and in which order.
+
+A text in which every phrase has its place is read for certain; one in which a single word has none is left to those who
+go by likelihood (`chatscene.read.decompose`, `chatscene.read.slot_classifier`).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.quantities import quantity_at
+from chatscene.terms.actors import AdversaryKind, Manner
+from chatscene.terms.acts import Action
+from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
+from chatscene.terms.scenario import (
+    WAITING,
+    Control,
+    Maneuver,
+    Measure,
+    Occluder,
+    Place,
+    Position,
+    Quantity,
+    Side,
+    Slots,
+)
+
+_TO_A_SIDE = frozenset((Action.SWERVE, Action.CHANGE_LANE, Action.TURN_LEFT, Action.TURN_RIGHT, Action.U_TURN))
+_LEAD_ASIDE = _TO_A_SIDE | {
+    Action.CROSS,
+    Action.CUT_IN,
+    Action.PULL_OUT,
+    Action.OVERTAKE,
+    Action.TURN_BACK,
+}  # behind these, "in front of us" says where they lead
+_QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK))
+MOST_ACTORS = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parsed:
+    """What a text says, all of it.
+
+    Attributes:
+        slots: What it says of the ego, the place and the adversary.
+        others: What it says of each further road user; of the ego and the place as `slots`.
+        order: Who does what, in the order of telling: 0 is the adversary.
+        quantities: The numbers said of the adversary.
+    """
+
+    slots: Slots
+    others: tuple[Slots, ...] = ()
+    order: tuple[tuple[int, Action], ...] = ()
+    quantities: tuple[Quantity, ...] = ()
+
+
+@dataclass
+class _Actor:
+    """A road user, as far as it was read."""
+
+    kind: AdversaryKind
+    acts: list[Action] = field(default_factory=list[Action])
+    where: set[Where] = field(default_factory=set[Where])
+    side: Side | None = None
+    occluder: Occluder | None = None
+    group: bool = False
+    quantities: list[Quantity] = field(default_factory=list[Quantity])
+
+
+@dataclass
+class _Told:
+    """What was read so far."""
+
+    actors: list[_Actor] = field(default_factory=list[_Actor])
+    order: list[tuple[int, Action]] = field(default_factory=list[tuple[int, Action]])
+    facts: dict[str, Any] = field(default_factory=dict[str, Any])
+    subject: int | None = None  # an actor, or None for the ego
+    begun: bool = False  # whether anybody was named
+    open: bool = True  # whether somebody may be named here
+
+
+class _UnreadError(Exception):
+    """A word has no place."""
+
+
+def parse(text: str) -> Parsed | None:
+    """Read a text whole; None if a word of it has no place, or nobody but the ego does anything.
+
+    Args:
+        text: Canonical, mended.
+    """
+    told = _Told()
+    try:
+        at = 0
+        while at < len(text):
+            at = _next(told, text, at)
+        return _parsed(told)
+    except _UnreadError:
+        return None
+
+
+def _next(told: _Told, text: str, at: int) -> int:
+    """Read the phrase at a place; where the next one begins."""
+    best: tuple[int, Phrase | None, re.Match[str] | None] = (at, None, None)
+    for phrase in phrases():
+        if (match := phrase.pattern.match(text, at)) and match.end() > best[0] and _fits(told, phrase):
+            best = match.end(), phrase, match
+    if told.open or not told.begun:
+        named = road_user().match(text, at)
+        if named and named.end() > best[0]:
+            _name(told, named)
+            return _skip(text, named.end())
+    if (number := quantity_at(text, at)) is not None and number[1] > best[0]:
+        _measure(told, number[0])
+        return _skip(text, number[1])
+    end, phrase, match = best
+    if phrase is None or match is None:
+        raise _UnreadError(text[at:])
+    _take(told, phrase, match)
+    return _skip(text, end)
+
+
+def _skip(text: str, at: int) -> int:
+    while at < len(text) and text[at] == " ":
+        at += 1
+    return at
+
+
+def _fits(told: _Told, phrase: Phrase) -> bool:
+    """Whether a phrase may be said of whoever is spoken of."""
+    if phrase.ego is None:
+        return True
+    if phrase.ego:
+        return told.begun and told.subject is None
+    if told.subject is None:
+        return False
+    return phrase.manner is None or told.actors[told.subject].kind.row.manner is phrase.manner
+
+
+def _name(told: _Told, match: re.Match[str]) -> None:
+    """Somebody is named: one who was already, or another."""
+    kind, article = kind_in(match), match["article"] or ""
+    known = [i for i, one in enumerate(told.actors) if one.kind is kind]
+    another = article in ("another", "a second", "a third", "a", "an", "one", "some") or not known
+    if another:
+        if len(told.actors) == MOST_ACTORS:
+            raise _UnreadError(match[0])
+        told.actors.append(_Actor(kind=kind))
+        told.subject = len(told.actors) - 1
+    elif len(known) == 1:
+        told.subject = known[0]
+    else:
+        raise _UnreadError(match[0])
+    one = told.actors[told.subject]
+    if article in ("two", "three", "several", "a group of", "a pack of"):
+        one.group = True
+    for sort, value in traits_in(match):
+        if sort is Sort.WHERE and isinstance(value, Where):
+            one.where.add(value)
+        elif sort is Sort.ACT and isinstance(value, Action):
+            _act(told, value)
+    told.begun, told.open = True, False
+
+
+def _measure(told: _Told, quantity: Quantity) -> None:
+    if told.subject is None:
+        raise _UnreadError(quantity.said)
+    one = told.actors[told.subject]
+    if quantity.measure is Measure.DECELERATION and Action.BRAKE not in one.acts:
+        raise _UnreadError(quantity.said)
+    if any(quantity.measure is other.measure for other in one.quantities):
+        raise _UnreadError(quantity.said)
+    one.quantities.append(quantity)
+
+
+def _act(told: _Told, action: Action) -> None:
+    if told.subject is None:
+        raise _UnreadError(action)
+    acts = told.actors[told.subject].acts
+    if action not in acts:
+        acts.append(action)
+        told.order.append((told.subject, action))
+
+
+def _fact(told: _Told, name: str, value: object) -> None:
+    """A fact of the ego or the place; two that differ are two things."""
+    if told.facts.setdefault(name, value) != value:
+        raise _UnreadError(name)
+
+
+def _take(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
+    """Take in what a phrase says."""
+    if phrase.sort in (Sort.JOINT, Sort.THEN, Sort.END, Sort.SEES):
+        told.open = True
+    elif phrase.sort in (Sort.EGO, Sort.SAME):
+        _speak_of(told, phrase, match)
+    elif phrase.sort is Sort.PLACE:
+        _placed(told, *phrase.value)  # type: ignore[misc]
+    elif phrase.sort in _FACTS:
+        for name in _FACTS[phrase.sort]:
+            _fact(told, name, phrase.value)
+    elif told.subject is not None:
+        _of_actor(told, told.actors[told.subject], phrase, match)
+    elif phrase.sort is not Sort.FILLER:
+        raise _UnreadError(match[0])
+    if phrase.sort not in (Sort.JOINT, Sort.THEN, Sort.END, Sort.SEES, Sort.FILLER):
+        told.open = False
+
+
+_FACTS = {
+    Sort.MANEUVER: ("maneuver",),
+    Sort.STATE: ("ego",),
+    Sort.LEADER: ("leader",),
+    Sort.BYPASS: ("maneuver",),
+    Sort.LANES: ("lanes",),
+    Sort.TWO_WAY: ("two_way",),
+}  # which slots they fill
+
+
+def _speak_of(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
+    """The ego, or whoever was spoken of last, is the subject from here on."""
+    if phrase.sort is Sort.EGO:
+        if not told.open:
+            raise _UnreadError(match[0])
+        told.subject, told.begun = None, True
+    elif told.subject is None:
+        if not told.actors:
+            raise _UnreadError(match[0])
+        told.subject = len(told.actors) - 1
+
+
+def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) -> None:
+    """What a phrase says of a road user."""
+    value: Any = phrase.value
+    if phrase.sort is Sort.ACT:
+        _act(told, value)
+    elif phrase.sort is Sort.OCCLUDER:
+        actor.occluder = value
+    elif phrase.sort is Sort.WHERE:
+        if not (_LEAD_ASIDE.intersection(actor.acts) and value in (Where.AHEAD, Where.OWN_LANE)):
+            actor.where.add(value)
+    elif phrase.sort is Sort.SIDE:
+        side = Side(side_in(match) or "")
+        whither = bool(actor.acts) and actor.acts[-1] in _TO_A_SIDE and "from" not in match[0]
+        if whither or actor.side not in (None, side):
+            raise _UnreadError(match[0])  # where somebody turns to is in no slot
+        actor.side = side
+        if value is not None:
+            actor.where.add(value)
+        elif "from" in match[0]:
+            actor.where.add(Where.FROM_SIDE)
+
+
+def _placed(told: _Told, place: Place, control: Control | None) -> None:
+    known = told.facts.get("place")
+    if known is None or (known is Place.JUNCTION and place in JUNCTIONS):
+        told.facts["place"] = place
+    elif place not in (known, Place.JUNCTION) or (known not in JUNCTIONS and place is not known):
+        raise _UnreadError(place)
+    if control is not None:
+        _fact(told, "control", control)
+
+
+# From phrases to slots
+
+
+def _parsed(told: _Told) -> Parsed:
+    acting = [one for one in told.actors if one.acts]
+    if not told.actors or len(acting) != len(told.actors):
+        raise _UnreadError("nobody does anything")
+    first = next((i for i, one in enumerate(told.actors) if not _QUIET.issuperset(one.acts)), 0)
+    ranked = [first, *(i for i in range(len(told.actors)) if i != first)]
+    facts = _concluded(told)
+    slots = [_slots(told.actors[i], facts) for i in ranked]
+    if any(told.actors[i].quantities for i in ranked[1:]):
+        raise _UnreadError("a number of another road user")
+    return Parsed(
+        slots=slots[0],
+        others=tuple(slots[1:]),
+        order=tuple((ranked.index(i), action) for i, action in told.order),
+        quantities=tuple(told.actors[first].quantities),
+    )
+
+
+def _concluded(told: _Told) -> dict[str, Any]:
+    """The facts of the ego and the place, with what follows from them."""
+    facts = dict(told.facts)
+    maneuver = facts.get("maneuver")
+    if maneuver is Maneuver.BYPASS:
+        facts["blocker"] = True
+    if maneuver in TURNS and facts.get("place") not in JUNCTIONS:
+        if facts.get("place") is not None:
+            raise _UnreadError("a turn that is at no junction")
+        facts["place"] = Place.JUNCTION
+    if maneuver in (*LANE_CHANGES, Maneuver.BYPASS):
+        if facts.get("place") in JUNCTIONS:
+            raise _UnreadError("a lane change at a junction")
+        facts["place"] = facts.get("place") or Place.ROAD
+    lights = any(Action.RUN_LIGHT in one.acts for one in told.actors)
+    arms = any(
+        Where.ARM in one.where or {Action.TURN_LEFT, Action.TURN_RIGHT}.intersection(one.acts) for one in told.actors
+    )
+    if lights:
+        facts["control"] = Control.SIGNAL
+    if (lights or arms) and facts.get("place") not in JUNCTIONS:
+        if facts.get("place") is not None:
+            raise _UnreadError("an arm of a road that has none")
+        facts["place"] = Place.JUNCTION
+    if facts.get("place") is not None and maneuver is None:
+        facts["maneuver"] = Maneuver.STRAIGHT
+    return facts
+
+
+def _slots(one: _Actor, facts: dict[str, Any]) -> Slots:
+    facts = dict(facts)
+    position = _position(one, facts)
+    acts = _acts_of(one, position)
+    if position is Position.CROSSING and facts.get("place") not in JUNCTIONS:
+        if facts.get("place") is not None:
+            raise _UnreadError("an arm of a road that has none")
+        facts["place"] = Place.JUNCTION
+        facts.setdefault("maneuver", Maneuver.STRAIGHT)
+    if one.occluder is not None and facts.get("maneuver") is Maneuver.BYPASS:
+        raise _UnreadError("hidden beside what is in the way")
+    return Slots(
+        adversary=one.kind,
+        actions=acts,
+        side=one.side,
+        position=position,
+        occluder=one.occluder,
+        group=one.group or None,
+        **facts,
+    )
+
+
+def _acts_of(one: _Actor, position: Position | None) -> tuple[Action, ...]:
+    """The acts in order, without those that go without saying."""
+    acts = list(one.acts)
+    if len(acts) > 1 and Action.FOLLOW in acts and not {Action.STOP, Action.STAND}.intersection(acts):
+        acts.remove(Action.FOLLOW)  # whoever does something else drives on as well
+    if len(acts) > 1 and Action.STAND in acts:
+        stands_first = acts[0] is Action.STAND and position in WAITING
+        if not stands_first and acts != [Action.STAND, Action.BLOCK]:
+            raise _UnreadError("it stands, and something else")
+        acts.remove(Action.STAND)
+    if position is Position.ONCOMING and acts == [Action.FOLLOW]:
+        return (Action.ONCOMING,)
+    if Action.WRONG_WAY in acts and Action.ONCOMING in acts:
+        acts.remove(Action.ONCOMING)
+    return tuple(acts)
+
+
+def _position(one: _Actor, facts: dict[str, Any]) -> Position | None:
+    """Where somebody starts."""
+    place = _beside_the_road(one, facts) or _against_the_ego(one) or _behind(one)
+    return place or (_on_foot(one) if one.kind.row.manner is Manner.WALKS else _on_wheels(one, facts))
+
+
+def _beside_the_road(one: _Actor, facts: dict[str, Any]) -> Position | None:
+    manner, acts = one.kind.row.manner, set(one.acts)
+    if Where.FAR_CORNER in one.where:
+        return Position.FAR_CORNER if facts.get("place") in JUNCTIONS else Position.ROADSIDE
+    if one.occluder is not None:
+        return Position.ROADSIDE
+    if Where.EDGE not in one.where:
+        return Position.KERB if Action.PULL_OUT in acts and manner is not Manner.WALKS else None
+    if manner is Manner.WALKS or (manner is Manner.RIDES and Action.CROSS in acts):
+        return Position.ROADSIDE
+    along = manner is Manner.RIDES and acts & {Action.FOLLOW, Action.SLOW}
+    return Position.AHEAD if along or Where.OWN_LANE in one.where else Position.KERB
+
+
+def _against_the_ego(one: _Actor) -> Position | None:
+    against = Where.OPPOSITE in one.where or {Action.ONCOMING, Action.WRONG_WAY}.intersection(one.acts)
+    return Position.ONCOMING if against else None
+
+
+def _behind(one: _Actor) -> Position | None:
+    if Where.BEHIND not in one.where and not {Action.OVERTAKE, Action.TAILGATE}.intersection(one.acts):
+        return None
+    beside = Where.NEXT_LANE in one.where or (one.side is not None and Action.TAILGATE not in one.acts)
+    return Position.BEHIND_BESIDE if beside else Position.BEHIND
+
+
+def _on_foot(one: _Actor) -> Position | None:
+    if Action.CROSS in one.acts or one.side is not None:
+        return Position.ROADSIDE
+    return Position.AHEAD if {Where.AHEAD, Where.OWN_LANE} & one.where else None
+
+
+def _on_wheels(one: _Actor, facts: dict[str, Any]) -> Position | None:
+    junction, rides = facts.get("place") in JUNCTIONS, one.kind.row.manner is Manner.RIDES
+    turns = facts.get("maneuver") in TURNS
+    comes = Action.CROSS in one.acts or (Where.FROM_SIDE in one.where and Action.CUT_IN not in one.acts)
+    if comes and rides and (turns or not junction):
+        return Position.ROADSIDE
+    arm = Where.ARM in one.where or {Action.RUN_LIGHT, Action.CROSS}.intersection(one.acts)
+    if arm or (junction and one.side is not None and one.where <= {Where.FROM_SIDE}):
+        return Position.CROSSING
+    if Where.BESIDE in one.where:
+        return Position.BESIDE
+    if {Where.NEXT_LANE, Where.AHEAD, Where.OWN_LANE} & one.where:
+        aside = Where.NEXT_LANE in one.where or (one.side is not None and not rides)
+        return Position.AHEAD_BESIDE if aside else Position.AHEAD
+    if Action.CUT_IN in one.acts:
+        return Position.AHEAD_BESIDE if one.side is None else Position.BESIDE
+    return None

@@ -1,0 +1,354 @@
+"""What phrases mean: the one table by which a text is read from its first word to its last.
+
+A phrase is a regular expression over canonical text, in which the ego is "we", "us" and "our". Those of acts are made
+of the same marked phrases that sentences are written with (`chatscene.terms.acts`), so that what can be said can be
+read; those of road users of the words in their table. All are our own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+
+from chatscene.read import lexicon
+from chatscene.read.inflection import Form, inflected, listed
+from chatscene.terms.actors import AdversaryKind, Manner
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place
+
+
+class Sort(StrEnum):
+    """What a phrase tells of."""
+
+    EGO = "ego"  # the ego, as the subject
+    SEES = "sees"  # the ego meets whoever is named next
+    ACTOR = "actor"  # a road user: the value is its kind
+    SAME = "same"  # the road user that was spoken of last
+    ACT = "act"
+    MANEUVER = "maneuver"  # of the ego
+    STATE = "state"  # of the ego
+    WHERE = "where"  # of whoever is spoken of: the value is a `Where`
+    SIDE = "side"
+    TARGET = "target"  # where an act leads, which says no more than the act
+    PLACE = "place"
+    LANES = "lanes"
+    TWO_WAY = "two-way"
+    OCCLUDER = "occluder"
+    LEADER = "leader"
+    BYPASS = "bypass"
+    JOINT = "joint"  # between clauses: somebody may be named next
+    THEN = "then"  # the same, and what follows comes later
+    FILLER = "filler"  # says nothing that a scene could show
+    END = "end"
+
+
+class Where(StrEnum):
+    """A word on where a road user is."""
+
+    AHEAD = "ahead"
+    BEHIND = "behind"
+    BESIDE = "beside"
+    OWN_LANE = "own-lane"
+    NEXT_LANE = "next-lane"
+    EDGE = "edge"  # of the road: the kerb, the pavement
+    OPPOSITE = "opposite"
+    ARM = "arm"  # of a junction, to a side
+    FAR_CORNER = "far-corner"
+    FROM_SIDE = "from-side"  # it comes from there
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phrase:
+    """Words that mean one thing.
+
+    Attributes:
+        sort: What they tell of.
+        value: What they tell.
+        pattern: How they are written.
+        manner: Of whom alone they are said; None for anybody.
+        ego: Whether they are said of the ego alone (True), of others alone (False), or of either (None).
+    """
+
+    sort: Sort
+    value: object
+    pattern: re.Pattern[str]
+    manner: Manner | None = None
+    ego: bool | None = None
+
+
+_US = r"(?:us|the ego)"
+_OUR = r"(?:our|the ego's)"
+_ITS = r"(?:its|his|her|their|the)"
+_THE = r"(?:a|an|the|our|this|some)"
+_SIDE = r"(?P<side>left|right)"
+_HAND = r"(?:-hand)?(?: side)?"
+_BRACES = {"{ego}": _US, "{egos}": _OUR, "{its}": _ITS, " {from}": "", "{it}": r"(?:it|he|she|they)"}
+
+_TRAITS: tuple[tuple[Sort, object, str], ...] = (
+    # Said before a noun: facts about the road user
+    (Sort.WHERE, Where.OPPOSITE, r"oncoming|opposing|approaching"),
+    (Sort.WHERE, Where.AHEAD, r"leading|lead|preceding"),
+    (Sort.WHERE, Where.BEHIND, r"following|trailing"),
+    (Sort.WHERE, Where.EDGE, r"parked"),
+    (Sort.WHERE, Where.ARM, r"crossing"),
+    (Sort.ACT, Action.STAND, r"broken[- ]down|stationary|standing|stopped|stranded|disabled|stalled|waiting|crashed|abandoned"),
+    (Sort.ACT, Action.SLOW, r"slow(?:er)?(?:[- ]moving)?|crawling"),
+    (Sort.ACT, Action.FAST, r"speeding|fast"),
+    (Sort.FILLER, None, r"red|blue|white|black|green|grey|gray|yellow|silver|small|big|large|young|old|elderly|empty|heavy|little|long|delivery|other|adult|male|female"),
+)  # fmt: skip
+
+_MARKED = re.compile(r"\[([a-z]+)\]")
+_FORMS = (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)
+
+
+def _verb(verb: str) -> str:
+    forms = {inflected(verb, form) for form in _FORMS} | {verb}
+    if verb == "be":
+        forms |= {"are", "were"}
+    elif verb == "do":
+        forms |= {"does", "did", "doesn't"}
+    elif verb == "have":
+        forms |= {"has", "had"}
+    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
+
+
+def _compiled(text: str) -> re.Pattern[str]:
+    return re.compile(rf"(?:{text})(?![\w'])")
+
+
+def pattern_of(phrase: str) -> re.Pattern[str]:
+    """A marked phrase as it may be written, in any person and tense."""
+    text = _MARKED.sub(lambda m: f"\0{m[1]}\0", phrase.lower())
+    for brace, meant in _BRACES.items():
+        text = text.replace(brace, meant)
+    text = re.sub(r"\0([a-z]+)\0", lambda m: _verb(m[1]), text)
+    return _compiled(text + r"(?! (?:the|our|a)\b)" if text.endswith(" along") else text)  # that has a place of its own
+
+
+def _acts() -> Iterator[Phrase]:
+    for action in Action:
+        row = action.row
+        for manner, own in ((Manner.DRIVES, row.drives), (Manner.RIDES, row.rides), (Manner.WALKS, row.walks)):
+            for phrase in (*listed(own or row.drives), *listed(row.also)):
+                yield Phrase(sort=Sort.ACT, value=action, pattern=pattern_of(phrase), manner=manner, ego=False)
+
+
+_JUNCTIONS = {
+    Place.THREE_WAY: r"t(?:-| )?(?:junction|intersection|crossing)|(?:three|3)-(?:way|arm|armed|legged) (?:intersection|junction|crossing)",
+    Place.FOUR_WAY: r"cross-?roads|(?:four|4)-(?:way|arm|armed|legged) (?:intersection|junction|crossing|crossroads)",
+    Place.JUNCTION: r"(?:(?:road|street|urban|city) )?(?:intersection|junction)",
+}
+_CONTROL_BEFORE = {
+    Control.SIGNAL: r"signali[sz]ed|(?:signal|light|traffic-light)-controlled",
+    Control.STOP_SIGN: r"all-way-stop|stop-(?:sign-)?controlled|stop-regulated",
+    Control.NONE: r"un-?signali[sz]ed|uncontrolled|unregulated|signal-free|non-signali[sz]ed",
+}
+_CONTROL_AFTER = {
+    Control.SIGNAL: r"with (?:a set of )?traffic (?:lights|signals)|controlled by traffic lights|that has traffic lights|regulated by signals",
+    Control.STOP_SIGN: r"with (?:a )?stop signs?|(?:controlled|governed|regulated) by (?:a )?stop signs?|where stop signs are posted",
+    Control.NONE: r"with(?:out| no)(?: any)? (?:traffic )?(?:lights|signals)(?: or signs)?|that has no traffic lights|with neither lights nor signs",
+}
+_AT = r"(?:at|on|in|into|through|across|towards|near|before|over|along|down)"
+
+
+def _places() -> Iterator[Phrase]:
+    for place, noun in _JUNCTIONS.items():
+        plain = rf"{_AT} {_THE} (?:{noun})"
+        yield Phrase(sort=Sort.PLACE, value=(place, None), pattern=_compiled(plain))
+        for control in Control:
+            before = rf"{_AT} {_THE} (?:{_CONTROL_BEFORE[control]}) (?:{noun})"
+            after = rf"{plain} (?:{_CONTROL_AFTER[control]})"
+            yield Phrase(sort=Sort.PLACE, value=(place, control), pattern=_compiled(f"{before}|{after}"))
+    light = r"(?:at|before|on|behind) (?:(?:a|the) )?(?:red |green )?(?:traffic |stop )?(?:lights?|signals?)|(?:at|on) (?:red|green)"
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), pattern=_compiled(light))
+    sign = r"(?:at|before) (?:a|the) stop sign"
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.STOP_SIGN), pattern=_compiled(sign))
+    bend = r"(?:round|around|through|in|into|on|along) {the} (?:{bend})(?: (?:in|of) the road| on a road)?"
+    for place, noun in (
+        (Place.LEFT_CURVE, r"left(?:-hand)? (?:bend|curve)|(?:bend|curve) to the left"),
+        (Place.RIGHT_CURVE, r"right(?:-hand)? (?:bend|curve)|(?:bend|curve) to the right"),
+        (Place.CURVE, r"(?:sweeping )?(?:bend|curve)"),
+    ):
+        yield Phrase(
+            sort=Sort.PLACE, value=(place, None), pattern=_compiled(bend.replace("{the}", _THE).replace("{bend}", noun))
+        )
+    road = r"(?:city |main |through )?(?:road|street|carriageway)"
+    on = rf"(?:on|along|down) {_THE} "
+    yield Phrase(sort=Sort.PLACE, value=(Place.ROAD, None), pattern=_compiled(rf"{on}(?:straight )?{road}"))
+    for many, said in ((2, "two|2"), (3, "three|3")):
+        ours = rf"(?:{said}) lanes (?:(?:in|for|going) {_OUR} (?:direction|way)|each way|(?:in each|in either|per) direction)"
+        yield Phrase(sort=Sort.LANES, value=many, pattern=_compiled(rf"{on}{road} (?:with|that has) {ours}"))
+    one = rf"{on}(?:single|one)-lane {road}|{on}{road} with (?:one|a single|just one) lane (?:each way|per direction|in (?:each|{_OUR}) direction)"
+    yield Phrase(sort=Sort.LANES, value=1, pattern=_compiled(one))
+    yield Phrase(sort=Sort.TWO_WAY, value=True, pattern=_compiled(rf"{on}two-way {road}"))
+    yield Phrase(sort=Sort.TWO_WAY, value=False, pattern=_compiled(rf"{on}one-way {road}"))
+
+
+_OCCLUDERS: dict[Occluder, str] = {
+    Occluder.BUS_STOP: r"bus (?:stop|shelter)",
+    Occluder.VENDING_MACHINE: r"(?:drinks |snack )?(?:vending|ticket|drinks) machine",
+    Occluder.PARKED_CAR: r"(?:(?:parked|stationary|standing|double-parked) )?(?:car|van|suv|taxi)s?|row of parked cars",
+    Occluder.PARKED_TRUCK: r"(?:(?:parked|stationary|standing|double-parked) )?(?:delivery )?(?:truck|lorry)",
+    Occluder.PARKED_BUS: r"(?:(?:parked|stationary|standing) )?(?:school )?(?:bus|coach)",
+    Occluder.KIOSK: r"(?:newspaper |snack )?kiosk|news ?stand|(?:food|market) stall",
+    Occluder.CONTAINER: r"(?:rubbish |construction |large )?container|dumpster|skip",
+    Occluder.HEDGE: r"(?:tall |high )?hedge|fence|(?:garden )?wall",
+    Occluder.BILLBOARD: r"(?:large )?billboard|advertising (?:column|board)|poster column",
+}
+
+
+def _occluders() -> Iterator[Phrase]:
+    hidden = r"(?:hidden|concealed|obscured|masked|standing hidden)(?: from view)? (?:behind|by)|(?:out )?from (?:behind|between)|from the cover of"
+    for occluder, noun in _OCCLUDERS.items():
+        said = rf"(?:{hidden}) (?:(?:{_THE}|two) )?(?:{noun})"
+        yield Phrase(sort=Sort.OCCLUDER, value=occluder, pattern=_compiled(said), ego=False)
+
+
+_WHERE: tuple[tuple[object, str], ...] = (
+    (Where.AHEAD, rf"(?:(?:just|directly|right|straight|slightly|further|some way|close|immediately) )?(?:ahead|in front)(?: of {_US})?|before {_US}"),
+    (Where.BEHIND, rf"(?:(?:just|directly|right|close|coming up|coming) )?behind(?: {_US})?|(?:coming |approaching |coming up )?from behind|from the rear"),
+    (Where.BESIDE, rf"(?:beside|alongside|next to|level with) {_US}|alongside"),
+    (Where.OWN_LANE, rf"in (?:{_OUR}|the same|the ego) lane"),
+    (Where.NEXT_LANE, r"(?:in|from) (?:the|an|a) (?:next|adjacent|neighbou?ring|other) lane|in that lane"),
+    (Where.OPPOSITE, rf"(?:coming |approaching )?from the opposite direction|in the (?:opposite|oncoming) (?:lane|direction)|coming towards {_US}|(?:coming )?from the front|coming the other way"),
+    (Where.EDGE, r"(?:at|by|on|from|beside|along) the (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street|lane))|beside the road|parked|in a parking (?:space|place|bay)"),
+    (Where.ARM, r"(?:coming |approaching |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road)"),
+    (Where.FAR_CORNER, r"(?:at|from) the far (?:corner|kerb|side)|(?:on|from) the (?:opposite|far) (?:sidewalk|pavement|side)"),
+)  # fmt: skip
+_SIDED: tuple[tuple[object, str], ...] = (
+    (Where.NEXT_LANE, rf"(?:in|from) (?:the|our) {_SIDE}(?:-hand)? lane|(?:in|from) the (?:next |adjacent )?lane (?:to|on) (?:our|the) {_SIDE}|(?:in|from) the lane to {_OUR} {_SIDE}"),
+    (Where.EDGE, rf"(?:at|by|on|from|beside|along) the {_SIDE}(?:-hand)? (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street))|(?:at|by|on|from) the (?:kerb|curb|roadside|pavement|sidewalk) (?:on|to) (?:the|our) {_SIDE}|in a parking (?:space|place|bay) on the {_SIDE}"),
+    (Where.FAR_CORNER, rf"(?:at|from) the far corner on the {_SIDE}|(?:on|from) the opposite (?:sidewalk|pavement|side) (?:on|to) the {_SIDE}"),
+    (Where.ARM, rf"(?:coming |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road) (?:on|to) (?:the|our) {_SIDE}|(?:coming |approaching )?from the {_SIDE}(?:-hand)? (?:arm|side street|side road)(?: of the (?:junction|intersection))?"),
+    (None, rf"(?:coming |approaching )?(?:on|from|at|to) (?:the|our) {_SIDE}{_HAND}|to the {_SIDE} of {_US}"),
+)  # fmt: skip
+
+_TARGETS = (
+    rf"(?:right |directly |straight |close |just )?(?:in front of|ahead of|before) {_US}|(?:in|on)to {_OUR} (?:lane|path|way)|across {_OUR} (?:lane|path|way)|towards {_US}"
+    rf"|(?:across|into|onto|over) the (?:road|street|lane)|in {_OUR} (?:path|way)|against {_US}|into {_US}|with {_US}"
+)
+_EGO_TURN = r"(?:[turn] {s}|[make] (?:a|an)(?: unprotected)? {s}(?:-hand)? turn|[take] (?:a|the) {s} turn|[turn] (?:off )?to the {s}|[go] {s}|[make] a {s})"
+_EGO_CHANGE = (
+    r"(?:[change] lanes? to the {s}|[change] (?:over )?(?:in)?to the {s}(?:-hand)? lane|[move] (?:over )?(?:in)?to the {s}(?:-hand)? lane"
+    r"|[change] to the {s}|[switch] to the {s} lane|[merge] (?:in)?to the {s} lane|[move] over to the {s})"
+)
+
+
+def _marked(pattern: str) -> re.Pattern[str]:
+    return _compiled(_MARKED.sub(lambda m: _verb(m[1]), pattern))
+
+
+def _of_ego() -> Iterator[Phrase]:
+    ways = (
+        (Maneuver.LEFT_TURN, _EGO_TURN, "left"),
+        (Maneuver.RIGHT_TURN, _EGO_TURN, "right"),
+        (Maneuver.LANE_CHANGE_LEFT, _EGO_CHANGE, "left"),
+        (Maneuver.LANE_CHANGE_RIGHT, _EGO_CHANGE, "right"),
+    )
+    for maneuver, form, side in ways:
+        yield Phrase(sort=Sort.MANEUVER, value=maneuver, pattern=_marked(form.replace("{s}", side)), ego=True)
+    straight = r"[drive] straight (?:on|ahead)|[go] straight(?: on| ahead)?|[continue] straight (?:on|ahead)|[keep] (?:our|the ego's|its) lane|[keep] straight on"
+    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.STRAIGHT, pattern=_marked(straight), ego=True)
+    drives = r"[drive](?: on| along)?|[travel]|[approach] (?=(?:a|an|the) )|[cross] (?:a|the) (?:junction|intersection)|[go](?: on| along)?|[proceed]|[continue]|[move]"
+    yield Phrase(sort=Sort.FILLER, value=None, pattern=_marked(drives), ego=True)
+    parked = r"(?:a|the) (?:parked|broken[- ]down|stationary|double-parked) (?:car|van|truck|vehicle)"
+    bypass = rf"(?:[go]|[drive]|[swing]|[pass]) (?:around|round|past) {parked}(?: in {_OUR} lane)?|[overtake] {parked}|[pass] {parked}"
+    yield Phrase(sort=Sort.BYPASS, value=Maneuver.BYPASS, pattern=_marked(bypass), ego=True)
+    leader = r"[follow] (?:a|the) slow(?:er)? (?:car|vehicle|truck)|(?:behind|after) (?:a|the) slow(?:er)? (?:car|vehicle|truck)"
+    yield Phrase(sort=Sort.LEADER, value=True, pattern=_marked(leader), ego=True)
+    states = {
+        EgoState.STANDS: r"[wait]|[stand](?: still)?|(?:are|were|is|was) (?:stopped|stationary|held|standing still|at a standstill|waiting|standing|queue?ing|broken down)|(?:(?:has|have|had) )?(?:broken|breaks?|broke) down",
+        EgoState.SETS_OFF: r"[set] off|[start](?: moving| driving)?|[pull] away|[drive] off|[move] off",
+        EgoState.SLOW: r"[drive] (?:very )?slowly|[crawl](?: along)?|[creep] along",
+        EgoState.SLOWS_DOWN: r"[slow] down|[slow]",
+        EgoState.BRAKES: r"[brake] (?:hard|sharply|heavily)|[brake]",
+        EgoState.STOPS: r"[stop]|[come] to a (?:stop|halt)",
+    }
+    for state, said in states.items():
+        yield Phrase(sort=Sort.STATE, value=state, pattern=_marked(said), ego=True)
+
+
+_JOINTS = r"while|whilst|when|as|and|but|where|,|;|because"
+_THEN = r"(?:, |and |, and |but )?(?:then|after that|afterwards|next)(?:,)?|(?:; |, )?(?:and |which )?then"
+_FILLERS = (
+    r"suddenly|abruptly|unexpectedly|all of a sudden|without (?:any )?(?:warning|looking|signalling|indicating)|immediately|at once|just"
+    r"|slightly|simply|only|also|still|again|now|there|here|both|too|hard|sharply|at the last moment|in the process|on its way|all the time"
+    r"|(?:(?:starts?|begins?|started|began|continues?) to|starts?(?= \w+ing)|begins?(?= \w+ing)|keeps?(?= \w+ing))|is|are|was|were|has|have|had|will|be|being|to|comes and"
+    r"|at (?:a )?constant speed|at a (?:steady|constant) speed|at the same speed|(?:the )?whole time|from a standstill|as usual|of the road"
+    r"|in (?:our|the same|its own|its|their) direction|in (?:its|his|her|their) (?:own )?lane|along with traffic|in the same direction"
+)
+_SEES = r"we (?:meet|see|encounter|come up (?:to|on|behind)|come upon|face|approach|follow|drive behind|come up behind|drive towards)(?= (?:a|an|the|another|some|two) )"
+
+
+@lru_cache(maxsize=1)
+def phrases() -> tuple[Phrase, ...]:
+    """Every phrase but those of road users, which the kinds' own words make."""
+    found: list[Phrase] = [
+        Phrase(sort=Sort.EGO, value=None, pattern=_compiled(r"we|the ego(?: vehicle)?|our (?:own )?(?:car|vehicle)")),
+        Phrase(sort=Sort.SEES, value=None, pattern=_compiled(_SEES)),
+        Phrase(sort=Sort.SAME, value=None, pattern=_compiled(r"it|he|she|they|who|which|that")),
+        Phrase(sort=Sort.JOINT, value=None, pattern=re.compile(rf"(?:{_JOINTS})(?!\w)")),
+        Phrase(sort=Sort.THEN, value=None, pattern=re.compile(rf"(?:{_THEN})(?!\w)")),
+        Phrase(sort=Sort.FILLER, value=None, pattern=_compiled(_FILLERS)),
+        Phrase(sort=Sort.END, value=None, pattern=re.compile(r"[.!]+")),
+        Phrase(
+            sort=Sort.ACT, value=Action.FOLLOW, ego=False,
+            pattern=_compiled(
+                r"(?:does|do|did) not (?:stop|brake|yield|slow down|give way)|doesn't (?:stop|brake|yield|slow down)"
+                r"|without (?:stopping|braking|slowing(?: down)?|yielding)|fails? to (?:stop|brake|yield)"
+            ),
+        ),
+        *_acts(),
+        *_of_ego(),
+        *_places(),
+        *_occluders(),
+        *(Phrase(sort=Sort.WHERE, value=value, pattern=_compiled(said), ego=False) for value, said in _WHERE),
+        *(Phrase(sort=Sort.SIDE, value=value, pattern=_sided(said), ego=False) for value, said in _SIDED),
+        Phrase(sort=Sort.TARGET, value=None, pattern=_compiled(_TARGETS), ego=False),
+    ]  # fmt: skip
+    return tuple(found)
+
+
+def _sided(said: str) -> re.Pattern[str]:
+    """A pattern in which each alternative has the side under the one name."""
+    parts = said.split(_SIDE)
+    numbered = "".join(
+        part + (rf"(?P<side{i}>left|right)" if i < len(parts) - 1 else "") for i, part in enumerate(parts)
+    )
+    return _compiled(numbered)
+
+
+def side_in(match: re.Match[str]) -> str | None:
+    """The side that a match of a sided phrase names."""
+    return next((value for name, value in match.groupdict().items() if name.startswith("side") and value), None)
+
+
+@lru_cache(maxsize=1)
+def road_user() -> re.Pattern[str]:
+    """A road user with its article and what is said before the noun."""
+    traits = "|".join(said for _, _, said in _TRAITS)
+    nouns = "|".join(f"(?P<k{i}>{kind.row.words})" for i, kind in enumerate(lexicon.KINDS))
+    article = r"(?P<article>an?|the|another|a second|a third|some|one|two|three|several|a group of|a pack of)"
+    return re.compile(rf"(?:{article} )?(?P<traits>(?:(?:{traits}) )*)(?:{nouns})(?![\w'-])")
+
+
+def kind_in(match: re.Match[str]) -> AdversaryKind:
+    """The kind of road user that a match of `road_user` names."""
+    kinds = list(lexicon.KINDS)
+    return next(kinds[int(name[1:])] for name, value in match.groupdict().items() if name[0] == "k" and value)
+
+
+def traits_in(match: re.Match[str]) -> Iterator[tuple[Sort, object]]:
+    """The facts that stand before the noun."""
+    left = match["traits"]
+    while left:
+        for sort, value, said in _TRAITS:
+            if found := re.match(rf"(?:{said}) ", left):
+                yield sort, value
+                left = left[found.end() :]
+                break
+        else:  # pragma: no cover - the pattern is made of the same traits
+            return

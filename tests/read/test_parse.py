@@ -1,0 +1,122 @@
+"""A text that is read from its first word to its last, and one that is not."""
+
+from __future__ import annotations
+
+import pytest
+
+from chatscene.read.canonical import canonical
+from chatscene.read.parse import Parsed, parse
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Position, Side
+
+
+def read(text: str) -> Parsed:
+    found = parse(canonical(text))
+    assert found is not None, text
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "actions"),
+    [
+        ("A car stands still in our lane ahead.", "ahead", ["stand"]),
+        ("A broken-down truck stands in our lane.", "ahead", ["stand"]),
+        ("A bus ahead of us brakes hard and stops.", "ahead", ["brake", "stop"]),
+        ("The cyclist in front of us rides on at a constant speed.", "ahead", ["follow"]),
+        ("A pedestrian walks along the lane ahead of us.", "ahead", ["follow"]),
+        ("A pedestrian waits at the kerb on the right and does not cross.", "roadside", ["stand"]),
+        ("A pedestrian waits at the kerb, then crosses the road.", "roadside", ["cross"]),
+        ("A taxi from the next lane cuts in in front of us.", "ahead-beside", ["cut-in"]),
+        ("A car ahead of us changes lanes.", "ahead", ["change-lane"]),
+        ("An oncoming van drives straight towards us in our lane.", "oncoming", ["wrong-way"]),
+        ("A motorcycle overtakes us and brakes.", "behind", ["overtake", "brake"]),
+        ("A car in the left lane behind us accelerates.", "behind-beside", ["accelerate"]),
+        ("A parked car pulls out in front of us.", "kerb", ["pull-out"]),
+        ("A lorry from the left runs the red light.", "crossing", ["run-light"]),
+        ("An ambulance crosses the junction from the right.", "crossing", ["cross"]),
+        ("A cyclist crosses from the right while we turn right.", "roadside", ["cross"]),
+        ("A cyclist rides along the right edge of the road.", "ahead", ["follow"]),
+    ],
+)
+def test_who_does_what_from_where(text: str, position: str, actions: list[str]) -> None:
+    slots = read(text).slots
+    assert (slots.position, list(slots.actions)) == (position, actions)
+
+
+@pytest.mark.parametrize(
+    ("text", "facts"),
+    [
+        ("We turn left at a signalised junction.", (Maneuver.LEFT_TURN, Place.JUNCTION, Control.SIGNAL, None)),
+        ("We go straight on at a T-junction.", (Maneuver.STRAIGHT, Place.THREE_WAY, None, None)),
+        ("We wait at a red light.", (Maneuver.STRAIGHT, Place.JUNCTION, Control.SIGNAL, EgoState.STANDS)),
+        ("We change lanes to the left.", (Maneuver.LANE_CHANGE_LEFT, Place.ROAD, None, None)),
+        ("The ego drives slowly in a left-hand bend.", (Maneuver.STRAIGHT, Place.LEFT_CURVE, None, EgoState.SLOW)),
+        ("We drive along.", (None, None, None, None)),
+    ],
+)
+def test_what_the_ego_does_is_told_before_or_after(text: str, facts: tuple[object, ...]) -> None:
+    for told in (f"{text[:-1]}, and a bus behind us accelerates.", f"A bus behind us accelerates. {text}"):
+        slots = read(told).slots
+        assert (slots.maneuver, slots.place, slots.control, slots.ego) == facts
+        assert (slots.adversary, slots.actions) == (AdversaryKind.BUS, (Action.ACCELERATE,))
+
+
+def test_what_hides_somebody_and_on_which_side_is_read() -> None:
+    slots = read("A cyclist rides out from behind a parked truck on the left.").slots
+    assert (slots.occluder, slots.side, slots.position) == (Occluder.PARKED_TRUCK, Side.LEFT, Position.ROADSIDE)
+
+
+def test_numbers_belong_to_whom_they_are_said_of() -> None:
+    found = read("A car ahead drives at a constant 36 km/h, then brakes with 4 m/s².")
+    assert [(q.measure.value, q.value) for q in found.quantities] == [("speed", 10.0), ("deceleration", 4.0)]
+
+
+def test_two_road_users_are_two_in_the_order_of_telling() -> None:
+    found = read("A car stands in our lane ahead, and then a pedestrian crosses the road from the right.")
+    assert found.slots.adversary is AdversaryKind.PEDESTRIAN  # who does something is the adversary
+    assert [(one.adversary, one.actions) for one in found.others] == [(AdversaryKind.CAR, (Action.STAND,))]
+    assert found.order == ((1, Action.STAND), (0, Action.CROSS))
+
+
+def test_one_who_is_spoken_of_again_is_the_same() -> None:
+    found = read("A car ahead of us brakes. Then the car stops, and it reverses.")
+    assert (found.slots.actions, found.others) == ((Action.BRAKE, Action.STOP, Action.REVERSE), ())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car ahead of us hums and brakes.",  # a word without a place
+        "A car ahead of us changes lanes to the left.",  # where it goes to is in no slot
+        "A cyclist brakes a pedestrian.",  # nobody is done anything to
+        "We drive along.",  # nobody but the ego
+        "A car, a bus and a truck ahead of us brake.",  # three are too many
+        "A car ahead of us brakes and stands still.",  # it stands all the time, or it brakes
+        "We turn left in a bend while a car ahead brakes.",  # no junction
+        "A car ahead drives on with 4 m/s².",  # a deceleration of nobody who brakes
+        "At a junction a car on a straight road brakes ahead.",  # two places
+        "A car ahead of us brakes from the left, from the right.",  # two sides
+        "brakes",
+        "...",
+    ],
+)
+def test_what_has_no_place_leaves_the_whole_text_to_others(text: str) -> None:
+    assert parse(canonical(text)) is None
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("A car ahead of us brakes hard.", "a car ahead of the ego brakes hard"),
+        ("While we turn left, an oncoming car accelerates.", "An oncoming car accelerates while the ego turns left."),
+        ("A pedestrian from the left crosses the road.", "A pedestrian crosses the road from the left."),
+    ],
+)
+def test_who_says_the_same_in_another_order_is_read_the_same(one: str, other: str) -> None:
+    assert read(one) == read(other)
+
+
+def test_a_flipped_side_changes_the_side_alone() -> None:
+    left, right = (read(f"A pedestrian from the {side} crosses, then goes back.").slots for side in Side)
+    assert {name for name in left.said() if getattr(left, name) != getattr(right, name)} == {"side"}
