@@ -268,7 +268,7 @@ class Slow:
 def test_a_pupil_does_as_its_teacher_would_where_it_has_been(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lessons = kept_scenes([scenes])
     schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
-    monkeypatch.setattr(learning, "STEPS", 1000)
+    monkeypatch.setattr(learning, "STEPS", 400)
     one = Pupil(Slow(), TINY, schedule, lessons.map_name, lessons.simulation)
     for number in range(2):
         one.learn(number, range(2 * number, 2 * number + 2))
