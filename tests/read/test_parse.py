@@ -75,13 +75,13 @@ def test_numbers_belong_to_whom_they_are_said_of() -> None:
 def test_two_road_users_are_two_in_the_order_of_telling() -> None:
     found = read("A car stands in our lane ahead, and then a pedestrian crosses the road from the right.")
     assert found.slots.adversary is AdversaryKind.PEDESTRIAN  # who does something is the adversary
-    assert [(one.adversary, one.actions) for one in found.others] == [(AdversaryKind.CAR, (Action.STAND,))]
+    assert [(one.adversary, one.actions) for one in found.slots.others] == [(AdversaryKind.CAR, (Action.STAND,))]
     assert found.order == ((1, Action.STAND), (0, Action.CROSS))
 
 
 def test_one_who_is_spoken_of_again_is_the_same() -> None:
     found = read("A car ahead of us brakes. Then the car stops, and it reverses.")
-    assert (found.slots.actions, found.others) == ((Action.BRAKE, Action.STOP, Action.REVERSE), ())
+    assert (found.slots.actions, found.slots.others) == ((Action.BRAKE, Action.STOP, Action.REVERSE), ())
 
 
 @pytest.mark.parametrize(

@@ -8,13 +8,16 @@ from dataclasses import replace
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.retrieve import does_all, does_just, retrieve
-from chatscene.library.bind import Triple, bound
+from chatscene.library.beside import placed_beside, reveals
+from chatscene.library.bind import Triple, bound, narrowed
+from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
-from chatscene.library.load import library_with
+from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
-from chatscene.terms.conclusions import JUNCTIONS
-from chatscene.terms.scenario import Scenario
+from chatscene.terms.conclusions import CURVES, JUNCTIONS
+from chatscene.terms.scenario import Component, Distance, Maneuver, Position, Scenario, Slots
+from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Retrieval, Snippet, Tried
 
 
@@ -40,12 +43,12 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
         found = error
     if (composed := _composed(scenario, found, tried)) is not None:
         with suppress(NothingFits):
-            own = retrieve(scenario, library, embedder, settings, tried, composed)
+            own = _with_others(retrieve(scenario, library, embedder, settings, tried, composed), scenario, library)
             return _bound(own, scenario, "no snippet does just this: the behavior is composed of its acts")
     if isinstance(found, NothingFits):
         raise found
     _refuse_another(scenario, found)
-    return _bound(found, scenario)
+    return _bound(_with_others(found, scenario, library), scenario)
 
 
 def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequence[Tried]) -> Snippet | None:
@@ -78,7 +81,85 @@ def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
         return
     kind = scenario.slots.adversary
     reason = f"no snippet, and no steps that a plan could be composed of: {kind} {', then '.join(actions)}"
-    raise NothingFits(
+    raise _none_for(found, reason)
+
+
+def _with_others(found: Retrieval, scenario: Scenario, library: Library) -> Retrieval:
+    """The choice with everybody in its spawn who does something beside the adversary.
+
+    Raises:
+        NothingFits: There are no steps for what one does, or no place where all can start.
+    """
+    for said in scenario.slots.others:
+        found = _with_other(found, said, scenario.slots, library)
+    return found
+
+
+def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -> Retrieval:
+    behavior, chosen, spawn = found.snippets
+    who = f"{said.adversary}: {', then '.join(said.actions)}"
+    if said.adversary is None or said.position is None:
+        raise _none_for(found, f"where another road user starts was not said ({who})")
+    asked = Asked(
+        kind=said.adversary.acts_as, position=said.position, actions=said.actions, junction=slots.place in JUNCTIONS
+    )
+    composed = compose(asked)
+    if composed is None:
+        raise _none_for(found, f"no steps that a plan of another road user could be composed of ({who})")
+    places = [
+        place
+        for place in library.of(Component.SPAWN)
+        if place.slots.position is said.position and agree(said.side, place.slots.side) and _plain_start(place)
+    ]
+    geometries = sorted(
+        (g for g in library.of(Component.GEOMETRY) if contradiction(slots, g.slots) is None),
+        key=lambda g: (
+            g.id != chosen.id,
+            g.slots.maneuver is not (slots.maneuver or Maneuver.STRAIGHT),
+            g.slots.place in CURVES,
+            len(g.slots.said()),
+        ),
+    )
+    pairs = [
+        (place, geometry)
+        for geometry in geometries
+        if incompatibility(behavior, geometry, spawn) is None
+        for place in places
+        if incompatibility(composed, geometry, place) is None
+    ]
+    if not pairs:
+        raise _none_for(found, f"no place where both can start ({who})")
+    first = pairs[0][1]
+    in_way = said.position is Position.AHEAD and all(action.row.stands for action in said.actions)
+    behind = said.position is slots.position or in_way  # the other is the farther one
+    place = min(
+        (place for place, geometry in pairs if geometry is first),
+        key=lambda place: ((place.slots.distance is Distance.FAR) is not behind, len(place.slots.said()), place.id),
+    )
+    if reveals(spawn, asked):
+        behavior = narrowed((behavior, first, spawn), _sooner(behavior))[0]
+    return replace(
+        found,
+        behavior=replace(found.behavior, snippet=behavior),
+        geometry=replace(found.geometry, snippet=first),
+        spawn=replace(found.spawn, snippet=placed_beside(spawn, replace(asked, kind=said.adversary), place)),
+        notes=(*found.notes, f"beside the adversary: {who}"),
+    )
+
+
+def _sooner(behavior: Snippet) -> dict[str, tuple[float, float]]:
+    """The half of its range in which a behavior acts sooner, so that it acts before it comes to who stands there."""
+    triggers = (p for p in behavior.parameters if p.name == "OPT_ADV_DISTANCE")
+    return {p.name: (round((p.low + p.high) / 2, 3), p.high) for p in triggers}
+
+
+def _plain_start(place: Snippet) -> bool:
+    """Whether nothing but somebody's start is in a spawn."""
+    return not any(getattr(place.slots, name) for name, slot in SLOTS.items() if slot.about)
+
+
+def _none_for(found: Retrieval, reason: str) -> NothingFits:
+    return NothingFits(
         f"nothing in the library does this: {reason}",
         reasons=(reason,),
         confidence=found.confidence,
@@ -88,4 +169,4 @@ def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
 
 def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retrieval, Triple]:
     made = bound(retrieval.snippets, scenario)
-    return replace(retrieval, notes=(*notes, *made.notes), unused=made.unused), made.triple
+    return replace(retrieval, notes=(*notes, *retrieval.notes, *made.notes), unused=made.unused), made.triple

@@ -394,15 +394,15 @@ def goes_without_saying(asked: Asked) -> frozenset[Action]:
     return frozenset(implied | (start.given if start else frozenset()))
 
 
-def composed_again(snippet_id: str) -> Snippet:
-    """The composed behavior of an id.
+def asked_in(snippet_id: str) -> Asked:
+    """What the composed behavior of an id is to do.
 
     Raises:
-        SnippetError: There is none.
+        SnippetError: It is no such id.
     """
     try:
         kind, position, *actions = snippet_id.removeprefix(COMPOSED).split(".")
-        asked = Asked(
+        return Asked(
             kind=AdversaryKind(kind),
             position=Position(position.removesuffix(_THERE)),
             actions=tuple(map(Action, actions)),
@@ -410,7 +410,15 @@ def composed_again(snippet_id: str) -> Snippet:
         )
     except ValueError as error:
         raise SnippetError(f"there is no snippet {snippet_id!r}: {error}") from error
-    if (made := compose(asked)) is None:
+
+
+def composed_again(snippet_id: str) -> Snippet:
+    """The composed behavior of an id.
+
+    Raises:
+        SnippetError: There is none.
+    """
+    if (made := compose(asked_in(snippet_id))) is None:
         raise SnippetError(f"there is no snippet {snippet_id!r}: no step of a plan does that")
     return made
 

@@ -10,6 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from chatscene.errors import SnippetError
+from chatscene.library.beside import AND, placed_again
 from chatscene.library.compose import COMPOSED, composed_again
 from chatscene.library.snippet_file import ADVERSARY_CLASS, ENDING, read_snippets
 from chatscene.terms.scenario import Component
@@ -60,6 +61,8 @@ class Library:
         """
         if snippet_id in self._by_id:
             return self._by_id[snippet_id]
+        if AND in snippet_id:
+            return placed_again(snippet_id, self.get)
         if snippet_id.startswith(COMPOSED):
             return composed_again(snippet_id)
         near = difflib.get_close_matches(snippet_id, self._by_id, n=1, cutoff=0.3)

@@ -59,7 +59,7 @@ ADVERSARY_BEHAVIOR = "AdvBehavior"
 
 _KEYS = frozenset(("description", "descriptions", "adversaries", "origin", "slots", "variants"))
 _OWN = ("adversaries", "origin")  # what a row may say of itself in the place of the header
-_SLOTS = frozenset(f.name for f in dataclass_fields(Slots))
+_SLOTS = frozenset(f.name for f in dataclass_fields(Slots) if f.name != "others")
 _OLD = {
     "rephrasings": "they stand in {wordings}, one a line; move them there",
     "requires": "it is read off the code; take it out",

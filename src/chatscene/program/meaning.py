@@ -15,7 +15,7 @@ from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING
 from chatscene.program.watching import Seen, in_frame, watch
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
-from chatscene.terms.episode import Array, Episode, Role, Track
+from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Slots, includes
 
@@ -69,7 +69,19 @@ def check_meaning(slots: Slots, episode: Episode, route: Route, *, through: bool
     failures += _ego_failures(slots, seen)
     failures += _start_failures(slots, seen, episode, route)
     failures += _action_failures(slots.actions, seen, contact)
+    for said in slots.others:
+        failures += _other_failures(said, episode, route, contact)
     return tuple(failures)
+
+
+def _other_failures(said: Slots, episode: Episode, route: Route, contact: int | None) -> list[str]:
+    """What a road user beside the adversary does not show."""
+    tracks = [track for track in episode.tracks if track.actor == OTHER]
+    if not tracks:
+        return [f"other: there is no {said.adversary} beside the adversary"]
+    seen = watch(episode, route, tracks[0], contact)
+    failures = [*_start_failures(said, seen, episode, route), *_action_failures(said.actions, seen, contact)]
+    return [f"other: {failure.replace('adversary', str(said.adversary))}" for failure in failures]
 
 
 # What the adversary does

@@ -144,6 +144,4 @@ def ask(model: LanguageModel, frame: Frame) -> Frame:
         notes=(Note(about=About.READER, said=(model.name,)), *differ),
         reader=model.name,
         plain=False,
-        others=(),
-        order=(),
     )

@@ -58,8 +58,6 @@ def hear(text: str) -> Frame:
             notes=tuple(notes),
             plain=True,
             surroundings=around.surroundings,
-            others=parsed.others,
-            order=parsed.order,
         )
     slots = _slots(clauses, notes)
     quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)

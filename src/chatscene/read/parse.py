@@ -7,7 +7,7 @@ go by likelihood (`chatscene.read.decompose`, `chatscene.read.slot_classifier`).
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
@@ -36,6 +36,8 @@ _LEAD_ASIDE = _TO_A_SIDE | {
     Action.OVERTAKE,
     Action.TURN_BACK,
 }  # behind these, "in front of us" says where they lead
+# Who does one of these is in the way by it.
+_IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
 _QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK))
 MOST_ACTORS = 2
 
@@ -45,14 +47,12 @@ class Parsed:
     """What a text says, all of it.
 
     Attributes:
-        slots: What it says of the ego, the place and the adversary.
-        others: What it says of each further road user; of the ego and the place as `slots`.
+        slots: What it says of the ego, the place, the adversary and the others.
         order: Who does what, in the order of telling: 0 is the adversary.
         quantities: The numbers said of the adversary.
     """
 
     slots: Slots
-    others: tuple[Slots, ...] = ()
     order: tuple[tuple[int, Action], ...] = ()
     quantities: tuple[Quantity, ...] = ()
 
@@ -275,14 +275,20 @@ def _parsed(told: _Told) -> Parsed:
     ranked = [first, *(i for i in range(len(told.actors)) if i != first)]
     facts = _concluded(told)
     slots = [_slots(told.actors[i], facts) for i in ranked]
+    if any(one.occluder is not None or one.group for one in slots[1:]):
+        raise _UnreadError("another who is hidden, or one of several")
     if any(told.actors[i].quantities for i in ranked[1:]):
         raise _UnreadError("a number of another road user")
     return Parsed(
-        slots=slots[0],
-        others=tuple(slots[1:]),
+        slots=replace(slots[0], others=tuple(_alone(one) for one in slots[1:])),
         order=tuple((ranked.index(i), action) for i, action in told.order),
         quantities=tuple(told.actors[first].quantities),
     )
+
+
+def _alone(one: Slots) -> Slots:
+    """What is said of a road user, without the ego and the place."""
+    return Slots(adversary=one.adversary, actions=one.actions, side=one.side, position=one.position)
 
 
 def _concluded(told: _Told) -> dict[str, Any]:
@@ -346,6 +352,10 @@ def _acts_of(one: _Actor, position: Position | None) -> tuple[Action, ...]:
         if not stands_first and acts != [Action.STAND, Action.BLOCK]:
             raise _UnreadError("it stands, and something else")
         acts.remove(Action.STAND)
+    if Action.STOP in acts and Action.FOLLOW in acts[acts.index(Action.STOP) :]:
+        acts[acts.index(Action.FOLLOW)] = Action.HESITATE  # it goes on again
+    if Action.BLOCK in acts and _IN_THE_WAY.intersection(acts):
+        acts.remove(Action.BLOCK)
     if position is Position.ONCOMING and acts == [Action.FOLLOW]:
         return (Action.ONCOMING,)
     if Action.WRONG_WAY in acts and Action.ONCOMING in acts:

@@ -230,7 +230,7 @@ _TARGETS = (
     rf"(?:right |directly |straight |close |just )?(?:in front of|ahead of|before) {_US}|(?:in|on)to {_OUR} (?:lane|path|way)|across {_OUR} (?:lane|path|way)|towards {_US}"
     rf"|(?:across|into|onto|over) the (?:road|street|lane)|in {_OUR} (?:path|way)|against {_US}|into {_US}|with {_US}"
 )
-_EGO_TURN = r"(?:[turn] {s}|[make] (?:a|an)(?: unprotected)? {s}(?:-hand)? turn|[take] (?:a|the) {s} turn|[turn] (?:off )?to the {s}|[go] {s}|[make] a {s})"
+_EGO_TURN = r"(?:[turn] {s}|(?:[make]|[begin]) a {s}(?:-hand)? turn|[take] (?:a|the) {s} turn|[turn] (?:off )?to the {s}|[go] {s}|[make] a {s})"
 _EGO_CHANGE = (
     r"(?:[change] lanes? to the {s}|[change] (?:over )?(?:in)?to the {s}(?:-hand)? lane|[move] (?:over )?(?:in)?to the {s}(?:-hand)? lane"
     r"|[change] to the {s}|[switch] to the {s} lane|[merge] (?:in)?to the {s} lane|[move] over to the {s})"
@@ -250,6 +250,11 @@ def _of_ego() -> Iterator[Phrase]:
     )
     for maneuver, form, side in ways:
         yield Phrase(sort=Sort.MANEUVER, value=maneuver, pattern=_marked(form.replace("{s}", side)), ego=True)
+    unprotected = r"an? unprotected(?= left)"
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), pattern=_compiled(unprotected), ego=True)
+    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.LEFT_TURN, pattern=_compiled(r"left(?:-hand)? turn"), ego=True)
+    turns = r"(?:[make]|[begin]|[start])(?= an? unprotected left)"
+    yield Phrase(sort=Sort.FILLER, value=None, pattern=_marked(turns), ego=True)
     straight = r"[drive] straight (?:on|ahead)|[go] straight(?: on| ahead)?|[continue] straight (?:on|ahead)|[keep] (?:our|the ego's|its) lane|[keep] straight on"
     yield Phrase(sort=Sort.MANEUVER, value=Maneuver.STRAIGHT, pattern=_marked(straight), ego=True)
     drives = r"[drive](?: on| along)?|[travel]|[approach] (?=(?:a|an|the) )|[cross] (?:a|the) (?:junction|intersection)|[go](?: on| along)?|[proceed]|[continue]|[move]"

@@ -84,8 +84,10 @@ def _match(match: Match) -> dict[str, Any]:
 
 
 def _plain(value: object) -> object:
-    """A slot as JSON: enumerations are text already, tuples become lists."""
-    return [str(item) for item in value] if isinstance(value, tuple) else value
+    """A slot as JSON: enumerations are text already, tuples become lists, and others have slots of their own."""
+    if isinstance(value, Slots):
+        return {name: _plain(one) for name, one in value.said().items()}
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
 
 
 class _Told(BaseModel):

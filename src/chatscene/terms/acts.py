@@ -27,6 +27,7 @@ class Deed:
         opposite: The act that nobody means who says this one; empty for none.
         turn: The side to which it turns: 1 for left, -1 for right.
         all_along: Whether it lasts: said before or after something else, it comes neither before nor after it.
+        stands: Whether who does it, and nothing else, stands.
         sudden: Whether it may be called sudden.
         hasty: Whether it only says how a thing is done, which need not be said.
         at_junction: Whether who does it is at a junction.
@@ -44,6 +45,7 @@ class Deed:
     opposite: str = ""
     turn: int = 0
     all_along: bool = False
+    stands: bool = False
     sudden: bool = False
     hasty: bool = False
     at_junction: bool = False
@@ -694,9 +696,10 @@ class Action(StrEnum):
                 [block] {egos} path
             """,
             all_along=True,
+            stands=True,
             also="""
                 [block] {egos} lane | [block] the road | [block] {egos} way | [block] the junction
-                [block] the lane
+                [block] the lane | [block] several lanes
             """,
         ),
     )
@@ -707,6 +710,7 @@ class Action(StrEnum):
             walks="[stand] still | [wait] | [stand] there | [stay] where {it} is",
             drives="[stand] still | [stand] there motionless | [stand] still with {its} hazard lights on",
             all_along=True,
+            stands=True,
             also="""
                 [stand] | [stand] still | [wait] | [stay] where {it} is | [stay] there | [stand] motionless
                 [be] parked | [sit] | [be] standing | [be] stationary | [be] stopped | [be] waiting

@@ -9,6 +9,7 @@ from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Occluder, 
 
 TURNS = (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN)
 LANE_CHANGES = (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT)
+CURVES = (Place.CURVE, Place.LEFT_CURVE, Place.RIGHT_CURVE)
 JUNCTIONS = (Place.JUNCTION, Place.THREE_WAY, Place.FOUR_WAY)
 
 

@@ -23,6 +23,9 @@ class Role(StrEnum):
     OCCLUDER = "occluder"
 
 
+OTHER = "other"  # the name of whoever acts beside the adversary, as a text says
+
+
 class EventKind(StrEnum):
     """Things that happen to the ego (SafeBench's criteria; paper, appendix C)."""
 

@@ -152,8 +152,6 @@ class Frame:
         reader: The language model that read it; empty for our own reader.
         plain: Whether every phrase has its place: then this is what was said, and nothing beyond it.
         surroundings: Light, weather and the state of the road.
-        others: What is said of each further road user that does something, beside the adversary; where `plain` only.
-        order: Who does what, in the order of telling: 0 is the adversary, 1 the first of the others.
     """
 
     text: str = ""
@@ -169,5 +167,3 @@ class Frame:
     reader: str = ""
     plain: bool = False
     surroundings: Surroundings = field(default_factory=Surroundings)
-    others: tuple[Slots, ...] = ()
-    order: tuple[tuple[int, Action], ...] = ()

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -172,11 +172,22 @@ class Slots:
     lanes: int | None = None  # of the ego's direction; on a road
     two_way: bool | None = None  # a lane of the opposite direction lies beside the ego's
     ego: EgoState | None = None
+    others: tuple[Slots, ...] = ()  # each who does something beside the adversary, where the text is read whole
+
+    def __str__(self) -> str:
+        """What is filled, in words."""
+        return ", ".join(f"{name}: {_words(value)}" for name, value in self.said().items())
 
     def said(self) -> dict[str, object]:
         """The slots that are filled, by name."""
         filled = {f.name: getattr(self, f.name) for f in fields(self)}
         return {name: value for name, value in filled.items() if value not in (None, ())}
+
+
+def _words(value: object) -> str:
+    if isinstance(value, tuple):
+        return " then ".join(map(str, cast("tuple[object, ...]", value)))
+    return str(value)
 
 
 class Measure(StrEnum):
