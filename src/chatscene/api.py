@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene import pipeline, runs
 from chatscene.errors import RunError, SettingsError, no_such
+from chatscene.maps.network import TOWN
 from chatscene.report.summary import Summary
 from chatscene.report.understood import Understood
 from chatscene.runs.progress import Progress, silent
@@ -240,7 +241,7 @@ def run(
     program: Name | None = None,
     trust: bool = False,
     as_written: bool = False,
-    map: str | Path = "town",  # noqa: A002 - the word of the command line
+    map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = "sac",
     scenes: int | None = None,
     routes: int | None = None,
@@ -264,7 +265,9 @@ def run(
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
-        map: Packaged ``town``, or an ``.xodr`` file; where a program names a map that is there, that one is taken.
+        map: Packaged ``town`` or ``outskirts``, or an ``.xodr`` file; None for the town, or for the outskirts where
+            the text names what the town has not, such as a motorway. Where a program names a map that is there, that
+            one is taken.
         ego: An ego by name, file or ``package.module:factory``.
         scenes: Simulations per scenario and route.
         routes: Routes per scenario.
@@ -301,12 +304,12 @@ def run(
         if own.map_path.is_file():
             map = own.map_path  # noqa: A001
         else:
-            progress(f"the program's map {own.map_path.name} is not there; it runs on {map}", 0, 0)
+            progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
     asked = runs.asked_run(
         text,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=reading),
-        map_name=str(map),
+        map_name=None if map is None else str(map),
         ego=str(ego),
         generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
     )

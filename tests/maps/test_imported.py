@@ -16,8 +16,8 @@ from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.network import PACKAGED, load_network, resolve_map
 from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes
 from chatscene.maps.survey import check_map, describe_map
-from chatscene.terms.route import RouteQuery, Site
-from chatscene.terms.scenario import BaseScenario, Control, Maneuver
+from chatscene.terms.route import RouteQuery
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Site
 from chatscene.world.places import EgoRoute, lanesBeside
 from places import SHARED
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,10 @@ from chatscene.maps.furniture import Stand, furniture_of
 from chatscene.maps.lane_map import LaneMap
 from chatscene.maps.layout import JunctionKind as Kind
 from chatscene.maps.layout import motorway_groups, ramp_ways, roundabouts, weaving_sections
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import load_network, map_with, resolve_map
 from chatscene.maps.routes import conflicting_paths, find_routes
-from chatscene.terms.route import Route, RouteQuery, Site
-from chatscene.terms.scenario import Control, Maneuver, Place
+from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from places import SHARED
 
 NETWORK: Any = load_network(resolve_map("outskirts"))
@@ -215,3 +216,17 @@ def test_a_town_of_carla_serves_its_ramps() -> None:
         query = RouteQuery(maneuver=Maneuver.STRAIGHT, site=site)
         for route in find_routes(network, "Town04", query):
             assert not lanes.off_road(route.line.points).any()
+
+
+@pytest.mark.parametrize("site", list(Site))
+def test_who_names_no_map_gets_the_one_that_has_the_site(site: Site) -> None:
+    town, maneuvers = load_network(resolve_map("town")), (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_LEFT)
+    found: list[Route] = []
+    for maneuver in maneuvers:
+        query = RouteQuery(maneuver=maneuver, site=site)
+        with pytest.raises(MapError, match="name no map, or the packaged 'outskirts'"):
+            find_routes(town, "town", query)
+        with suppress(MapError):
+            found += find_routes(load_network(resolve_map(map_with(site))), "outskirts", query)
+    assert found
+    assert {route.site for route in found} == {site}

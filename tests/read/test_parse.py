@@ -8,7 +8,7 @@ from chatscene.read.canonical import canonical
 from chatscene.read.parse import Parsed, parse
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Position, Side
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Position, Side, Site
 
 
 def read(text: str) -> Parsed:
@@ -120,3 +120,31 @@ def test_who_says_the_same_in_another_order_is_read_the_same(one: str, other: st
 def test_a_flipped_side_changes_the_side_alone() -> None:
     left, right = (read(f"A pedestrian from the {side} crosses, then goes back.").slots for side in Side)
     assert {name for name in left.said() if getattr(left, name) != getattr(right, name)} == {"side"}
+
+
+@pytest.mark.parametrize(
+    ("text", "site", "maneuver"),
+    [
+        ("On a motorway, the car ahead of us brakes hard.", Site.MOTORWAY, Maneuver.STRAIGHT),
+        ("On a highway, we change lanes to the left, and a bus brakes.", Site.MOTORWAY, Maneuver.LANE_CHANGE_LEFT),
+        ("Where an on-ramp joins the motorway, a car from the ramp cuts in.", Site.PAST_ON_RAMP, Maneuver.STRAIGHT),
+        ("We merge onto a motorway from the on-ramp, and a bus brakes.", Site.ON_RAMP, Maneuver.LANE_CHANGE_LEFT),
+        ("Where an off-ramp leaves the motorway, the car ahead of us brakes.", Site.PAST_OFF_RAMP, Maneuver.STRAIGHT),
+        ("We leave the motorway by the exit lane, and a car cuts in.", Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT),
+        ("On a country road, an oncoming car drives in our lane.", Site.RURAL, Maneuver.STRAIGHT),
+        ("A pedestrian crosses at a crosswalk from the right.", Site.CROSSWALK, Maneuver.STRAIGHT),
+        ("In a roundabout, the car ahead of us stops.", Site.ROUNDABOUT, Maneuver.STRAIGHT),
+    ],
+)  # fmt: skip
+def test_where_the_way_leads(text: str, site: Site, maneuver: Maneuver) -> None:
+    slots = read(text).slots
+    assert (slots.site, slots.maneuver) == (site, maneuver)
+
+
+def test_who_is_on_the_motorway_while_we_merge_is_in_the_lane_beside_ours() -> None:
+    slots = read("We merge onto a motorway from the on-ramp, and a car behind us on the motorway accelerates.").slots
+    assert slots.position is Position.BEHIND_BESIDE
+
+
+def test_a_motorway_at_a_junction_is_read_by_nobody_whole() -> None:
+    assert parse(canonical("On a motorway, we turn left at a junction, and a bus behind us brakes.")) is None

@@ -1,4 +1,4 @@
-"""The packaged geometries: each has routes on the packaged town, no two are the same, and they keep their word."""
+"""The packaged geometries: each has routes on a packaged map, no two are the same, and they keep their word."""
 
 from __future__ import annotations
 
@@ -15,16 +15,14 @@ import pytest
 from chatscene.errors import MapError
 from chatscene.library.compatibility import compatibility, ways_of
 from chatscene.library.load import load_library
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import load_network, map_with, resolve_map
 from chatscene.maps.routes import conflicting_paths
 from chatscene.program.meaning import maneuver_of
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Component, Maneuver, Place, includes
+from chatscene.terms.scenario import Component, Maneuver, Place, Site, includes
 from chatscene.terms.snippet import Snippet
 from chatscene.world.places import besideRoad, neighbourPath, routes_for, trafficFrom, wayOf
 
-TOWN = resolve_map("town")
-NETWORK: Any = load_network(TOWN)
 GEOMETRIES = load_library().of(Component.GEOMETRY)
 TRAFFIC = {"trafficFromLeft": "left", "trafficFromRight": "right", "oncomingTraffic": "oncoming"}
 
@@ -43,7 +41,13 @@ def _query(geometry: Snippet) -> dict[str, Any]:
 @cache
 def _routes(geometry_id: str) -> tuple[Route, ...]:
     geometry = next(g for g in GEOMETRIES if g.id == geometry_id)
-    return routes_for(NETWORK, str(TOWN), **_query(geometry))
+    return routes_for(
+        _network(geometry.slots.site), str(resolve_map(map_with(geometry.slots.site))), **_query(geometry)
+    )
+
+
+def _network(site: Site | None) -> Any:
+    return load_network(resolve_map(map_with(site)))
 
 
 def _ways(routes: tuple[Route, ...]) -> frozenset[bytes]:
@@ -51,11 +55,11 @@ def _ways(routes: tuple[Route, ...]) -> frozenset[bytes]:
 
 
 def _start(route: Route) -> Any:
-    return NETWORK.elements[route.lane_ids[0]]
+    return _network(route.site).elements[route.lane_ids[0]]
 
 
 @each
-def test_the_town_has_two_routes_or_more_for_a_geometry(geometry: Snippet) -> None:
+def test_a_packaged_map_has_two_routes_or_more_for_a_geometry(geometry: Snippet) -> None:
     assert len(_routes(geometry.id)) >= 2
 
 
@@ -102,7 +106,7 @@ def test_lanes_and_a_lane_of_oncoming_traffic_are_there_where_a_geometry_says_so
 def test_traffic_that_a_geometry_names_can_cross_the_ego_on_each_of_its_routes(geometry: Snippet) -> None:
     named = {side for name, side in TRAFFIC.items() if name in geometry.provides}
     for route in _routes(geometry.id):
-        assert named <= {path.from_side for path in conflicting_paths(NETWORK, route)}
+        assert named <= {path.from_side for path in conflicting_paths(_network(route.site), route)}
 
 
 @each
@@ -113,7 +117,9 @@ def test_who_goes_straight_on_has_an_arm_to_go_on_into_on_each_route(geometry: S
     sides = {TRAFFIC[arm] for spawn, ok in zip(joint.spawns, joined, strict=True) if ok for arm in TRAFFIC
              if arm in spawn.requires}  # fmt: skip
     for route in _routes(geometry.id):
-        assert sides <= {p.from_side for p in conflicting_paths(NETWORK, route) if p.turn is Maneuver.STRAIGHT}
+        assert sides <= {
+            p.from_side for p in conflicting_paths(_network(route.site), route) if p.turn is Maneuver.STRAIGHT
+        }
 
 
 def test_at_a_three_way_junction_nobody_goes_straight_on_out_of_the_side_road() -> None:
@@ -136,4 +142,4 @@ def test_the_lane_at_the_kerb_has_no_other_to_its_right(geometry: Snippet) -> No
 def _ego(route: Route) -> Any:
     from chatscene.world.places import EgoRoute
 
-    return EgoRoute(route, NETWORK, 1)
+    return EgoRoute(route, _network(route.site), 1)

@@ -8,7 +8,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import JSON, MAP, READING, Reading, console, progress, say
+from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, Reading, console, progress, say
 
 
 @click.command()
@@ -33,7 +33,7 @@ from chatscene.commands.library import JSON, MAP, READING, Reading, console, pro
     multiple=True,
     help="By name, file or package.module:factory; repeat. Runs have the first.  [default: sac, idm]",
 )
-@MAP
+@MAP_WITH_SITE
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option(
     "--out",
@@ -50,7 +50,7 @@ def coverage(
     drive: bool,
     scenes: int | None,
     egos: tuple[str, ...],
-    map_name: str,
+    map_name: str | None,
     seed: int,
     out: Path | None,
     fill: bool,

@@ -19,6 +19,12 @@ JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a sc
 MAP = click.option(
     "--map", "map_name", default="town", show_default=True, help="The packaged 'town' or 'outskirts', or an .xodr file."
 )
+MAP_WITH_SITE = click.option(
+    "--map",
+    "map_name",
+    default=None,
+    help="The packaged 'town' or 'outskirts', or an .xodr file.  [default: town; outskirts for motorways and the like]",
+)
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
 PHYSICS_OPTION = click.option(
     "--physics",

@@ -25,6 +25,7 @@ from chatscene.commands.library import (
     JSON,
     LIBRARY_AGAIN,
     MAP,
+    MAP_WITH_SITE,
     MODEL_AGAIN,
     PHYSICS_OPTION,
     READING,
@@ -109,7 +110,7 @@ def main() -> None:
 )
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
-@MAP
+@MAP_WITH_SITE
 @click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
@@ -137,7 +138,7 @@ def run(
     program: Path | None,
     trust: bool,
     as_written: bool,
-    map_name: str,
+    map_name: str | None,
     ego: str,
     scenes: int,
     routes: int,

@@ -122,6 +122,8 @@ def alike(library: Library, simulator: Simulator, ego: EgoPolicy, only: Collecti
 def sound_part(library: Library, strangers: Collection[str] | None = None) -> tuple[Library, set[Finding]]:
     """The snippets whose code is sound as far as reading shows, and what is wrong with the others.
 
+    Without geometries of sites, which the town has not: they are read, and driven nowhere.
+
     Args:
         library: All of them.
         strangers: Ids of those that nobody has reviewed, which the allow-list must let pass first.
@@ -131,7 +133,7 @@ def sound_part(library: Library, strangers: Collection[str] | None = None) -> tu
         refused = refused_code(snippet, library) if snippet.id in (strangers or ()) else ()
         found |= set(refused or check_code(snippet))
     known = {finding.snippet_id for finding in found}
-    return Library(tuple(snippet for snippet in library if snippet.id not in known)), found
+    return Library(tuple(s for s in library if s.id not in known and s.slots.site is None)), found
 
 
 # The code alone

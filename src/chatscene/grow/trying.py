@@ -62,7 +62,7 @@ class Judge:
             snippet: Whatever the library has under its id is not looked at.
             base: The base scenario it is for; None for any.
         """
-        others = Library(tuple(s for s in self.library if s.id != snippet.id))
+        others = Library(tuple(s for s in self.library if s.id != snippet.id and s.slots.site is None))
         if faults := code_faults(snippet, others):
             return faults
         if base is not None and snippet.component is Component.GEOMETRY and not serves(snippet, base):

@@ -36,6 +36,7 @@ from chatscene.terms.scenario import (
     Position,
     Scenario,
     Side,
+    Site,
     Slots,
     SubDescriptions,
     Why,
@@ -437,6 +438,8 @@ def _free(name: str, value: object, *, sure: bool) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
     if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
         return 1.0
+    if not SLOTS[name].taught:
+        return 0.0  # words say it outright, or it was not said
     if SLOTS[name].added:
         return UNASKED_SURELY if sure else UNASKED
     return UNASKED_VALUE
@@ -472,7 +475,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
 def _agreement(said: object, does: object) -> float:
     """How well a snippet does one fact, in [0, 1]."""
     if does is None:
-        return 0.0 if said is True else OPEN if isinstance(said, (Side, Distance)) else UNSAID
+        return 0.0 if said is True or isinstance(said, Site) else OPEN if isinstance(said, (Side, Distance)) else UNSAID
     if isinstance(does, frozenset):
         return NARROWER if said in does else OPEN
     if said == does:

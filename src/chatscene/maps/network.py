@@ -19,6 +19,7 @@ from chatscene.errors import MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.furniture import read_furniture
+from chatscene.terms.scenario import Site
 
 LONGEST = 1e5  # [m] of a road
 FARTHEST = 1e8  # [m] from the origin; projected coordinates have it far away
@@ -33,7 +34,8 @@ _MEASURES = (
     | dict.fromkeys(("a", "b", "c", "d", *(f"{k}{axis}" for k in "abcd" for axis in "UV")), (-1e6, 1e6))
 )
 
-PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in ("town", "outskirts")}
+TOWN, OUTSKIRTS = "town", "outskirts"
+PACKAGED = {name: Path(__file__).with_name(f"{name}.xodr") for name in (TOWN, OUTSKIRTS)}
 
 
 def resolve_map(name: str) -> Path:
@@ -53,6 +55,11 @@ def resolve_map(name: str) -> Path:
     near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)
     hint = f"; did you mean {near[0]!r}?" if near else ""
     raise MapError(f"there is no map {name!r}: neither packaged ({', '.join(PACKAGED)}) nor a file{hint}")
+
+
+def map_with(site: Site | None) -> str:
+    """The packaged map for those who name none: the town, or the outskirts for a site, of which the town has none."""
+    return TOWN if site is None else OUTSKIRTS
 
 
 def load_network(path: Path | str) -> Any:

@@ -25,10 +25,11 @@ from chatscene.maps.lane_changes import neighbour, shifted, wide_at
 from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, arms, junction_kinds
 from chatscene.maps.neighbours import opposes, section_beside
+from chatscene.maps.network import map_with
 from chatscene.maps.sites import AT_JUNCTIONS, along, routes_at, windows_past
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery, Site
-from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, includes
+from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.scenario import BaseScenario, Control, Maneuver, Place, Site, includes
 
 __all__ = ["BASE_SCENARIO_QUERIES", "CrossingPath", "conflicting_paths", "find_routes", "from_line", "lacking"]
 
@@ -111,9 +112,12 @@ def find_routes(network: Any, map_name: str, query: RouteQuery, count: int = 10)
         if len(candidates) < count:
             candidates += find(network, map_name, query, variant)
     if not candidates:
-        raise MapError(f"map {map_name!r} has no place for {', '.join(_in_words(query))}")
+        other = map_with(query.site)
+        remedy = "" if query.site is None or map_name == other else f"; name no map, or the packaged {other!r}"
+        raise MapError(f"map {map_name!r} has no place for {', '.join(_in_words(query))}{remedy}")
     chosen = _spread(candidates)[:count]
-    return tuple(replace(route, id=f"{query.slug}-{number:02d}") for number, route in enumerate(chosen))
+    slug, site = query.slug, query.site
+    return tuple(replace(route, id=f"{slug}-{number:02d}", site=site) for number, route in enumerate(chosen))
 
 
 def _needs_junction(query: RouteQuery) -> bool:

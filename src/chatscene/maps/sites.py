@@ -13,10 +13,18 @@ from chatscene.maps.lane_runs import LaneRun, centre_line, lane_runs
 from chatscene.maps.layout import JunctionKind, motorway_groups, ramp_ways, roundabouts, weaving_sections
 from chatscene.maps.neighbours import opposes, section_beside
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery, Site
-from chatscene.terms.scenario import Control, Maneuver, Place
+from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 
-AT_JUNCTIONS = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
+AT_JUNCTIONS = (
+    Site.ROUNDABOUT,
+    Site.ON_RAMP,
+    Site.OFF_RAMP,
+    Site.PAST_ON_RAMP,
+    Site.PAST_OFF_RAMP,
+    Site.WEAVING,
+    Site.LANE_DROP,
+)
 
 ENTRIES = (42.0, 36.0, 48.0, 30.0)  # [m] from a route's start to the roundabout
 EXIT = 45.0  # [m] driven after it
@@ -25,6 +33,9 @@ MAIN = 100.0  # [m] of the road beside it
 CHANGES = (20.0, 35.0, 50.0, 5.0)  # [m] from a ramp's nose to where a change of lanes begins, or is over
 OVER, AFTER = 50.0, 40.0  # [m] for a change of lanes, and in the other lane afterwards
 BEFORE = 40.0  # [m] in a lane before it is left
+JOINED = 2.0  # [m] behind the nose of an on-ramp
+BEYOND = (5.0, 20.0, 35.0, 50.0)  # [m] from the nose of an on-ramp to where a route past it begins
+AHEAD = (75.0, 65.0, 85.0, 55.0)  # [m] from where a route past an off-ramp begins to its nose
 PAST = (55.0, 45.0, 65.0, 35.0)  # [m] from a route's start to what it leads past
 ROAD = 100.0  # [m] of such a route
 _TURN = math.radians(45)
@@ -39,6 +50,8 @@ def routes_at(network: Any, map_name: str, query: RouteQuery, variant: int) -> I
         ways = _round(network, ENTRIES[variant])
     elif query.site is Site.LANE_DROP:
         ways = _out_of_ending_lanes(network, query.maneuver, variant)
+    elif query.site is Site.PAST_ON_RAMP or query.site is Site.PAST_OFF_RAMP:
+        ways = _past_ramps(network, query.site, variant)
     else:
         ways = _at_ramps(network, query, variant)
     for group, maneuver, line, lanes, event_at, junction in ways:
@@ -123,15 +136,19 @@ def _at_ramps(network: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
     if query.site is on and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_LEFT):
         for way in ramp_ways(network, JunctionKind.MERGE):
             if not weaving or way.intersection.uid in merges:
-                yield from _on(network, way, query.maneuver, variant)
+                yield from _on(network, way, query, variant)
     if query.site is off and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_RIGHT):
         for way in ramp_ways(network, JunctionKind.DIVERGE):
             if query.site is Site.OFF_RAMP or way.intersection.uid in diverges:
                 yield from _off(network, way, query.maneuver, variant)
 
 
-def _on(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
-    """Down a ramp onto another road, and, for a lane change, into the lane to the left."""
+def _on(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+    """Down a ramp onto another road, and, for a lane change, into the lane to the left.
+
+    If there must be a second lane where it begins, it begins where the ramp has joined the road.
+    """
+    maneuver = query.maneuver
     runs = lane_runs(network)
     before, after = runs[way.startLane.uid], runs[way.endLane.uid]
     start = max(before.line.length - RAMP, 0.0)
@@ -147,6 +164,11 @@ def _on(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_W
     beside = _beside(after, at, at + OVER)
     if beside is not None:
         target = runs[beside.uid]
+        if query.lanes_same_way > 1:
+            line = changed(after.line.between(JOINED, after.line.length), target.line, at, OVER, AFTER)
+            lanes = (*after.ids_between(JOINED, JOINED + at), *_ids_to(target, line))
+            yield way.startLane.uid, maneuver, line, lanes, at, None
+            return
         line = changed(Polyline.join(ramp, after.line), target.line, ramp.length + at, OVER, AFTER)
         lanes = (*ids, *after.ids_between(0.0, at), *_ids_to(target, line))
         yield way.startLane.uid, maneuver, line, lanes, ramp.length + at, None
@@ -182,6 +204,48 @@ def _off(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_
         )
         lanes = (*source.ids_between(start, level), *before.ids_between(at, nose), *ids)
         yield way.startLane.uid, maneuver, line, lanes, level - start, None
+
+
+def _past_ramps(network: Any, site: Site, variant: int) -> Iterator[_Way]:
+    """Straight on in the lane beside the one that comes from a ramp or leads into one."""
+    runs = lane_runs(network)
+    if site is Site.PAST_ON_RAMP:
+        for way in ramp_ways(network, JunctionKind.MERGE):
+            start = BEYOND[variant]
+            beside = neighbour(runs[way.endLane.uid], start, 1)
+            if beside is None or opposes(way.endLane, beside):
+                continue
+            run = runs[beside.uid]
+            end = min(start + MAIN + OVER, run.line.length)
+            if end - start >= MAIN:
+                line, lanes = run.line.between(start, end), run.ids_between(start, end)
+                yield way.startLane.uid, Maneuver.STRAIGHT, line, lanes, line.length / 2, None
+        return
+    for way in ramp_ways(network, JunctionKind.DIVERGE):
+        leading = runs[way.startLane.uid]
+        beside = neighbour(leading, leading.line.length - 1.0, 1)
+        if beside is None or opposes(way.startLane, beside):
+            continue
+        on = [m for m in way.intersection.maneuvers if m.startLane.uid == beside.uid]
+        if not on:
+            continue
+        before, after = runs[beside.uid], runs[on[0].endLane.uid]
+        start, end = before.line.length - AHEAD[variant], min(MAIN, after.line.length)
+        if start >= 2.0 and end >= MAIN / 2:
+            line = Polyline.join(
+                before.line.between(start, before.line.length),
+                centre_line(on[0].connectingLane),
+                after.line.between(0.0, end),
+            )
+            lanes = (*before.ids_between(start, before.line.length), on[0].connectingLane.uid)
+            yield (
+                way.endLane.uid,
+                Maneuver.STRAIGHT,
+                line,
+                (*lanes, *after.ids_between(0.0, end)),
+                AHEAD[variant],
+                None,
+            )
 
 
 def _out_of_ending_lanes(network: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:

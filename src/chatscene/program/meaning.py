@@ -17,7 +17,7 @@ from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Slots, includes
+from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Place, Position, Side, Site, Slots, includes
 
 IN_LANE = 1.75  # [m] from the ego's line
 TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
@@ -27,6 +27,7 @@ DRIVING, CRAWLING = (
     4.0,
 )  # [m/s]: as fast at least it drives before it slows down, slower than that all along it crawls
 SLOWED = 1.5  # [m/s]
+TOLD_BY_SITE = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
 BRAKED = 4.0  # [m/s²] for so many steps as for a halt
 
 OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
@@ -109,7 +110,9 @@ def _action_failures(actions: Sequence[Action], seen: Seen, contact: int | None)
 
 
 def maneuver_of(route: Route) -> Maneuver:
-    """What a route does, from its shape alone."""
+    """What a route does, from its shape; at ramps and roundabouts what it was found for, which no shape tells."""
+    if route.site in TOLD_BY_SITE:
+        return route.maneuver
     step = np.diff(route.line.points, axis=0)
     heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
     turned = float(heading[-1] - heading[0])
@@ -133,6 +136,8 @@ def _route_failures(slots: Slots, route: Route) -> list[str]:
         failures.append(f"ego: said {slots.maneuver}, its route goes {does}")
     if slots.control is not None and slots.control != route.control:
         failures.append(f"control: said {slots.control}, the junction has {route.control}")
+    if slots.site is not None and slots.site is not route.site:
+        failures.append(f"site: said {slots.site}, the route was found for {route.site or 'none'}")
     if slots.place is not None and not _is_place(slots.place, route):
         failures.append(f"place: said {slots.place}, the route lies on a {route.place}")
     return failures

@@ -25,6 +25,7 @@ from chatscene.terms.scenario import (
     Position,
     Quantity,
     Side,
+    Site,
     Slots,
 )
 
@@ -39,6 +40,7 @@ _LEAD_ASIDE = _TO_A_SIDE | {
 # Who does one of these is in the way by it.
 _IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
 _QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK))
+_OF_MOTORWAYS = (Site.ON_RAMP, Site.OFF_RAMP, Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP)
 MOST_ACTORS = 2
 
 
@@ -199,6 +201,8 @@ def _take(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
         _speak_of(told, phrase, match)
     elif phrase.sort is Sort.PLACE:
         _placed(told, *phrase.value)  # type: ignore[misc]
+    elif phrase.sort is Sort.SITE:
+        _sited(told, *phrase.value)  # type: ignore[misc]
     elif phrase.sort in _FACTS:
         for name in _FACTS[phrase.sort]:
             _fact(told, name, phrase.value)
@@ -240,6 +244,9 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
     elif phrase.sort is Sort.OCCLUDER:
         actor.occluder = value
     elif phrase.sort is Sort.WHERE:
+        if value is Where.RAMP:
+            _sited(told, Site.PAST_ON_RAMP)
+            value = Where.NEXT_LANE
         if not (_LEAD_ASIDE.intersection(actor.acts) and value in (Where.AHEAD, Where.OWN_LANE)):
             actor.where.add(value)
     elif phrase.sort is Sort.SIDE:
@@ -262,6 +269,19 @@ def _placed(told: _Told, place: Place, control: Control | None) -> None:
         raise _UnreadError(place)
     if control is not None:
         _fact(told, "control", control)
+
+
+def _sited(told: _Told, site: Site, maneuver: Maneuver | None = None) -> None:
+    """Where the ego's way leads; a motorway may have ramps."""
+    known = told.facts.get("site")
+    if known is Site.ON_RAMP and told.subject is not None:
+        told.actors[told.subject].where.add(Where.NEXT_LANE)  # on the motorway, as the ego is not yet
+    if known is None or (known is Site.MOTORWAY and site in _OF_MOTORWAYS):
+        told.facts["site"] = site
+    elif site is not known and not (site is Site.MOTORWAY and known in _OF_MOTORWAYS):
+        raise _UnreadError(site)
+    if maneuver is not None:
+        _fact(told, "maneuver", maneuver)
 
 
 # From phrases to slots
@@ -293,7 +313,7 @@ def _alone(one: Slots) -> Slots:
 
 def _concluded(told: _Told) -> dict[str, Any]:
     """The facts of the ego and the place, with what follows from them."""
-    facts = dict(told.facts)
+    facts = _with_place_of_site(told.facts)
     maneuver = facts.get("maneuver")
     if maneuver is Maneuver.BYPASS:
         facts["blocker"] = True
@@ -318,6 +338,15 @@ def _concluded(told: _Told) -> dict[str, Any]:
     if facts.get("place") is not None and maneuver is None:
         facts["maneuver"] = Maneuver.STRAIGHT
     return facts
+
+
+def _with_place_of_site(facts: dict[str, Any]) -> dict[str, Any]:
+    if facts.get("site") is None:
+        return dict(facts)
+    place = Place.JUNCTION if facts["site"] is Site.ROUNDABOUT else Place.ROAD
+    if facts.get("place", place) is not place:
+        raise _UnreadError("one place inside another")
+    return {**facts, "place": place}
 
 
 def _slots(one: _Actor, facts: dict[str, Any]) -> Slots:

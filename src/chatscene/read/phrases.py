@@ -17,7 +17,7 @@ from chatscene.read import lexicon
 from chatscene.read.inflection import Form, inflected, listed
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Site
 
 
 class Sort(StrEnum):
@@ -34,6 +34,7 @@ class Sort(StrEnum):
     SIDE = "side"
     TARGET = "target"  # where an act leads, which says no more than the act
     PLACE = "place"
+    SITE = "site"  # the value is the site, with what the ego does there
     LANES = "lanes"
     TWO_WAY = "two-way"
     OCCLUDER = "occluder"
@@ -58,6 +59,7 @@ class Where(StrEnum):
     ARM = "arm"  # of a junction, to a side
     FAR_CORNER = "far-corner"
     FROM_SIDE = "from-side"  # it comes from there
+    RAMP = "ramp"  # it comes from one, beside the ego's lane
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -187,6 +189,33 @@ def _places() -> Iterator[Phrase]:
     yield Phrase(sort=Sort.TWO_WAY, value=False, pattern=_compiled(rf"{on}one-way {road}"))
 
 
+_MOTORWAY = r"(?:motorway|highway|freeway|expressway)"
+_ON_RAMP = rf"(?:{_MOTORWAY} )?(?:on-ramp|entry ramp|entrance ramp|slip road|acceleration lane)"
+_OFF_RAMP = rf"(?:{_MOTORWAY} )?(?:off-ramp|exit ramp|exit(?: lane)?)"
+_BY = r"(?:by|via|from|at|on|over|along|down)"
+
+
+def _sites() -> Iterator[Phrase]:
+    of = rf"(?: (?:of|to|onto) {_THE} {_MOTORWAY})?"
+    where = {
+        Site.MOTORWAY: rf"(?:on|along|down) {_THE} {_MOTORWAY}",
+        Site.PAST_ON_RAMP: rf"where {_THE} {_ON_RAMP} (?:joins|meets|merges (?:in|on)to) {_THE} {_MOTORWAY}|(?:at|past|near) {_THE} {_ON_RAMP}{of}",
+        Site.PAST_OFF_RAMP: rf"where {_THE} {_OFF_RAMP} leaves {_THE} {_MOTORWAY}|(?:at|past|near) {_THE} {_OFF_RAMP}{of}",
+        Site.RURAL: rf"(?:on|along|down) {_THE} (?:country|rural) (?:road|lane)",
+        Site.CROSSWALK: rf"(?:at|on|over|across|before|near|towards) {_THE} (?:crosswalk|zebra(?: crossing)?|pedestrian crossing)",
+        Site.ROUNDABOUT: rf"(?:at|in|on|into|through|around|round) {_THE} roundabout",
+    }
+    for site, said in where.items():
+        yield Phrase(sort=Sort.SITE, value=(site, None), pattern=_compiled(said))
+    joins = rf"[merge] (?:on|in)to {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[join] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[merge] from {_THE} {_ON_RAMP}"
+    leaves = rf"[leave] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_OFF_RAMP})?|[exit] {_THE} {_MOTORWAY}|[take] {_THE} {_OFF_RAMP}{of}"
+    for site, maneuver, said in (
+        (Site.ON_RAMP, Maneuver.LANE_CHANGE_LEFT, joins),
+        (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT, leaves),
+    ):
+        yield Phrase(sort=Sort.SITE, value=(site, maneuver), pattern=_marked(said), ego=True)
+
+
 _OCCLUDERS: dict[Occluder, str] = {
     Occluder.BUS_STOP: r"bus (?:stop|shelter)",
     Occluder.VENDING_MACHINE: r"(?:drinks |snack )?(?:vending|ticket|drinks) machine",
@@ -216,6 +245,7 @@ _WHERE: tuple[tuple[object, str], ...] = (
     (Where.OPPOSITE, rf"(?:coming |approaching )?from the opposite direction|in the (?:opposite|oncoming) (?:lane|direction)|coming towards {_US}|(?:coming )?from the front|coming the other way"),
     (Where.EDGE, r"(?:at|by|on|from|beside|along) the (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street|lane))|beside the road|parked|in a parking (?:space|place|bay)"),
     (Where.ARM, r"(?:coming |approaching |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road)"),
+    (Where.RAMP, rf"(?:coming |merging |joining )?from {_THE} (?:on-)?ramp"),
     (Where.FAR_CORNER, r"(?:at|from) the far (?:corner|kerb|side)|(?:on|from) the (?:opposite|far) (?:sidewalk|pavement|side)"),
 )  # fmt: skip
 _SIDED: tuple[tuple[object, str], ...] = (
@@ -309,6 +339,7 @@ def phrases() -> tuple[Phrase, ...]:
         *_acts(),
         *_of_ego(),
         *_places(),
+        *_sites(),
         *_occluders(),
         *(Phrase(sort=Sort.WHERE, value=value, pattern=_compiled(said), ego=False) for value, said in _WHERE),
         *(Phrase(sort=Sort.SIDE, value=value, pattern=_sided(said), ego=False) for value, said in _SIDED),

@@ -9,6 +9,7 @@ import re
 from collections.abc import Sequence
 
 from chatscene.read import lexicon as words
+from chatscene.read.phrases import Sort, phrases
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Mention
 from chatscene.terms.scenario import Quantity, Unused, Why
@@ -35,10 +36,17 @@ def unused_of(text: str, quantities: Sequence[Quantity], unlike: Sequence[Unused
     found = [*unlike]
     found += [Unused(said=m[0].strip(" ,"), why=Why.REACTION) for m in words.REACTION.finditer(text)]
     text = words.REACTION.sub(" ", text)
+    found += [Unused(said=said, why=Why.SITE) for said in _sites(text)]
     text = _without(text, quantities)
     found += [Unused(said=said, why=Why.NUMBER) for said in _numbers(text)]
     found += [Unused(said=said, why=Why.WORDS) for said in words.known_to_no_rule(_NUMBER.sub(" , ", text))]
     return tuple(dict.fromkeys(found))
+
+
+def _sites(text: str) -> list[str]:
+    """The places of which no reader but the whole one knows, as they are named."""
+    rules = (phrase.pattern for phrase in phrases() if phrase.sort is Sort.SITE and phrase.ego is None)
+    return [m[0] for rule in rules for m in rule.finditer(text)]
 
 
 def _without(text: str, quantities: Sequence[Quantity]) -> str:

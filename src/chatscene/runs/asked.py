@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.ego.policy import FILES, load_ego, senses_of
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import map_with, resolve_map
 from chatscene.runs.digests import digest_of
 from chatscene.runs.record import (
     BenchmarkRecord,
@@ -35,11 +35,11 @@ def asked_run(
     *,
     program: ProgramRecord | None = None,
     settings: Settings | None = None,
-    map_name: str = "town",
+    map_name: str | None = None,
     ego: str = "sac",
     generator: str = "chatscene",
 ) -> RunRecord:
-    """A run of a sentence, or of a program of the user's own.
+    """A run of a sentence, or of a program of the user's own; if no map is named, on the packaged one with its site.
 
     Raises:
         ChatSceneError: Something that is named is not there, or the sentence is none.
@@ -47,15 +47,14 @@ def asked_run(
     settings = settings or Settings()
     maker = load_generator(generator)
     load_sampler(settings.search.sampler)
-    record = RunRecord(
+    read = maker.read(text if program is None else program.source, settings.retrieval)
+    return RunRecord(
         text=text,
         program=program,
         generator=generator,
         egos=[ego],
-        **_on_a_map(map_name, [ego], settings, maker),
+        **_on_a_map(map_name or map_with(read.slots.site), [ego], settings, maker),
     )
-    scenario_of(record, maker)
-    return record
 
 
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:

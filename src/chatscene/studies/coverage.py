@@ -31,7 +31,7 @@ from chatscene.errors import (
 )
 from chatscene.library.compose import COMPOSED
 from chatscene.maps.drawing import drawing_around
-from chatscene.maps.network import load_network, resolve_map
+from chatscene.maps.network import load_network, map_with, resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.report.animation import still
 from chatscene.report.coverage import coverage_page
@@ -42,7 +42,7 @@ from chatscene.runs.progress import Progress
 from chatscene.search.generator import Written, climb, simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import Settings
-from chatscene.simulate.simulator import check_jobs, routes_of
+from chatscene.simulate.simulator import Simulator, check_jobs, routes_of
 from chatscene.studies.catalogue import slug
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Entry, Fared, Searched, Tally
 from chatscene.terms.episode import Episode
@@ -61,7 +61,7 @@ class Asked:
 
     Attributes:
         settings: How sentences are read; how scenes are searched in a run, and the seed of those that are drawn.
-        map_name: Where scenes are driven.
+        map_name: Where scenes are driven; None for the packaged map that has the site of each sentence.
         egos: Who drives; the first of them in runs, too.
         scenes: How many scenes of each entry are drawn and driven; 0 for none.
         folder: Where runs are, and what is written; None for nowhere.
@@ -69,7 +69,7 @@ class Asked:
     """
 
     settings: Settings = field(default_factory=Settings)
-    map_name: str = "town"
+    map_name: str | None = None
     egos: tuple[str, ...] = EGOS
     scenes: int = 0
     folder: Path | None = None
@@ -100,7 +100,7 @@ def cover(catalogues: Sequence[Catalogue], asked: Asked, *, jobs: int = 1, progr
     if asked.fill and asked.folder is None:
         raise SettingsError("runs need a folder: say where with --out")
     check_jobs(asked.settings.simulation, jobs)
-    resolve_map(asked.map_name)  # what is not there is told here, and once
+    resolve_map(asked.map_name or map_with(None))  # what is not there is told here, and once
     for ego in asked.egos:
         load_ego(ego)
     every = [(catalogue.name, entry) for catalogue in catalogues for entry in catalogue.entries]
@@ -118,11 +118,10 @@ class _Desk:
     def __init__(self, asked: Asked) -> None:
         self._asked = asked
         self._generator = Retrieved()
-        self._map = resolve_map(asked.map_name)
+        self._simulators: dict[Path, Simulator] = {}
         self._egos: dict[str, EgoPolicy] = {}
         if asked.scenes:
             self._egos = {name: load_ego(name) for name in asked.egos}
-            self._simulator = simulator_of(self._generator, self._map, asked.settings)
 
     def __call__(self, task: Task) -> tuple[int, Covered]:
         number, catalogue, entry = task
@@ -153,7 +152,10 @@ class _Desk:
 
     def _driven(self, row: Covered, scenario: Scenario, first: Written) -> Covered:
         """What drawn scenes show, once the program, or the next best, stands on the ladder."""
-        settings, generator, simulator = self._asked.settings, self._generator, self._simulator
+        settings, generator, map_path = self._asked.settings, self._generator, self._map_of(scenario)
+        if map_path not in self._simulators:
+            self._simulators[map_path] = simulator_of(generator, map_path, settings)
+        simulator = self._simulators[map_path]
         surrogate = next(iter(self._egos.values()))
         written, _ = climb(generator, scenario, first, settings=settings.retrieval, simulator=simulator, ego=surrogate)
         routes = list(routes_of(simulator, written.program, self._asked.scenes))
@@ -174,13 +176,11 @@ class _Desk:
             **_chosen(scenario, written),
             fared=tuple(_fared(name, own) for name, own in drives.items()),
             missed=tuple(missed.most_common()),
-            picture=self._still(best.episode) if best and self._asked.folder else b"",
+            picture=_still(best.episode, map_path) if best and self._asked.folder else b"",
         )
 
-    def _still(self, episode: Episode) -> bytes:
-        actors = (episode.ego_track, *episode.adversaries)
-        points = np.concatenate([np.column_stack((track.x, track.y)) for track in actors])
-        return still(episode, drawing_around(load_network(self._map), points))
+    def _map_of(self, scenario: Scenario) -> Path:
+        return resolve_map(self._asked.map_name or map_with(scenario.slots.site))
 
     def _searched(self, row: Covered, folder: Path) -> Covered:
         """The row with its run, which is made or gone on with if that is asked for."""
@@ -206,6 +206,12 @@ class _Desk:
             return replace(row, searched=searched)
         picture = still(runs.read_episode(run, best["scene_id"]), runs.read_drawing(run))
         return replace(row, searched=searched, picture=picture)
+
+
+def _still(episode: Episode, map_path: Path) -> bytes:
+    actors = (episode.ego_track, *episode.adversaries)
+    points = np.concatenate([np.column_stack((track.x, track.y)) for track in actors])
+    return still(episode, drawing_around(load_network(map_path), points))
 
 
 _NO_CHOICE: dict[str, Any] = {"snippet_ids": (), "composed": (), "confidence": None}

@@ -6,25 +6,9 @@ Paper: section 3.1 ("Route"), section 4.2 (ten routes per base scenario).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.scenario import Control, Maneuver, Place
-
-
-class Site(StrEnum):
-    """What a route leads along or through beyond what a `Place` says; sentences do not speak of it yet."""
-
-    ROUNDABOUT = "roundabout"  # in, round, and out
-    MOTORWAY = "motorway"
-    ON_RAMP = "on-ramp"  # onto another road
-    OFF_RAMP = "off-ramp"
-    WEAVING = "weaving"  # between an on-ramp and an off-ramp that share a lane
-    LANE_DROP = "lane-drop"  # in a lane that tapers out
-    RURAL = "rural"  # a two-way road with a lane each way and no sidewalk
-    CROSSWALK = "crosswalk"  # between junctions
-    PARKING = "parking"  # beside parking places
-    BUS_BAY = "bus-bay"
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,6 +70,7 @@ class Route:
         event_at: Arc length [m] where the manoeuvre begins: the junction's entry, the start of the lane change, the
             nose of a ramp, a crosswalk or the start of a bay or, on open road, the middle.
         junction: Scenic's id of the junction on it, or None.
+        site: What it was asked to lead along or through, if anything.
     """
 
     id: str
@@ -97,6 +82,7 @@ class Route:
     lane_ids: tuple[str, ...]
     event_at: float
     junction: str | None = None
+    site: Site | None = None
 
     @property
     def length(self) -> float:

@@ -142,6 +142,23 @@ def includes(general: Place, place: Place) -> bool:
     return general is place or place in _KINDS_OF.get(general, ())
 
 
+class Site(StrEnum):
+    """What the ego's way leads along or through, beyond what a `Place` says."""
+
+    ROUNDABOUT = "roundabout"  # in, round, and out
+    MOTORWAY = "motorway"
+    ON_RAMP = "on-ramp"  # by it onto another road
+    OFF_RAMP = "off-ramp"
+    PAST_ON_RAMP = "past-on-ramp"  # along the road that it joins
+    PAST_OFF_RAMP = "past-off-ramp"
+    WEAVING = "weaving"  # between an on-ramp and an off-ramp that share a lane
+    LANE_DROP = "lane-drop"  # in a lane that tapers out
+    RURAL = "rural"  # a two-way road with a lane each way and no sidewalk
+    CROSSWALK = "crosswalk"  # between junctions
+    PARKING = "parking"  # beside parking places
+    BUS_BAY = "bus-bay"
+
+
 class Control(StrEnum):
     """How a junction is controlled."""
 
@@ -172,6 +189,7 @@ class Slots:
     lanes: int | None = None  # of the ego's direction; on a road
     two_way: bool | None = None  # a lane of the opposite direction lies beside the ego's
     ego: EgoState | None = None
+    site: Site | None = None
     others: tuple[Slots, ...] = ()  # each who does something beside the adversary, where the text is read whole
 
     def __str__(self) -> str:
@@ -224,6 +242,7 @@ class Why(StrEnum):
     DEGREE = "there is one rain, one snowfall and one fog"
     REACTION = "how the ego reacts is its own affair"
     ROAD_USER = "another road user; one adversary is searched with"
+    SITE = "served only where every word of a text is understood, and some of this one is not"
     NUMBER = "nothing in the program can be set to it"
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 

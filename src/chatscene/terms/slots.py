@@ -6,7 +6,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.scenario import Component, Control, Distance, EgoState, Maneuver, Occluder, Place, Position, Side
+from chatscene.terms.scenario import (
+    Component,
+    Control,
+    Distance,
+    EgoState,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Side,
+    Site,
+)
 
 YES = (True,)  # of what is either said or not
 BEHAVIOR, GEOMETRY, SPAWN = Component
@@ -49,6 +60,7 @@ SLOTS: dict[str, Slot] = {
     "lanes": Slot(values=(1, 2, 3), of=(GEOMETRY,), added=True),
     "two_way": Slot(values=(True, False), of=(GEOMETRY,)),
     "ego": Slot(values=tuple(EgoState), taught=False),
+    "site": Slot(values=tuple(Site), of=(GEOMETRY,), shared=True, added=True, taught=False),
 }
 """Every slot with one value; what the adversary does, `Slots.actions`, are acts (`chatscene.terms.acts`)."""
 

@@ -22,8 +22,8 @@ from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.route import Route, RouteQuery, Site
-from chatscene.terms.scenario import Control, Maneuver, Place
+from chatscene.terms.route import Route, RouteQuery
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.world.control import Tracker
 
 QUARTER = math.pi / 2

@@ -14,6 +14,7 @@ from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import decide
 from chatscene.library.bind import narrowed
 from chatscene.library.load import library_with
+from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
 from chatscene.read.canonical import canonical
@@ -48,6 +49,9 @@ class Retrieved:
         retrieval, triple = choose(scenario, settings, tried)
         if scenario.slots.ego is not None:
             told = f"the ego is under orders: {ORDERS[scenario.slots.ego].words}"
+            retrieval = replace(retrieval, notes=(*retrieval.notes, told))
+        if (site := scenario.slots.site) is not None:
+            told = f"it needs a map with the {site}: {map_with(site)!r} is taken where no map is named"
             retrieval = replace(retrieval, notes=(*retrieval.notes, told))
         return Written(program=assemble(scenario, triple, retrieval.adversary), retrieval=retrieval)
 

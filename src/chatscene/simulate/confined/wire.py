@@ -21,7 +21,7 @@ from chatscene.files.bounded import parse_json
 from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Control, Maneuver, Place
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
@@ -113,7 +113,7 @@ def scene_from_json(message: Message) -> Scene:
 def route_to_json(route: Route) -> Message:
     """A route."""
     names = ("id", "map_name", "maneuver", "place", "control", "lane_ids", "event_at", "junction")
-    return {**{name: getattr(route, name) for name in names}, "line": route.line.points.tolist()}
+    return {**{name: getattr(route, name) for name in names}, "line": route.line.points.tolist(), "site": route.site}
 
 
 def route_from_json(message: Message) -> Route:
@@ -130,6 +130,7 @@ def route_from_json(message: Message) -> Route:
             lane_ids=tuple(_matching(lane, _ID) for lane in _list(message, "lane_ids", MAX_LANES)),
             event_at=number(message, "event_at"),
             junction=None if junction is None else _matching(junction, _ID),
+            site=None if message.get("site") is None else _choice(Site, message, "site"),
         )
     except SandboxError:
         raise
