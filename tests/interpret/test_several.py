@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from chatscene.commands.main import main
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NothingFits
 from chatscene.interpret.choose import choose
@@ -74,6 +77,15 @@ def test_a_program_with_another_is_written_again_from_what_was_chosen() -> None:
     scenario = scenario_of("The car ahead of us changes lanes, and a car stands still in front of us.", SETTINGS)
     written = Retrieved().write(scenario, SETTINGS)
     assert Retrieved().write_again(scenario, Choice.of(written), SETTINGS) == written.program
+
+
+def test_the_other_is_told_in_words(tmp_path: Path) -> None:
+    told = CliRunner().invoke(main, ["explain", TWO]).output
+    assert "others" in told
+    assert "adversary: truck, actions: oncoming" in told
+    run = CliRunner().invoke(main, ["run", TWO, "--out", str(tmp_path / "run"), "--routes", "1", "--scenes", "4"])
+    assert run.exit_code == 0, run.output
+    assert "adversary truck; actions oncoming" in (tmp_path / "run" / "report.html").read_text()
 
 
 def test_one_who_does_what_no_steps_do_is_refused_by_name() -> None:

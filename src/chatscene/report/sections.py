@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 from urllib.parse import quote
 
 from chatscene.measure.score import wilson
@@ -194,7 +194,10 @@ def _scenario(scenario: Row) -> Row:
 def _slot(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return ", then ".join(map(str, value)) if isinstance(value, list) else str(value)
+    if isinstance(value, dict):  # another road user
+        facts = cast("dict[str, object]", value)
+        return "; ".join(f"{_words(name)} {_slot(fact)}" for name, fact in facts.items())
+    return ", then ".join(map(_slot, cast("list[object]", value))) if isinstance(value, list) else str(value)
 
 
 def _component(scenario: Row, key: str, label: str) -> Row:

@@ -40,7 +40,7 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     scenario, retrieval = understood.scenario, understood.retrieval
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
     for name, value in scenario.slots.said().items():
-        slots.add_row(name, _plain(", ".join(value) if isinstance(value, tuple) else value))
+        slots.add_row(name, _plain(", ".join(map(str, value)) if isinstance(value, tuple) else value))
     for name, value in scenario.surroundings.said().items():
         slots.add_row(name, value.row.said)
     console.print(slots)

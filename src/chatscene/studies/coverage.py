@@ -233,7 +233,7 @@ def folder_of(row: Covered) -> str:
 def _in_words(scenario: Scenario) -> dict[str, str]:
     """What was read, by slot."""
     return {
-        name: ", then ".join(value) if isinstance(value, tuple) else str(value)
+        name: ", then ".join(map(str, value)) if isinstance(value, tuple) else str(value)
         for name, value in scenario.slots.said().items()
     }
 
