@@ -54,18 +54,20 @@ def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
 @pytest.mark.parametrize(
     ("said", "primitives"),
     [
-        ("car ahead brake stop", ["KeepStation", "BrakeOnPath", "Halt"]),
-        ("car ahead stop accelerate", ["KeepStation", "BrakeOnPath", "Halt", "ThrottleOnPath"]),
+        ("car ahead brake stop", ["PaceOnPath", "BrakeOnPath", "Halt"]),
+        ("car ahead stop accelerate", ["PaceOnPath", "BrakeOnPath", "Halt", "ThrottleOnPath"]),
         (
             "bus ahead-beside cut-in reverse",
-            ["KeepStation", "DrivePath", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"],
+            ["PaceOnPath", "DrivePath", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"],
         ),
         ("truck ahead slow", ["DrivePath"]),
-        ("car ahead reverse stop", ["KeepStation", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"]),
+        ("car ahead reverse stop", ["PaceOnPath", "BrakeOnPath", "Halt", "ReverseStraight", "Halt"]),
         ("motorcycle behind overtake brake", ["KeepStation", "DrivePath", "DrivePath", "BrakeOnPath"]),
         ("pedestrian roadside cross", ["Halt", "MoveAhead"]),
         ("pedestrian roadside cross stop turn-back", ["Halt", "MoveAhead", "MoveAhead", "Halt", "Halt", "MoveAhead"]),
         ("bicycle crossing cross", ["Halt", "DrivePath"]),
+        ("car crossing turn-left stop", ["Halt", "DrivePath", "DrivePath", "BrakeOnPath", "Halt"]),
+        ("car beside change-lane brake", ["PaceOnPath", "DrivePath", "BrakeOnPath"]),
     ],
 )
 def test_acts_are_done_one_after_the_other(said: str, primitives: list[str]) -> None:
@@ -80,6 +82,11 @@ def test_acts_are_done_one_after_the_other(said: str, primitives: list[str]) -> 
         "car behind stop overtake",  # who has stood does not overtake
         "car kerb brake",  # before it pulls out it has nothing to brake
         "car crossing run-light",  # no step for it
+        "car ahead slow accelerate",  # nobody crawls all along and speeds up
+        "car behind stop block",  # who stops behind us is in nobody's way
+        "car beside brake pace",  # it was level from the beginning on
+        "bus behind overtake",  # the ego is gone before it is past
+        "car crossing stop cross",  # once it stands on the ego's line it has no way left to cross
     ],
 )
 def test_what_has_no_steps_or_not_in_that_order_is_not_composed(said: str) -> None:

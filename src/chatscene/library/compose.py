@@ -12,13 +12,14 @@ import operator
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from chatscene.errors import SnippetError
 from chatscene.library.plan import parse_plan, print_plan
 from chatscene.library.snippet_file import names_in
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Component, Position, Slots
+from chatscene.terms.scenario import Component, Position, Side, Slots
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 COMPOSED = "behavior/composed."
@@ -43,6 +44,7 @@ class Step:
         moving: Whether it can only be done by somebody who has not stood.
         long: Whether it takes so long that it must begin at once.
         after: What must be done right before it; None for nothing.
+        takes: How long [s] it is, about, until the next act begins.
     """
 
     does: tuple[str, ...]
@@ -54,6 +56,7 @@ class Step:
     moving: bool = False
     long: bool = False
     after: Action | None = None
+    takes: float = 2.5
 
 
 _BRAKES_TO_STAND = f"BrakeOnPath({{path}}, $BRAKE) until {_STAND}"
@@ -62,30 +65,40 @@ _STOP = Step(
     last=(_BRAKES_TO_STAND, "Halt()"),
     stands=True,
     halts=True,
+    takes=4.0,
 )
 ALONG: dict[Action, Step] = {
     Action.BRAKE: Step(
-        does=("BrakeOnPath({path}, $BRAKE) for $BRAKE_TIME seconds",), last=("BrakeOnPath({path}, $BRAKE)",)
+        does=("BrakeOnPath({path}, $BRAKE) for $BRAKE_TIME seconds",),
+        last=("BrakeOnPath({path}, $BRAKE)",),
+        takes=1.0,
     ),
     Action.STOP: _STOP,
     Action.HESITATE: Step(
         does=(*_STOP.does, "DrivePath({path}, $ADV_SPEED) for 2 seconds"),
         last=(*_STOP.does, "DrivePath({path}, $ADV_SPEED)"),
         halts=True,
+        takes=5.0,
     ),
     Action.REVERSE: Step(
         does=("ReverseStraight($BACK_SPEED) for $BACK_TIME seconds",),
         last=("ReverseStraight($BACK_SPEED) for $BACK_TIME seconds", "Halt()"),
         stands=True,
         halts=True,
+        takes=6.0,
     ),
     Action.ACCELERATE: Step(
-        does=("ThrottleOnPath({path}, $THROTTLE) for 2.5 seconds",), last=("ThrottleOnPath({path}, $THROTTLE)",)
+        does=("ThrottleOnPath({path}, $THROTTLE) for 1.8 seconds",), last=("ThrottleOnPath({path}, $THROTTLE)",)
     ),
     Action.WEAVE: Step(
         does=("WeaveOnPath({path}, $ADV_SPEED, $AMPLITUDE, 3) for 4.5 seconds",),
         last=("WeaveOnPath({path}, $ADV_SPEED, $AMPLITUDE, 3)",),
         long=True,
+        takes=4.5,
+    ),
+    Action.SWERVE: Step(
+        does=("SwerveOnPath({path}, $ADV_SPEED, $SWERVE) for $SWERVE_TIME seconds",),
+        takes=1.3,
     ),
 }
 """What somebody does who goes along a line."""
@@ -95,12 +108,18 @@ _TOWARD_EGO = "-$SWERVE if offsetFrom(egoRoute, self) > 0 else $SWERVE"
 _BESIDE: dict[Action, Step] = {
     **ALONG,
     Action.CUT_IN: Step(does=(f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1",), path=_OWN),
+    Action.CHANGE_LANE: Step(
+        does=(f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 0.6",), path=_OWN
+    ),
     Action.PACE: Step(
         does=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5) for $PACE_TIME seconds",),
         last=("PaceOnPath({path}, ego, $ADV_AHEAD, 16, 2.5)",),
         moving=True,
+        takes=4.0,
     ),
-    Action.SWERVE: Step(does=(f"SwerveOnPath({{path}}, $ADV_SPEED, {_TOWARD_EGO}) for $SWERVE_TIME seconds",)),
+    Action.SWERVE: Step(
+        does=(f"SwerveOnPath({{path}}, $ADV_SPEED, {_TOWARD_EGO}) for $SWERVE_TIME seconds",), takes=1.3
+    ),
 }
 
 
@@ -137,7 +156,7 @@ _BRISKLY = "MoveAhead(5) until abs(offsetFrom(egoRoute, self)) < 3"  # or the eg
 _RESTS = f"{_COMES} until restsWithin(egoRoute, self, $STOP_DISTANCE)"  # how it comes where it is to stand
 
 
-_INTO_LANE = "DrivePath(egoRoute, $ADV_SPEED) until abs(offsetFrom(egoRoute, self)) < 1"
+_INTO_LANE = f"DrivePath({_OWN}, $ADV_SPEED) until abs(offsetFrom({_OWN}, self)) < 1"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,9 +169,11 @@ class Start:
         steps: How acts are done from there.
         at: Range [m] and meaning of the parameter that says when it is due; None if it is due after a time.
         given: Acts that the place alone shows.
-        sooner: How much sooner [m] it is due for each further act, so that all begin before the ego meets anything.
+        closing: How much nearer [m/s] the ego comes while acts are done; by so much sooner the first is due where
+            others follow, so that all begin before the ego meets anything.
         first: The act without which there is no other; None if there is none.
         constants: What the plan tells its partners.
+        in_way: Whether who stops there is in the ego's way.
     """
 
     path: str
@@ -160,22 +181,28 @@ class Start:
     steps: dict[Action, Step]
     at: tuple[float, float, str] | None = None
     given: frozenset[Action] = frozenset()
-    sooner: float = 0.0
+    closing: float = 0.0
     first: Action | None = None
     constants: tuple[str, ...] = ()
+    in_way: bool = False
 
 
+_ADV_TURNS = {Action.CROSS: "straight", Action.TURN_LEFT: "left-turn"}
 _BEFORE_EVENT = "distanceLeft(egoRoute, ego, egoRoute.eventAt) < $ADV_DISTANCE"
 _BEFORE = "how far before the start of its manoeuvre the ego is when the adversary acts"
-_SETS_OFF = "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < $ADV_DISTANCE"
+_SETS_OFF = (
+    "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < "
+    "$ADV_DISTANCE + 6 * distanceLeft(advTrajectory, self, advMeeting) / $ADV_SPEED"
+)
 _COMES_UP = "DrivePath(advTrajectory, $ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < "
 _TO_IT = "how far the ego still has to go when it starts to move"
+_TURN = Step(does=(_COMES_UP + "-4",), last=("DrivePath(advTrajectory, $ADV_SPEED)",), takes=3.0)
 _NEXT_LANE = Start(
     path="advLane",
     opening=(f"KeepStation(advLane, ego) until {_BEFORE_EVENT}",),
     steps=_BESIDE,
     at=(-15, 20, _BEFORE),
-    sooner=14,
+    closing=8,
 )
 STARTS: dict[Position, Start] = {
     Position.AHEAD: Start(
@@ -189,15 +216,16 @@ STARTS: dict[Position, Start] = {
             ),
         },
         at=(-15, 20, _BEFORE),
-        sooner=14,
+        closing=2,
+        in_way=True,
     ),
-    Position.AHEAD_BESIDE: _NEXT_LANE,
+    Position.AHEAD_BESIDE: replace(_NEXT_LANE, steps=_without(_BESIDE, Action.PACE)),  # it is not level
     Position.BESIDE: replace(_NEXT_LANE, at=(-25, 5, _BEFORE)),
     Position.BEHIND_BESIDE: Start(
         path="advLane",
         opening=("KeepStation(advLane, ego) for 1 seconds",),
         steps={
-            **_without(_BESIDE, Action.PACE),  # it is not level
+            **_without(_BESIDE, Action.PACE),
             Action.OVERTAKE: Step(does=(f"DrivePath({{path}}, {_OVERTAKE}",), moving=True),
         },
     ),
@@ -208,31 +236,28 @@ STARTS: dict[Position, Start] = {
             **ALONG,
             Action.TAILGATE: Step(
                 does=(
-                    "PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 12) for $TAIL_TIME seconds",
+                    "PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 15) for $TAIL_TIME seconds",
                 ),
-                last=("PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 12)",),
+                last=("PaceOnPath({path}, ego, -(ego.length + self.length) / 2 - $ADV_GAP, 15)",),
                 moving=True,
                 long=True,
             ),
             Action.OVERTAKE: Step(
                 does=(f"DrivePath(extended(adjacentLane, 20), {_OVERTAKE}",),
                 back=(_INTO_LANE,),
-                path="egoRoute",
+                path=_OWN,
                 moving=True,
             ),
-            Action.CUT_IN: Step(does=(_INTO_LANE,), path="egoRoute", after=Action.OVERTAKE),
+            Action.CUT_IN: Step(does=(_INTO_LANE,), path=_OWN, after=Action.OVERTAKE),
         },
     ),
     Position.ONCOMING: Start(
         path="advTrajectory",
         opening=("DrivePath(advTrajectory, $ADV_SPEED) until self.pose[3] > 4 and gap(self, ego) < $ADV_DISTANCE",),
-        steps={
-            **_without(ALONG, Action.WEAVE),  # it would be past before it has swung twice
-            Action.SWERVE: Step(does=("SwerveOnPath({path}, $ADV_SPEED, $SWERVE) for $SWERVE_TIME seconds",)),
-        },
+        steps=_without(ALONG, Action.WEAVE),  # it would be past before it has swung twice
         at=(20, 50, "distance to the ego at which it acts"),
         given=frozenset((Action.ONCOMING,)),
-        sooner=18,
+        closing=6,
     ),
     Position.KERB: Start(
         path="advKerb",
@@ -248,7 +273,7 @@ STARTS: dict[Position, Start] = {
             ),
         },
         at=(16, 36, "how far the ego still has to go to it when it moves off"),
-        sooner=8,
+        closing=6,
         first=Action.PULL_OUT,
     ),
     Position.CROSSING: Start(
@@ -256,15 +281,17 @@ STARTS: dict[Position, Start] = {
         opening=(_SETS_OFF, _COMES_UP + "$ACT_DISTANCE"),
         steps={
             **ALONG,
+            Action.TURN_LEFT: _TURN,
             Action.CROSS: Step(
                 does=(_COMES_UP + "-5",),
                 last=("DrivePath(advTrajectory, $ADV_SPEED)",),
             ),
         },
-        at=(12, 48, "how far the ego still is from where their ways meet when it sets off"),
+        at=(6, 32, "how far the ego still is from where their ways meet when it sets off, at least"),
         given=frozenset((Action.CROSS,)),
-        sooner=12,
+        closing=8,
         constants=('advTurn = ("straight", "left-turn", "right-turn")',),
+        in_way=True,
     ),
     Position.ROADSIDE: Start(
         path="egoRoute",
@@ -274,7 +301,8 @@ STARTS: dict[Position, Start] = {
         ),
         steps=ACROSS,
         at=(15, 45, _TO_IT),
-        sooner=14,
+        closing=7,
+        in_way=True,
     ),
 }
 
@@ -313,14 +341,15 @@ _RANGES: dict[str, tuple[float, float, str, str]] = {
     "STOP_TIME": (0.8, 2.5, "s", "how long it stands"),
     "STOP_DISTANCE": (0, 1, "m", "how far from the ego's line it comes to rest"),
     "REST_DISTANCE": (-1, 2, "m", "how far beyond where their ways meet it comes to rest"),
+    "LEAD": (9, 20, "m", "how far ahead of the ego it drives before it acts"),
     "THROTTLE": (0.5, 1, "1", "how far the pedal is pressed"),
     "BACK_SPEED": (1, 3.5, "m/s", "how fast it backs up"),
-    "BACK_TIME": (1.5, 4, "s", "for how long it backs up"),
+    "BACK_TIME": (1.5, 3, "s", "for how long it backs up"),
     "AMPLITUDE": (0.7, 1.2, "m", "how far it swings to either side"),
     "SWERVE": (1.5, 2.5, "m", "how far it swerves"),
     "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
     "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
-    "TAIL_TIME": (4, 6, "s", "for how long it keeps so"),
+    "TAIL_TIME": (5, 7, "s", "for how long it keeps so"),
     "ADV_AHEAD": (0.5, 5, "m", "how far ahead of the ego it is then"),
     "ADV_GAP": (-0.4, 2.5, "m", "how much room it means to leave; below 0 it will touch"),
     "OVERTAKING": (11.5, 15, "m/s", "how fast it overtakes at most"),
@@ -328,6 +357,8 @@ _RANGES: dict[str, tuple[float, float, str, str]] = {
     "ACT_DISTANCE": (0, 12, "m", "how far before the place where their ways meet it acts"),
 }
 """The parameters of steps but for speed and trigger: range, unit, meaning."""
+_PAST = 6.5, 10.0  # [m], how far ahead somebody is who has overtaken and then does something else
+_BACKING = 1.0, 1.8  # [s], for how long somebody backs up who then does something else
 _PAUSE = 0.4, 1.2  # [s], how long somebody stands who comes from beside the road: the ego is near
 
 
@@ -368,23 +399,65 @@ def compose(asked: Asked) -> Snippet | None:
         acts.append(Action.STOP)
     if not _doable(asked, start, steps, acts, lasting):
         return None
-    return _snippet(asked, start, len(acts), tuple(_phases(asked, start, steps, acts)))
+    return _snippet(asked, start, _meanwhile(steps, acts), tuple(_phases(asked, start, steps, acts)))
+
+
+def _meanwhile(steps: dict[Action, Step], acts: Sequence[Action]) -> float:
+    """How long [s] it is, about, from the beginning of the first act to that of the last."""
+    halts_first = 2.0 if acts[-1:] == [Action.REVERSE] else 0.0
+    return sum(steps[action].takes for action in acts[:-1]) + halts_first
 
 
 def _doable(
     asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action], lasting: set[Action]
 ) -> bool:
-    """Whether there are steps for all of it, in this order."""
+    """Whether there are steps for all of it, in this order, and time for it before the ego meets anything."""
     if _stands(asked):
-        return not acts and lasting <= {Action.STAND, Action.BLOCK}
+        in_the_way = asked.position is Position.AHEAD and Action.BLOCK in lasting
+        return not acts and lasting <= {Action.STAND} | ({Action.BLOCK} if in_the_way else set())
     if not set(acts) <= steps.keys() or not lasting <= {*start.given, *_PACES, Action.BLOCK}:
         return False
+    return (
+        _go_together(asked, start, acts, lasting)
+        and _in_order(start, steps, acts)
+        and not _too_late(asked, start, steps, acts, lasting)
+    )
+
+
+def _go_together(asked: Asked, start: Start, acts: Sequence[Action], lasting: set[Action]) -> bool:
+    """Whether somebody who starts there does all of this, in whatever order."""
+    if any(_AGAINST.get(action, frozenset()).intersection(asked.actions) for action in asked.actions):
+        return False
+    behind = asked.position in (Position.BEHIND, Position.BEHIND_BESIDE)
+    if Action.BLOCK in lasting and (behind or not (start.in_way or _ENTERS.intersection(acts))):
+        return False
+    blocks = Action.BLOCK in lasting and acts[:1] == [Action.ACCELERATE]
+    if _meets(asked, start) and (blocks or (_AWAY.intersection(acts) and {*asked.actions} - start.given - {acts[0]})):
+        return False  # across a junction there is no room for more
+    late = asked.kind in _SLUGGISH and (Action.OVERTAKE in acts or (Action.TAILGATE in acts and len(acts) > 1))
+    return not (late or (Action.TAILGATE in acts and not asked.kind.row.motorised))
+
+
+def _in_order(start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> bool:
+    """Whether each act can follow the one before it."""
     if (_on_foot_ahead(start) and len(acts) > 1) or (start.first is not None and acts[:1] != [start.first]):
         return False
     if any(steps[action].after not in (None, before) for before, action in zip((None, *acts), acts, strict=False)):
         return False
+    backs = any(one is Action.REVERSE and after not in _AFTER_BACKING for one, after in pairwise(acts))
+    return not (backs or _AT_FIRST.intersection(acts[1:]) or any(two in _NEVER for two in pairwise(acts)))
+
+
+def _too_late(
+    asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action], lasting: set[Action]
+) -> bool:
+    """Whether something comes when it can no longer be done: who has stood does not overtake."""
     stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
-    return not any(steps[action].moving and before for action, before in zip(acts, stood, strict=False))
+    if any(steps[action].moving and before for action, before in zip(acts, stood, strict=False)):
+        return True
+    slow_there = _meets(asked, start) and asked.kind in _SLUGGISH
+    hurries = _meets(asked, start) and Action.FAST in lasting  # it sets off there, and is not fast in time
+    return hurries or (slow_there and bool(Action.REVERSE in acts or Action.BLOCK in lasting))
 
 
 def goes_without_saying(asked: Asked) -> frozenset[Action]:
@@ -423,6 +496,7 @@ def composed_again(snippet_id: str) -> Snippet:
     return made
 
 
+_LEADS = (Position.AHEAD, Position.BESIDE, Position.AHEAD_BESIDE)  # from there one gets ahead before one acts
 _PART_OF_HALTING = (Action.BRAKE, Action.CROSS)  # what need not be done before somebody halts
 _IMPLIED = {
     Action.STAND: (Action.BLOCK,),
@@ -430,6 +504,29 @@ _IMPLIED = {
     Action.REVERSE: (Action.STOP,),
     Action.STOP: (Action.BRAKE, Action.BLOCK),
 }
+_HASTE = {Action.SLOW, Action.FAST}
+_AGAINST = {
+    Action.BLOCK: frozenset((Action.CHANGE_LANE, Action.SWERVE, Action.WEAVE, Action.REVERSE, Action.SLOW)),
+    Action.SLOW: frozenset(
+        (Action.FAST, Action.ACCELERATE, Action.PACE, Action.TAILGATE, Action.OVERTAKE, Action.SWERVE, Action.WEAVE)
+    ),
+    Action.TURN_LEFT: frozenset((Action.CROSS, Action.SLOW)),
+    Action.FAST: frozenset(
+        (Action.BRAKE, Action.STOP, Action.HESITATE, Action.REVERSE, Action.BLOCK, Action.PACE, Action.TAILGATE)
+    ),
+}  # what does not go with it
+_NEVER = frozenset(
+    (
+        *itertools.product((Action.HESITATE, Action.ACCELERATE), (Action.REVERSE, Action.OVERTAKE)),
+        *itertools.product((Action.CUT_IN, Action.CHANGE_LANE), (Action.OVERTAKE, Action.CUT_IN, Action.CHANGE_LANE)),
+    )
+)  # one after the other
+# What comes first or not at all: it was level, or close, from the beginning on, or swings too long for what is left
+_AT_FIRST = frozenset((Action.PACE, Action.TAILGATE, Action.CROSS, Action.WEAVE))
+_AFTER_BACKING = (Action.STOP, Action.ACCELERATE)
+_ENTERS = frozenset((Action.CUT_IN, Action.PULL_OUT, Action.CROSS))
+_AWAY = frozenset((Action.SWERVE, Action.WEAVE))
+_SLUGGISH = (AdversaryKind.TRUCK, AdversaryKind.BUS, AdversaryKind.BICYCLE)  # the ego is sooner where they are to be
 _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
 
 
@@ -467,7 +564,7 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
 
 def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
     """The phases of acts, with what leads to the first and from each to the next."""
-    yield from _opening(asked, start, acts[0], steps)
+    yield from _opening(asked, start, acts, steps)
     path, stands, across = start.path, False, start.steps is ACROSS
     for before, action, after in zip((None, *acts), acts, (*acts[1:], None), strict=False):
         step, following = steps[action], steps[after] if after else None
@@ -500,29 +597,35 @@ def _on_its_way(asked: Asked, start: Start) -> Iterator[str]:
     yield _COMES if _walks(asked) or start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
 
 
-def _opening(asked: Asked, start: Start, first: Action, steps: dict[Action, Step]) -> Iterator[str]:
+def _opening(asked: Asked, start: Start, acts: Sequence[Action], steps: dict[Action, Step]) -> Iterator[str]:
     """What is done until the first act is due."""
+    first = acts[0]
+    halts = steps[first].halts or (first is Action.BRAKE and any(steps[action].halts for action in acts[1:2]))
     along = f"DrivePath({start.path}, $ADV_SPEED)"
-    if steps[first].long:
+    if steps[first].long and len(acts) == 1:
         yield f"{along} for 0.5 seconds"
-    elif asked.position is Position.AHEAD and _PACES.intersection(asked.actions):
-        yield f"{along} until headway(egoRoute, ego, self) < $ADV_DISTANCE"
-    elif {Action.CROSS, Action.ONCOMING}.intersection(asked.actions) and _meets(asked, start) and steps[first].halts:
+    elif _HASTE.intersection(asked.actions) and start.steps is not ACROSS and start.first is None:
+        if _meets(asked, start):
+            yield _SETS_OFF
+        yield f"{along} for {4 if Action.FAST in asked.actions else 2} seconds"
+    elif {Action.CROSS, Action.ONCOMING, Action.BLOCK}.intersection(asked.actions) and _meets(asked, start) and halts:
         yield from (_SETS_OFF, f"{_COMES_UP} brakingDistance(self) / $BRAKE - $REST_DISTANCE")
+    elif asked.position in _LEADS and _meanwhile(steps, acts) and first is not Action.PACE:
+        yield f"PaceOnPath({start.path}, ego, $LEAD, 16, $LEAST) until {_BEFORE_EVENT}"
     else:
         yield from start.opening
 
 
-def _snippet(asked: Asked, start: Start, acts: int, phases: Sequence[str]) -> Snippet:
+def _snippet(asked: Asked, start: Start, meanwhile: float, phases: Sequence[str]) -> Snippet:
     text = "\n".join(phases)
     names = list(dict.fromkeys(re.findall(r"\$([A-Z_]+)", text)))
-    ranges = {name: _range(asked, start, acts, name) for name in names if name != "LEAST"}
+    ranges = {name: _range(asked, start, meanwhile, name) for name in names if name != "LEAST"}
     for name in sorted(names, key=len, reverse=True):
         text = text.replace(f"${name}", _least(asked) if name == "LEAST" else f"globalParameters.OPT_{name}")
     source = "\n".join(
         (
             *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in ranges.values()),
-            *start.constants,
+            *_constants(asked, start),
             "behavior AdvBehavior():",
             *(f"    do {phase}" for phase in text.split("\n")),
         )
@@ -534,7 +637,7 @@ def _snippet(asked: Asked, start: Start, acts: int, phases: Sequence[str]) -> Sn
         component=Component.BEHAVIOR,
         description=_description(asked),
         rephrasings=(),
-        slots=Slots(actions=asked.actions, position=asked.position),
+        slots=Slots(actions=asked.actions, position=asked.position, side=_side(asked)),
         adversaries=(asked.kind,),
         requires=requires,
         provides=provides,
@@ -542,6 +645,16 @@ def _snippet(asked: Asked, start: Start, acts: int, phases: Sequence[str]) -> Sn
         origin="composed of acts",
         source=source,
     )
+
+
+def _constants(asked: Asked, start: Start) -> tuple[str, ...]:
+    turns = [_ADV_TURNS[action] for action in asked.actions if action in _ADV_TURNS]
+    return (f'advTurn = "{turns[0]}"',) if turns and _meets(asked, start) else start.constants
+
+
+def _side(asked: Asked) -> Side | None:
+    """From which side it must come, so that a turn leads across the ego's way."""
+    return Side.RIGHT if Action.TURN_LEFT in asked.actions and asked.position is Position.CROSSING else None
 
 
 def _description(asked: Asked) -> str:
@@ -553,17 +666,25 @@ def _least(asked: Asked) -> str:
     return "4" if asked.kind.row.manner is Manner.RIDES else "5"
 
 
-def _range(asked: Asked, start: Start, acts: int, name: str) -> ParameterRange:
+def _range(asked: Asked, start: Start, meanwhile: float, name: str) -> ParameterRange:
     if name == "ADV_DISTANCE" and start.at is not None:
-        sooner, (low, high, meaning) = start.sooner * max(acts - 1, 0), start.at
-        low, high = low + sooner, high + sooner
+        sooner, (low, high, meaning) = start.closing * meanwhile, start.at
+        low, high = round(low + sooner, 1), round(high + sooner, 1)
         return ParameterRange(name="OPT_ADV_DISTANCE", low=low, high=high, unit="m", meaning=meaning)
     if name == "ADV_SPEED":
         low, high = _speeds(asked)
         return ParameterRange(name="OPT_ADV_SPEED", low=low, high=high, unit="m/s", meaning="how fast it goes")
     low, high, unit, meaning = _RANGES[name]
-    if name == "STOP_TIME" and start.steps is ACROSS:
+    if name == "STOP_TIME" and (start.steps is ACROSS or meanwhile):
         low, high = _PAUSE
+    if name == "BACK_TIME" and meanwhile > _STOP.takes:
+        low, high = _BACKING
+    if name == "ADV_AHEAD" and meanwhile and Action.OVERTAKE in asked.actions:
+        low, high = _PAST
+    if name == "ADV_GAP" and meanwhile:
+        low = 0.6
+    if name == "LEAD":
+        low, high = round(low + 4 * meanwhile, 1), round(high + 4 * meanwhile, 1)
     return ParameterRange(name=f"OPT_{name}", low=low, high=high, unit=unit, meaning=meaning)
 
 
@@ -579,4 +700,5 @@ def _speeds(asked: Asked) -> tuple[float, float]:
         return (2.2, 3.2) if Action.TURN_BACK in asked.actions and not _walks(asked) else (1.4, 4)
     if asked.position in (Position.ONCOMING, Position.CROSSING):
         return (4, 7) if row.manner is Manner.RIDES and not row.motorised else (6, 10)
-    return (3.5, 6) if not row.motorised else (5, 9)
+    behind = asked.position is Position.BEHIND and len(asked.actions) > 1  # or it runs into the ego at once
+    return (3.5, 6) if not row.motorised else (3.5, 6) if behind else (5, 9)
