@@ -26,12 +26,13 @@ from chatscene.models.encoders.embedding import Embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
-from chatscene.terms.conclusions import concluded
+from chatscene.terms.conclusions import CURVES, JUNCTIONS, LANE_CHANGES, TURNS, concluded
 from chatscene.terms.frame import About, Beliefs, Frame, Note
 from chatscene.terms.scenario import (
     REFUSED,
     Component,
     Distance,
+    Maneuver,
     Place,
     Position,
     Scenario,
@@ -434,15 +435,18 @@ def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
     return found
 
 
+_ELSEWHERE = (*TURNS, *LANE_CHANGES, *JUNCTIONS, *CURVES, Maneuver.BYPASS)  # not simply on a road
+
+
 def _free(name: str, value: object, *, sure: bool) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
     if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
         return 1.0
     if not SLOTS[name].taught:
         return 0.0  # words say it outright, or it was not said
-    if SLOTS[name].added:
-        return UNASKED_SURELY if sure else UNASKED
-    return UNASKED_VALUE
+    if sure and (SLOTS[name].added or value in _ELSEWHERE):
+        return UNASKED_SURELY
+    return UNASKED if SLOTS[name].added else UNASKED_VALUE
 
 
 def _does(snippet: Snippet, name: str) -> Any:

@@ -441,7 +441,8 @@ def _on_wheels(one: _Actor, facts: dict[str, Any]) -> Position | None:
         return Position.CROSSING
     if Where.BESIDE in one.where:
         return Position.BESIDE
-    if {Where.NEXT_LANE, Where.AHEAD, Where.OWN_LANE} & one.where:
+    in_way = Action.STAND in one.acts and one.side is None  # where else it stands is said
+    if in_way or {Where.NEXT_LANE, Where.AHEAD, Where.OWN_LANE} & one.where:
         aside = Where.NEXT_LANE in one.where or (one.side is not None and not rides)
         return Position.AHEAD_BESIDE if aside else Position.AHEAD
     if Action.CUT_IN in one.acts:

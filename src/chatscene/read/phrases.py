@@ -158,7 +158,7 @@ _AT = r"(?:at|on|in|into|through|across|towards|near|before|over|along|down)"
 
 def _places() -> Iterator[Phrase]:
     for place, noun in _JUNCTIONS.items():
-        plain = rf"{_AT} {_THE} (?:{noun})"
+        plain = rf"(?:{_AT} |(?<=crosses )|(?<=cross )|(?<=crossing )|(?<=crossed )){_THE} (?:{noun})"
         yield Phrase(sort=Sort.PLACE, value=(place, None), pattern=_compiled(plain))
         for control in Control:
             before = rf"{_AT} {_THE} (?:{_CONTROL_BEFORE[control]}) (?:{noun})"
@@ -166,7 +166,7 @@ def _places() -> Iterator[Phrase]:
             yield Phrase(sort=Sort.PLACE, value=(place, control), pattern=_compiled(f"{before}|{after}"))
     light = r"(?:at|before|on|behind) (?:(?:a|the) )?(?:red |green )?(?:traffic |stop )?(?:lights?|signals?)|(?:at|on) (?:red|green)"
     yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), pattern=_compiled(light))
-    sign = r"(?:at|before) (?:a|the) stop sign"
+    sign = r"(?:at|before|runs|ran|ignores|disregards) (?:a|the) stop sign"
     yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.STOP_SIGN), pattern=_compiled(sign))
     bend = r"(?:round|around|through|in|into|on|along) {the} (?:{bend})(?: (?:in|of) the road| on a road)?"
     for place, noun in (
@@ -240,17 +240,17 @@ _WHERE: tuple[tuple[object, str], ...] = (
     (Where.AHEAD, rf"(?:(?:just|directly|right|straight|slightly|further|some way|close|immediately) )?(?:ahead|in front)(?: of {_US})?|before {_US}"),
     (Where.BEHIND, rf"(?:(?:just|directly|right|close|coming up|coming) )?behind(?: {_US})?|(?:coming |approaching |coming up )?from behind|from the rear"),
     (Where.BESIDE, rf"(?:beside|alongside|next to|level with) {_US}|alongside"),
-    (Where.OWN_LANE, rf"in (?:{_OUR}|the same|the ego) lane"),
+    (Where.OWN_LANE, rf"(?:in|along) (?:{_OUR}|the same|the ego) lane|along the lane"),
     (Where.NEXT_LANE, r"(?:in|from) (?:the|an|a) (?:next|adjacent|neighbou?ring|other) lane|in that lane"),
     (Where.OPPOSITE, rf"(?:coming |approaching )?from the opposite direction|in the (?:opposite|oncoming) (?:lane|direction)|coming towards {_US}|(?:coming )?from the front|coming the other way"),
-    (Where.EDGE, r"(?:at|by|on|from|beside|along) the (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street|lane))|beside the road|parked|in a parking (?:space|place|bay)"),
+    (Where.EDGE, r"(?:at|by|on|from|beside|along) the (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street|lane))|beside the road|parked|(?:in|from|out of) a parking (?:space|place|bay)"),
     (Where.ARM, r"(?:coming |approaching |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road)"),
     (Where.RAMP, rf"(?:coming |merging |joining )?from {_THE} (?:on-)?ramp"),
     (Where.FAR_CORNER, r"(?:at|from) the far (?:corner|kerb|side)|(?:on|from) the (?:opposite|far) (?:sidewalk|pavement|side)"),
 )  # fmt: skip
 _SIDED: tuple[tuple[object, str], ...] = (
     (Where.NEXT_LANE, rf"(?:in|from) (?:the|our) {_SIDE}(?:-hand)? lane|(?:in|from) the (?:next |adjacent )?lane (?:to|on) (?:our|the) {_SIDE}|(?:in|from) the lane to {_OUR} {_SIDE}"),
-    (Where.EDGE, rf"(?:at|by|on|from|beside|along) the {_SIDE}(?:-hand)? (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street))|(?:at|by|on|from) the (?:kerb|curb|roadside|pavement|sidewalk) (?:on|to) (?:the|our) {_SIDE}|in a parking (?:space|place|bay) on the {_SIDE}"),
+    (Where.EDGE, rf"(?:at|by|on|from|beside|along) the {_SIDE}(?:-hand)? (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of (?:the|our) (?:road|street|lane))|(?:at|by|on|from) the (?:kerb|curb|roadside|pavement|sidewalk) (?:on|to) (?:the|our) {_SIDE}|(?:in|from|out of) a parking (?:space|place|bay) (?:on the {_SIDE}|at the {_SIDE}-hand kerb)"),
     (Where.FAR_CORNER, rf"(?:at|from) the far corner on the {_SIDE}|(?:on|from) the opposite (?:sidewalk|pavement|side) (?:on|to) the {_SIDE}"),
     (Where.ARM, rf"(?:coming |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road) (?:on|to) (?:the|our) {_SIDE}|(?:coming |approaching )?from the {_SIDE}(?:-hand)? (?:arm|side street|side road)(?: of the (?:junction|intersection))?"),
     (None, rf"(?:coming |approaching )?(?:on|from|at|to) (?:the|our) {_SIDE}{_HAND}|to the {_SIDE} of {_US}"),
@@ -290,7 +290,7 @@ def _of_ego() -> Iterator[Phrase]:
     drives = r"[drive](?: on| along)?|[travel]|[approach] (?=(?:a|an|the) )|[cross] (?:a|the) (?:junction|intersection)|[go](?: on| along)?|[proceed]|[continue]|[move]"
     yield Phrase(sort=Sort.FILLER, value=None, pattern=_marked(drives), ego=True)
     parked = r"(?:a|the) (?:parked|broken[- ]down|stationary|double-parked) (?:car|van|truck|vehicle)"
-    bypass = rf"(?:[go]|[drive]|[swing]|[pass]) (?:around|round|past) {parked}(?: in {_OUR} lane)?|[overtake] {parked}|[pass] {parked}"
+    bypass = rf"(?:[go]|[drive]|[swing]|[pass]) (?:around|round|past) {parked}(?: in {_OUR} lane)?|[overtake] {parked}|[pass] {parked}(?: (?:through|in|on) the (?:opposite|oncoming) lane)?"
     yield Phrase(sort=Sort.BYPASS, value=Maneuver.BYPASS, pattern=_marked(bypass), ego=True)
     leader = r"[follow] (?:a|the) slow(?:er)? (?:car|vehicle|truck)|(?:behind|after) (?:a|the) slow(?:er)? (?:car|vehicle|truck)"
     yield Phrase(sort=Sort.LEADER, value=True, pattern=_marked(leader), ego=True)
@@ -306,13 +306,13 @@ def _of_ego() -> Iterator[Phrase]:
         yield Phrase(sort=Sort.STATE, value=state, pattern=_marked(said), ego=True)
 
 
-_JOINTS = r"while|whilst|when|as|and|but|where|,|;|because"
+_JOINTS = r"around(?= (?:an?|the) )|while|whilst|when|as|and|but|where|,|;|because"
 _THEN = r"(?:, |and |, and |but )?(?:then|after that|afterwards|next)(?:,)?|(?:; |, )?(?:and |which )?then"
 _FILLERS = (
     r"suddenly|abruptly|unexpectedly|all of a sudden|without (?:any )?(?:warning|looking|signalling|indicating)|immediately|at once|just"
     r"|slightly|simply|only|also|still|again|now|there|here|both|too|hard|sharply|at the last moment|in the process|on its way|all the time"
     r"|(?:(?:starts?|begins?|started|began|continues?) to|starts?(?= \w+ing)|begins?(?= \w+ing)|keeps?(?= \w+ing))|is|are|was|were|has|have|had|will|be|being|to|comes and"
-    r"|at (?:a )?constant speed|at a (?:steady|constant) speed|at the same speed|(?:the )?whole time|from a standstill|as usual|of the road"
+    r"|at (?:a )?constant speed|at a (?:steady|constant) speed|at the same speed|(?:the )?whole time|from a standstill|closer|as usual|of the road"
     r"|in (?:our|the same|its own|its|their) direction|in (?:its|his|her|their) (?:own )?lane|along with traffic|in the same direction"
 )
 _SEES = r"we (?:meet|see|encounter|come up (?:to|on|behind)|come upon|face|approach|follow|drive behind|come up behind|drive towards)(?= (?:a|an|the|another|some|two) )"

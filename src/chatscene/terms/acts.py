@@ -96,6 +96,7 @@ class Action(StrEnum):
             directed=True,
             named="^cross",
             also="""
+                [take] {egos} right of way | [cross] the street that we turn into | [cross] the road that we turn into |
                 [cross] | [cross] the road | [cross] the street | [cross] {egos} lane | [cross] {egos} way
                 [step] out | [run] across the street | [run] across the road | [walk] across | [run] across
                 [ride] across | [drive] across | [run] into the road | [run] into the street
@@ -130,6 +131,7 @@ class Action(StrEnum):
             brings=("brake",),
             sudden=True,
             also="""
+                [slow] down to a stop | [brake] to a stop | [slow] to a stop | [roll] to a stop |
                 [stop] | [come] to a stop | [come] to rest | [stop] in the lane | [stop] in the road
                 [stop] in {its} lane | [stop] on the road | [stop] moving | [stop] there
                 [stop] in the middle of the road | [freeze] | [halt] | [stop] halfway | [stop] midway
@@ -154,6 +156,7 @@ class Action(StrEnum):
             opposite="accelerate",
             sudden=True,
             also="""
+                [slow] down | [slow] | [reduce] {its} speed |
                 [brake] | [slam] on {its} brakes | [brake] in front of {ego} | [decelerate] | [brake] heavily
             """,
         ),
@@ -303,6 +306,8 @@ class Action(StrEnum):
             """,
             sudden=True,
             also="""
+                [drift] over the centre line into {egos} lane |
+                [come] over into {egos} lane | [come] over the centre line |
                 [swerve] | [veer] | [swerve] into {egos} path | [swerve] in front of {ego}
             """,
         ),
@@ -532,8 +537,9 @@ class Action(StrEnum):
                 [walk] along the edge of the road | [ride] along the edge of the road | [drive] along the lane
                 [move] | [come] up | [keep] driving | [keep] riding | [keep] walking | [drive] into {ego}
                 [ride] into {ego} | [run] into {ego} | [hit] {ego} | [go] through | [continue] straight on
-                [go] straight | [drive] straight ahead | [drive] up | [ride] up | [come] | [keep] coming
-                [approach] | [drive] ahead | [jog] along the road
+                [go] straight | [drive] straight ahead | [drive] up |
+                [drive] straight | [ride] up | [come] | [keep] coming
+                [approach] | [jog] along the road
             """,
         ),
     )
@@ -744,6 +750,7 @@ class Action(StrEnum):
             all_along=True,
             hasty=True,
             also="""
+                [come] up fast | [come] fast | [approach] fast |
                 [speed] | [race] | [drive] fast | [ride] fast | [run] fast | [drive] at high speed
             """,
         ),
