@@ -169,7 +169,7 @@ def compiles(program: ScenicProgram) -> bool:
         path = Path(folder) / "program.scenic"
         path.write_text(program.source)
         town = ["--param", "map", str(resolve_map("town"))]
-        command = [str(Path(sys.executable).with_name("scenic")), "--2d", "--count", "1", *town, "--gather-stats", "1"]
+        command = [sys.executable, "-m", "scenic", "--2d", *town, "--gather-stats", "1"]
         return subprocess.run([*command, str(path)], capture_output=True, check=False).returncode == 0
 
 
