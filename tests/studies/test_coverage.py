@@ -135,7 +135,7 @@ def test_what_a_script_is_told_has_a_row_for_every_entry() -> None:
     told = as_json([HERE], Asked(), cover([HERE], Asked(), progress=silent))
     (catalogue,) = json.loads(json.dumps(told))["catalogues"]
     assert {key: told[key] for key in ("map", "seed", "scenes", "egos")} == {
-        "map": "town",
+        "map": None,
         "seed": 0,
         "scenes": 0,
         "egos": [],
