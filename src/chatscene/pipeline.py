@@ -96,6 +96,8 @@ def search(kept: runs.Workspace, jobs: int, progress: Progress) -> None:
     written = generator.write(scenario, settings.retrieval)
     runs.write_choice(kept, scenario, written)
 
+    if scenario.slots.site is not None:
+        progress(f"driving on the map {map_path.stem!r}, for the {scenario.slots.site}", 0, 0)
     progress("checking that drives show what was read", 0, 0)
     written, _ = climb(generator, scenario, written, settings=settings.retrieval, simulator=simulator, ego=ego)
     runs.write_choice(kept, scenario, written)

@@ -133,7 +133,8 @@ def test_a_flipped_side_changes_the_side_alone() -> None:
         ("We leave the motorway by the exit lane, and a car cuts in.", Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT),
         ("On a country road, an oncoming car drives in our lane.", Site.RURAL, Maneuver.STRAIGHT),
         ("A pedestrian crosses at a crosswalk from the right.", Site.CROSSWALK, Maneuver.STRAIGHT),
-        ("In a roundabout, the car ahead of us stops.", Site.ROUNDABOUT, Maneuver.STRAIGHT),
+        ("We approach a roundabout, and the car ahead of us stops.", Site.ROUNDABOUT, Maneuver.STRAIGHT),
+        ("A deer crosses the motorway from the right.", Site.MOTORWAY, Maneuver.STRAIGHT),
     ],
 )  # fmt: skip
 def test_where_the_way_leads(text: str, site: Site, maneuver: Maneuver) -> None:

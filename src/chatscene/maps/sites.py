@@ -140,7 +140,7 @@ def _at_ramps(network: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
     if query.site is off and query.maneuver in (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE_RIGHT):
         for way in ramp_ways(network, JunctionKind.DIVERGE):
             if query.site is Site.OFF_RAMP or way.intersection.uid in diverges:
-                yield from _off(network, way, query.maneuver, variant)
+                yield from _off(network, way, query, variant)
 
 
 def _on(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
@@ -174,8 +174,12 @@ def _on(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Wa
         yield way.startLane.uid, maneuver, line, lanes, ramp.length + at, None
 
 
-def _off(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_Way]:
-    """Off a road by a ramp, for a lane change from the lane to the left of the one that leads there."""
+def _off(network: Any, way: Any, query: RouteQuery, variant: int) -> Iterator[_Way]:
+    """Off a road by a ramp, for a lane change from the lane to the left of the one that leads there.
+
+    If a lane must lie to the right of where it begins, that is as wide there, and some way before, as others.
+    """
+    maneuver = query.maneuver
     runs = lane_runs(network)
     before, after = runs[way.startLane.uid], runs[way.endLane.uid]
     nose, end = before.line.length, min(RAMP, after.line.length)
@@ -191,6 +195,8 @@ def _off(network: Any, way: Any, maneuver: Maneuver, variant: int) -> Iterator[_
         return
     at = nose - CHANGES[variant] - OVER
     beside = _beside(before, at, at + OVER) if at > 0 else None
+    if query.lane_beside == "right" and not wide_at(before, max(at - 2 * BEFORE, 0.0)):
+        return
     if beside is not None:
         source = runs[beside.uid]
         level = source.line.project(*before.line.point_at(at))[0]

@@ -128,6 +128,7 @@ def ask(model: LanguageModel, frame: Frame) -> Frame:
             leader=form.leader or None,
             blocker=form.blocker or None,
             group=form.group or None,
+            site=frame.outright.site,  # which the form does not ask for
         )
     )
     differ = [

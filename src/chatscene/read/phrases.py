@@ -198,12 +198,12 @@ _BY = r"(?:by|via|from|at|on|over|along|down)"
 def _sites() -> Iterator[Phrase]:
     of = rf"(?: (?:of|to|onto) {_THE} {_MOTORWAY})?"
     where = {
-        Site.MOTORWAY: rf"(?:on|along|down) {_THE} {_MOTORWAY}",
+        Site.MOTORWAY: rf"(?:(?:on|along|down|across) )?{_THE} {_MOTORWAY}",
         Site.PAST_ON_RAMP: rf"where {_THE} {_ON_RAMP} (?:joins|meets|merges (?:in|on)to) {_THE} {_MOTORWAY}|(?:at|past|near) {_THE} {_ON_RAMP}{of}",
         Site.PAST_OFF_RAMP: rf"where {_THE} {_OFF_RAMP} leaves {_THE} {_MOTORWAY}|(?:at|past|near) {_THE} {_OFF_RAMP}{of}",
         Site.RURAL: rf"(?:on|along|down) {_THE} (?:country|rural) (?:road|lane)",
-        Site.CROSSWALK: rf"(?:at|on|over|across|before|near|towards) {_THE} (?:crosswalk|zebra(?: crossing)?|pedestrian crossing)",
-        Site.ROUNDABOUT: rf"(?:at|in|on|into|through|around|round) {_THE} roundabout",
+        Site.CROSSWALK: rf"(?:(?:at|on|over|across|before|near|towards) )?{_THE} (?:crosswalk|zebra(?: crossing)?|pedestrian crossing)",
+        Site.ROUNDABOUT: rf"(?:(?:at|in|on|into|through|around|round) )?{_THE} roundabout",
     }
     for site, said in where.items():
         yield Phrase(sort=Sort.SITE, value=(site, None), pattern=_compiled(said))
