@@ -27,7 +27,8 @@ from chatscene.terms.scene import Scene
 from chatscene.terms.snippet import Snippet
 
 LIBRARY = load_library()
-SPAWNS, GEOMETRIES = LIBRARY.of(Component.SPAWN), LIBRARY.of(Component.GEOMETRY)
+SPAWNS = LIBRARY.of(Component.SPAWN)
+GEOMETRIES = LIBRARY.without_sites().of(Component.GEOMETRY)
 SIMULATOR = load_simulator(resolve_map("town"), SimulationSettings(max_steps=1))
 EGO = load_ego("rule-based")
 SHARES = (0.05, 0.5, 0.95)  # of each range

@@ -45,7 +45,7 @@ class Labelled:
 def compose(library: Library, count: int, seed: int) -> list[Labelled]:
     """Sentences from wordings of compatible triples, every behavior about equally often."""
     rng = random.Random(seed)
-    joint = compatibility(library)
+    joint = compatibility(library.without_sites())
     out: list[Labelled] = []
     places = [np.argwhere(joint.mask[i]) for i in range(len(joint.behaviors))]
     usable = [i for i, pairs in enumerate(places) if len(pairs)]

@@ -48,6 +48,10 @@ class Library:
         """The snippets of one component."""
         return tuple(snippet for snippet in self.snippets if snippet.component is component)
 
+    def without_sites(self) -> Library:
+        """Without the geometries of sites, which the town has not and which no sentence of ours is written for."""
+        return Library(tuple(snippet for snippet in self.snippets if snippet.slots.site is None))
+
     def with_behavior(self, behavior: Snippet) -> Library:
         """The same places and starts, with one behavior alone."""
         places = (snippet for snippet in self.snippets if snippet.component is not Component.BEHAVIOR)

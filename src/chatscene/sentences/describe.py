@@ -157,7 +157,7 @@ class _Pool:
     """
 
     def __init__(self, library: Library, base: BaseScenario | None, wanted: _Wanted, seed: int) -> None:
-        self.joint = joint = compatibility(library)
+        self.joint = joint = compatibility(library.without_sites())
         rows = _rows(library)
         rows = rows[_of_base(joint, rows, base)]
         bypass = _having(joint, rows, lambda s: s.slots.maneuver is Maneuver.BYPASS)
@@ -194,7 +194,7 @@ class _Pool:
 @lru_cache(maxsize=4)
 def _rows(library: Library) -> Rows:
     """Every triple with every kind of adversary that can act it."""
-    joint = compatibility(library)
+    joint = compatibility(library.without_sites())
     sides = [("left", "right", None).index(s.slots.side) for s in joint.spawns]
     found: list[Rows] = []
     for k, kind in enumerate(_KINDS):
