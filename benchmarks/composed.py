@@ -150,6 +150,7 @@ def program_of(told: Told) -> ScenicProgram | None:
         for b, g, s in np.argwhere(joint.of_kind(asked.kind)).tolist()
         if joint.spawns[s].slots.position is asked.position
         and (joint.spawns[s].slots.place in JUNCTIONS or not asked.junction)
+        and joint.geometries[g].slots.site is None
     ]
     if not triples:
         return None
