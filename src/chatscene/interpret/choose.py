@@ -112,7 +112,11 @@ def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -
         if place.slots.position is said.position and agree(said.side, place.slots.side) and _plain_start(place)
     ]
     geometries = sorted(
-        (g for g in library.of(Component.GEOMETRY) if contradiction(slots, g.slots) is None),
+        (
+            g
+            for g in library.of(Component.GEOMETRY)
+            if g.slots.site is slots.site and contradiction(slots, g.slots) is None
+        ),
         key=lambda g: (
             g.id != chosen.id,
             g.slots.maneuver is not (slots.maneuver or Maneuver.STRAIGHT),
