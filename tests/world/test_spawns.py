@@ -37,9 +37,10 @@ APART = 0.3  # [m] or [rad], by which two starts are seen to differ
 NOBODY = replace(
     LIBRARY.of(Component.BEHAVIOR)[0],
     id="behavior/stands",
-    source='advTurn = ("straight", "left-turn")\nadvFacing = 3.14\n\nbehavior AdvBehavior():\n    do Halt()\n',
+    source='advTurn = ("straight", "left-turn")\nadvFacing = 3.14\nadvAlong = 0\n\n'
+    "behavior AdvBehavior():\n    do Halt()\n",
     requires=(),
-    provides=("AdvBehavior", "advFacing", "advTurn"),
+    provides=("AdvBehavior", "advAlong", "advFacing", "advTurn"),
     parameters=(),
     adversaries=tuple(AdversaryKind),
     slots=Slots(),

@@ -9,7 +9,7 @@ from dataclasses import replace
 from chatscene.errors import NothingFits
 from chatscene.interpret.retrieve import does_all, does_just, retrieve
 from chatscene.library.beside import placed_beside, reveals
-from chatscene.library.bind import Triple, bound, narrowed
+from chatscene.library.bind import Triple, bound, narrowed, settable
 from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import Library, library_with
@@ -64,7 +64,11 @@ def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequenc
     junction = slots.place in JUNCTIONS
     asked = Asked(kind=slots.adversary.acts_as, position=position, actions=slots.actions, junction=junction)
     unsaid = goes_without_saying(asked)
-    if isinstance(found, Retrieval) and does_just(found.behavior.snippet, slots.actions, unsaid):
+    if (
+        isinstance(found, Retrieval)
+        and does_just(found.behavior.snippet, slots.actions, unsaid)
+        and all(settable(one, found.snippets, slots.adversary) for one in scenario.frame.quantities)
+    ):
         return None
     made = compose(asked)
     return None if made is None or any(made.id in one.snippet_ids for one in tried) else made
@@ -173,4 +177,7 @@ def _none_for(found: Retrieval, reason: str) -> NothingFits:
 
 def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retrieval, Triple]:
     made = bound(retrieval.snippets, scenario)
+    if made.unused and scenario.frame is not None and scenario.frame.plain:
+        said = ", ".join(repr(one.said) for one in made.unused)
+        raise _none_for(retrieval, f"{said}: nothing that fits the rest can be set to it")
     return replace(retrieval, notes=(*notes, *retrieval.notes, *made.notes), unused=made.unused), made.triple

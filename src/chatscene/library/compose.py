@@ -434,7 +434,8 @@ def _go_together(asked: Asked, start: Start, acts: Sequence[Action], lasting: se
     blocks = Action.BLOCK in lasting and acts[:1] == [Action.ACCELERATE]
     if _meets(asked, start) and (blocks or (_AWAY.intersection(acts) and {*asked.actions} - start.given - {acts[0]})):
         return False  # across a junction there is no room for more
-    late = asked.kind in _SLUGGISH and (Action.OVERTAKE in acts or (Action.TAILGATE in acts and len(acts) > 1))
+    sluggish = asked.kind.row.limits.throttle < _SLUGGISH
+    late = sluggish and (Action.OVERTAKE in acts or (Action.TAILGATE in acts and len(acts) > 1))
     return not (late or (Action.TAILGATE in acts and not asked.kind.row.motorised))
 
 
@@ -455,7 +456,7 @@ def _too_late(
     stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
     if any(steps[action].moving and before for action, before in zip(acts, stood, strict=False)):
         return True
-    slow_there = _meets(asked, start) and asked.kind in _SLUGGISH
+    slow_there = _meets(asked, start) and asked.kind.row.limits.throttle < _SLUGGISH
     hurries = _meets(asked, start) and Action.FAST in lasting  # it sets off there, and is not fast in time
     return hurries or (slow_there and bool(Action.REVERSE in acts or Action.BLOCK in lasting))
 
@@ -526,7 +527,7 @@ _AT_FIRST = frozenset((Action.PACE, Action.TAILGATE, Action.CROSS, Action.WEAVE)
 _AFTER_BACKING = (Action.STOP, Action.ACCELERATE)
 _ENTERS = frozenset((Action.CUT_IN, Action.PULL_OUT, Action.CROSS))
 _AWAY = frozenset((Action.SWERVE, Action.WEAVE))
-_SLUGGISH = (AdversaryKind.TRUCK, AdversaryKind.BUS, AdversaryKind.BICYCLE)  # the ego is sooner where they are to be
+_SLUGGISH = 2.5  # [m/s²] at full throttle: of whoever has less, the ego is sooner where they are to be
 _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
 
 

@@ -23,7 +23,7 @@ from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.frame import About, Clauses, Frame, Note, certain
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots
+from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots, Unused, Why
 
 LONGEST = 2000  # characters; a situation fits into a paragraph
 
@@ -54,7 +54,7 @@ def hear(text: str) -> Frame:
             outright=parsed.slots,
             beliefs=certain(parsed.slots),
             quantities=parsed.quantities,
-            unused=around.unlike,
+            unused=(*around.unlike, *(Unused(said=said, why=Why.WORDS) for said in parsed.looks)),
             notes=tuple(notes),
             plain=True,
             surroundings=around.surroundings,

@@ -52,11 +52,13 @@ class Parsed:
         slots: What it says of the ego, the place, the adversary and the others.
         order: Who does what, in the order of telling: 0 is the adversary.
         quantities: The numbers said of the adversary.
+        looks: Words for how a road user looks, which no scene shows.
     """
 
     slots: Slots
     order: tuple[tuple[int, Action], ...] = ()
     quantities: tuple[Quantity, ...] = ()
+    looks: tuple[str, ...] = ()
 
 
 @dataclass
@@ -80,6 +82,7 @@ class _Told:
     order: list[tuple[int, Action]] = field(default_factory=list[tuple[int, Action]])
     facts: dict[str, Any] = field(default_factory=dict[str, Any])
     subject: int | None = None  # an actor, or None for the ego
+    looks: list[str] = field(default_factory=list[str])  # how somebody looks, which no scene shows
     begun: bool = False  # whether anybody was named
     open: bool = True  # whether somebody may be named here
 
@@ -164,6 +167,8 @@ def _name(told: _Told, match: re.Match[str]) -> None:
             one.where.add(value)
         elif sort is Sort.ACT and isinstance(value, Action):
             _act(told, value)
+        else:
+            told.looks.append(str(value))
     told.begun, told.open = True, False
 
 
@@ -303,6 +308,7 @@ def _parsed(told: _Told) -> Parsed:
         slots=replace(slots[0], others=tuple(_alone(one) for one in slots[1:])),
         order=tuple((ranked.index(i), action) for i, action in told.order),
         quantities=tuple(told.actors[first].quantities),
+        looks=tuple(told.looks),
     )
 
 

@@ -383,7 +383,7 @@ def traits_in(match: re.Match[str]) -> Iterator[tuple[Sort, object]]:
     while left:
         for sort, value, said in _TRAITS:
             if found := re.match(rf"(?:{said}) ", left):
-                yield sort, value
+                yield sort, value or found[0].strip()
                 left = left[found.end() :]
                 break
         else:  # pragma: no cover - the pattern is made of the same traits
