@@ -66,8 +66,9 @@ def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
 
 def test_two_processes_give_the_same_files_as_one(finished: Path, tmp_path: Path) -> None:
     folder = tmp_path / "two"
-    done = chatscene("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2")
-    assert done.exit_code == 0, done.stderr
+    run = started("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2")
+    errors = run.communicate()[1]
+    assert run.returncode == 0, errors
     assert content(folder) == content(finished)
 
 

@@ -212,6 +212,8 @@ def trials(library: Library, only: Collection[str] | None = None) -> Iterator[tu
         only: Ids to try; None for all.
     """
     joint = compatibility(library)
+    # The town has none of the places that are a site; what is there is held by tests of routes and facts.
+    mask = joint.mask & np.array([g.slots.site is None for g in joint.geometries])[None, :, None]
     tried = (np.zeros(len(joint.geometries), int), np.zeros(len(joint.spawns), int))
     wanted = [
         [only is None or part.id in only for part in parts]
@@ -225,14 +227,14 @@ def trials(library: Library, only: Collection[str] | None = None) -> Iterator[tu
 
     for b, behavior in enumerate(joint.behaviors):
         for kind in behavior.adversaries if wanted[0][b] else ():
-            fits = joint.mask[b] & np.array([kind in spawn.adversaries for spawn in joint.spawns])[None, :]
+            fits = mask[b] & np.array([kind in spawn.adversaries for spawn in joint.spawns])[None, :]
             if fits.any():
                 used = np.where(fits, tried[0][:, None] + tried[1][None, :], np.iinfo(int).max)
                 g, s = np.unravel_index(int(used.argmin()), used.shape)
                 yield taken(b, int(g), int(s)), kind
     for axis in (1, 2):
         for i, missing in enumerate(tried[axis - 1] == 0):
-            at = np.argwhere(np.take(joint.mask, i, axis=axis)) if missing and wanted[axis][i] else []
+            at = np.argwhere(np.take(mask, i, axis=axis)) if missing and wanted[axis][i] else []
             if len(at):
                 b, other = (int(n) for n in at[0])
                 triple = taken(b, i, other) if axis == 1 else taken(b, other, i)
