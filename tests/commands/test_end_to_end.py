@@ -84,8 +84,9 @@ def test_a_run_killed_three_times_ends_like_one_that_was_not(finished: Path, tmp
         process.communicate()
         arguments = ["resume", str(folder)]
     assert not (folder / "scenes.parquet").exists()
-    done = chatscene("resume", str(folder))
-    assert done.exit_code == 0, done.stderr
+    resumed = started("resume", str(folder))
+    errors = resumed.communicate()[1]
+    assert resumed.returncode == 0, errors
     assert content(folder) == content(finished)
 
 
