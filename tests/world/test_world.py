@@ -1,6 +1,7 @@
 """Driving along a line, signals on a clock, and what stands beside the road."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -88,7 +89,7 @@ def test_a_held_signal_does_not_change() -> None:
 TOWN = resolve_map("town")
 
 
-def route(**query: object):
+def route(**query: Any):
     return choose_route(load_network(TOWN), str(TOWN), 0, **query)
 
 
