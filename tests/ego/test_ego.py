@@ -68,6 +68,23 @@ def test_the_nearest_actors_come_first_and_those_out_of_sight_not_at_all() -> No
     assert rows[:, 3].tolist() == [20.0, 30.0, 40.0, 0.0, 0.0, 0.0]
 
 
+@pytest.mark.parametrize(("x", "along"), [(-14.0, -14.0), (112.0, 112.0)])
+def test_whoever_is_beyond_an_end_of_the_route_is_so_far_behind_or_ahead(x: float, along: float) -> None:
+    view = RouteView(EAST)
+    view.locate(0.0 if x < 0.0 else 90.0, 0.0)
+    ego = VehicleBody(view.along, 0.0, 0.0, LIMITS["Car"], 0.0)
+    row = view.actors(ego, [(VehicleBody(x, 0.0, 0.0, LIMITS["Car"], 1.0), False, math.inf)])[14:25]
+    assert row[1:3] == pytest.approx((along - view.along, 0.0))
+
+
+def test_an_ego_by_rule_sets_off_though_somebody_stands_behind_the_start_of_its_route() -> None:
+    view = RouteView(EAST)
+    view.locate(0.0, 0.0)
+    ego = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 0.0)
+    behind = VehicleBody(-14.0, 0.0, 0.0, LIMITS["Car"], 0.0)
+    assert load_ego("idm").act(view.actors(ego, [(behind, False, math.inf)]))[0] > 0.1
+
+
 @pytest.mark.parametrize("action", [None, (1.0,), (float("nan"), 0.0), "ab"])
 def test_an_action_that_is_not_two_finite_numbers_is_refused(action: object) -> None:
     with pytest.raises(EgoError):

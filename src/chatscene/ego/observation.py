@@ -144,7 +144,7 @@ class RouteView:
         return np.array(seen)
 
     def _row(self, ego: Posed, other: Posed, walks: bool) -> tuple[float, ...]:
-        along, beside, _ = self._line.project(other.x, other.y, self._near)
+        along, beside = self._on_route(other)
         dx, dy = other.x - ego.x, other.y - ego.y
         turned = other.heading - ego.heading
         return (
@@ -160,6 +160,21 @@ class RouteView:
             other.half_width,
             1.0 if walks else 0.0,
         )
+
+    def _on_route(self, other: Posed) -> tuple[float, float]:
+        """Arc length and lateral offset [m] of an actor; the route is taken to go straight on beyond its ends.
+
+        Else whoever drives up behind an ego at the start of its route would be beside it.
+        """
+        line = self._line
+        along, beside, near = line.project(other.x, other.y, self._near)
+        if along <= 0.0:
+            x, y, hx, hy = line.segment(0)
+            along = min((other.x - x) * hx + (other.y - y) * hy, 0.0)
+        elif along >= line.length:
+            x, y, hx, hy = line.segment(near + 1)
+            along += max((other.x - x) * hx + (other.y - y) * hy, 0.0)
+        return along, beside
 
 
 def check_preset(name: str) -> str:
