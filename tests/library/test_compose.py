@@ -67,6 +67,11 @@ def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
         ("pedestrian roadside cross stop turn-back", ["Halt", "MoveAhead", "MoveAhead", "Halt", "Halt", "MoveAhead"]),
         ("bicycle crossing cross", ["Halt", "DrivePath"]),
         ("car crossing turn-left stop", ["Halt", "DrivePath", "DrivePath", "BrakeOnPath", "Halt"]),
+        ("car ahead stand", ["Halt"]),
+        ("car ahead narrow", ["Halt"]),
+        ("truck beyond block", ["Halt"]),
+        ("box ahead stand", ["Halt"]),
+        ("car behind stand", ["BrakeOnPath"]),
         ("car beside change-lane brake", ["PaceOnPath", "DrivePath", "BrakeOnPath"]),
     ],
 )
@@ -86,6 +91,9 @@ def test_acts_are_done_one_after_the_other(said: str, primitives: list[str]) -> 
         "car behind stop block",  # who stops behind us is in nobody's way
         "car beside brake pace",  # it was level from the beginning on
         "bus behind overtake",  # the ego is gone before it is past
+        "box ahead brake",  # a thing lies
+        "car beyond follow",  # nobody drives there
+        "pedestrian ahead narrow",  # nobody on foot is as wide
         "car crossing stop cross",  # once it stands on the ego's line it has no way left to cross
     ],
 )

@@ -108,8 +108,9 @@ def test_the_library_has_the_size_that_was_promised() -> None:
 
 def test_every_action_occluder_position_side_and_manoeuvre_has_a_snippet() -> None:
     slots = [snippet.slots for snippet in LIBRARY]
-    assert {action for s in slots for action in s.actions} | {Action.STAND} == set(Action)
-    assert compose(Asked(kind=AdversaryKind.CAR, position=Position.AHEAD, actions=(Action.STAND,))) is not None
+    assert {action for s in slots for action in s.actions} | {Action.STAND, Action.NARROW} == set(Action)
+    for still in (Action.STAND, Action.NARROW):
+        assert compose(Asked(kind=AdversaryKind.CAR, position=Position.AHEAD, actions=(still,))) is not None
     assert {s.occluder for s in slots} >= set(Occluder)
     assert {s.position for s in slots} >= set(Position)
     assert {s.side for s in slots} >= set(Side)
@@ -120,7 +121,8 @@ def test_every_action_occluder_position_side_and_manoeuvre_has_a_snippet() -> No
 def test_every_snippet_fits_at_least_one_triple() -> None:
     parts = [LIBRARY.of(component) for component in Component]
     used = {s.id for t in product(*parts) if incompatibility(*t) is None for s in t}
-    used |= {"spawn/on-foot-ahead"}  # of those alone who walk there, who are composed
+    used |= {"spawn/on-foot-ahead"}  # of those alone who walk there, who are composed, as are all who stand:
+    used |= {s.id for s in LIBRARY.of(Component.SPAWN) if "advStill" in s.requires}
     assert used == {s.id for s in LIBRARY}
 
 

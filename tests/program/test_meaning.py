@@ -163,6 +163,7 @@ TOYS = {
     Action.FAST: Toy(moving(30, 0, (10, 5, 0), (30, 13, 0), (60, 13, 0), speed=5), 9, 15, 33),
     Action.FOLLOW: Toy(moving(30, 0, (10, 0, 0), (1, 8, 0), (20, 8, 0)), 9, 14, 18),
     Action.STAND: Toy(moving(30, 0, (40, 0, 0)), 0, 5, 9),
+    Action.NARROW: Toy(moving(30, 1.2, (40, 0, 0)), 0, 5, 9),
 }  # fmt: skip
 LASTING = sorted(set(TOYS) - {Action.ONCOMING})  # of which a watcher sees the beginning before he can be sure
 each = pytest.mark.parametrize("action", sorted(TOYS))

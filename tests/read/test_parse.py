@@ -37,6 +37,11 @@ def read(text: str) -> Parsed:
         ("An ambulance crosses the junction from the right.", "crossing", ["cross"]),
         ("A cyclist crosses from the right while we turn right.", "roadside", ["cross"]),
         ("A cyclist rides along the right edge of the road.", "ahead", ["follow"]),
+        ("A parked car blocks our lane ahead.", "ahead", ["block"]),
+        ("A stopped car ahead blocks a part of our lane.", "ahead", ["narrow"]),
+        ("A parked van on the right sticks out into our lane.", "ahead", ["narrow"]),
+        ("We turn right at a junction, and a car stands in our lane behind the corner.", "beyond", ["stand"]),
+        ("A box lies on the road in our lane ahead.", "ahead", ["stand"]),
     ],
 )
 def test_who_does_what_from_where(text: str, position: str, actions: list[str]) -> None:
@@ -85,8 +90,26 @@ def test_one_who_is_spoken_of_again_is_the_same() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "kind", "group"),
+    [
+        ("A box lies in our lane.", AdversaryKind.BOX, None),
+        ("Traffic cones block our lane ahead.", AdversaryKind.CONE, True),
+        ("The lost cargo lies in our lane ahead.", AdversaryKind.DEBRIS, None),
+        ("Debris lies on the road in our lane.", AdversaryKind.DEBRIS, None),
+        ("Two cars stand one behind the other in our lane ahead.", AdversaryKind.CAR, True),
+    ],
+)
+def test_things_lie_on_the_road_and_several_are_a_group(text: str, kind: AdversaryKind, group: bool | None) -> None:
+    slots = read(text).slots
+    assert (slots.adversary, slots.group, slots.position) == (kind, group, Position.AHEAD)
+
+
+@pytest.mark.parametrize(
     "text",
     [
+        "A box crosses the road.",  # it only lies
+        "A car ahead of us stands one behind the other.",  # it is one
+        "A car stands in our lane behind the corner.",  # of which there is none
         "A car ahead of us hums and brakes.",  # a word without a place
         "A car ahead of us changes lanes to the left.",  # where it goes to is in no slot
         "A cyclist brakes a pedestrian.",  # nobody is done anything to

@@ -86,7 +86,7 @@ def test_an_act_has_one_test_on_tracks(action: Action) -> None:
 
 
 @every_act
-@pytest.mark.parametrize("manner", Manner)
+@pytest.mark.parametrize("manner", WHO)
 def test_an_act_is_heard_in_words_that_it_is_written_with_and_not_in_others(action: Action, manner: Manner) -> None:
     heard = [parse(canonical(f"A {WHO[manner]} {text}")) for text in written(action, manner)]
     assert any(one is not None and any(act is action for _, act in one.order) for one in heard)

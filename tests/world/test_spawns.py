@@ -37,7 +37,7 @@ APART = 0.3  # [m] or [rad], by which two starts are seen to differ
 NOBODY = replace(
     LIBRARY.of(Component.BEHAVIOR)[0],
     id="behavior/stands",
-    source='advTurn = ("straight", "left-turn")\nadvFacing = 3.14\nadvAlong = 0\n\n'
+    source='advTurn = ("straight", "left-turn")\nadvFacing = 3.14\nadvAlong = 0\nadvStill = 0\nadvAside = 0\n\n'
     "behavior AdvBehavior():\n    do Halt()\n",
     requires=(),
     provides=("AdvBehavior", "advAlong", "advFacing", "advTurn"),
@@ -49,7 +49,11 @@ NOBODY = replace(
 
 def _geometry(spawn: Snippet) -> Snippet:
     """The first geometry that a spawn fits; the same for two spawns that ask for the same."""
-    behavior = replace(NOBODY, requires=tuple(sorted({"advTrajectory", "advLane", "advKerb"} & set(spawn.provides))))
+    behavior = replace(
+        NOBODY,
+        requires=tuple(sorted({"advTrajectory", "advLane", "advKerb"} & set(spawn.provides))),
+        provides=(*NOBODY.provides, *sorted({"advStill", "advAside"} & set(spawn.requires))),
+    )
     return next(g for g in GEOMETRIES if incompatibility(behavior, g, spawn) is None)
 
 
@@ -60,7 +64,8 @@ def _starts(spawn_id: str) -> tuple[tuple[Episode, Route], ...]:
     scenario = Scenario(
         id=spawn.id, text="", base=None, parts=SubDescriptions(behavior="", geometry="", spawn=""), slots=Slots()
     )
-    program = assemble(scenario, (NOBODY, _geometry(spawn), spawn), spawn.adversaries[0])
+    nobody = replace(NOBODY, provides=(*NOBODY.provides, "advStill", "advAside"))
+    program = assemble(scenario, (nobody, _geometry(spawn), spawn), spawn.adversaries[0])
     found: list[tuple[Episode, Route]] = []
     for i, share in enumerate(SHARES):
         values = {p.name: p.low + share * (p.high - p.low) for p in program.parameters}

@@ -139,10 +139,18 @@ def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -
         raise _none_for(found, f"no place where both can start ({who})")
     first = pairs[0][1]
     in_way = said.position is Position.AHEAD and all(action.row.stands for action in said.actions)
+    told = set(composed.provides) - {
+        "AdvBehavior"
+    }  # a place that asks for what only this behavior tells is made for it
     behind = said.position is slots.position or in_way  # the other is the farther one
     place = min(
         (place for place, geometry in pairs if geometry is first),
-        key=lambda place: ((place.slots.distance is Distance.FAR) is not behind, len(place.slots.said()), place.id),
+        key=lambda place: (
+            not told & set(place.requires),
+            (place.slots.distance is Distance.FAR) is not behind,
+            len(place.slots.said()),
+            place.id,
+        ),
     )
     if reveals(spawn, asked):
         behavior = narrowed((behavior, first, spawn), _sooner(behavior))[0]

@@ -43,7 +43,9 @@ def placed_beside(spawn: Snippet, asked: Asked, place: Snippet) -> Snippet:
     if behavior is None:
         raise SnippetError(f"there are no steps for {asked.snippet_id!r}")
     named = place.id.removeprefix(_SPAWN) + DOES + behavior.id.removeprefix(COMPOSED)
-    start = _fixed(place, {"OPT_GEO_Y": _REVEALED} if reveals(spawn, asked) else {})
+    start = _fixed(
+        place, {"OPT_GEO_Y": _REVEALED} if reveals(spawn, asked) and "laneLeft" not in place.requires else {}
+    )
     start = start.replace("new OtherClass", f"new {asked.kind.row.scenic}")
     start = start.replace("behavior OtherBehavior()", f"behavior OtherBehavior(), with label '{OTHER}'")
     source = "\n".join((spawn.source.strip(), _fixed(behavior), start))

@@ -17,6 +17,8 @@ from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Snippet
 
 HEADER_PROVIDES = ("AdvClass", "ego")  # what a program's fixed part defines
+STILL = "advStill"  # told by a behavior of somebody who stands in the ego's lane, and needs no way along it
+ASIDE = "advAside"  # told by a behavior of somebody who stands at an edge of the ego's lane
 WAYS = {"advTrajectory", "advLane", "advKerb"}  # along the road, as spawns give them to adversaries that drive
 # Where others come from at a junction, as geometries name it, with what shows that there is an arm to go straight on
 # into and that the ego's way lies between: traffic out of that arm, or an ego that turns that way.
@@ -47,8 +49,14 @@ def contradiction(one: Slots, other: Slots) -> str | None:
 
 
 def _follows(behavior: Snippet, spawn: Snippet) -> bool:
-    """Whether a behavior uses a way along the road that a spawn gives its adversary, if it gives one."""
-    return not WAYS & set(spawn.provides) or bool(WAYS & set(behavior.requires))
+    """Whether a behavior uses a way along the road that a spawn gives its adversary, if it gives one.
+
+    Who is to stand aside needs a spawn that puts it there.
+    """
+    if ASIDE in behavior.provides and ASIDE not in spawn.requires:
+        return False
+    goes = STILL not in behavior.provides
+    return not (goes and WAYS & set(spawn.provides)) or bool(WAYS & set(behavior.requires))
 
 
 def _has_cause(geometry: Snippet, spawn: Snippet) -> bool:

@@ -293,6 +293,7 @@ STARTS: dict[Position, Start] = {
         constants=('advTurn = ("straight", "left-turn", "right-turn")',),
         in_way=True,
     ),
+    Position.BEYOND: Start(path="egoRoute", opening=(), steps={}),
     Position.ROADSIDE: Start(
         path="egoRoute",
         opening=(
@@ -315,6 +316,7 @@ ON_FOOT: dict[Position, Start] = {
         at=(12, 30, _TO_IT),
         constants=("advAlong = 0",),
     ),
+    Position.BEYOND: STARTS[Position.BEYOND],
 }
 """The same for somebody on foot: where else one starts, there are no steps."""
 
@@ -388,7 +390,7 @@ class Asked:
 def compose(asked: Asked) -> Snippet | None:
     """A behavior that does what is asked for and nothing else; None if there are no steps for that, or not in order."""
     start = _start(asked)
-    if start is None or not asked.actions:
+    if start is None or not asked.actions or (_never_moves(asked) and not _stands(asked)):
         return None
     steps = _ACROSS_RIDING if start.steps is ACROSS and not _walks(asked) else start.steps
     lasting = {action for action in asked.actions if action.row.all_along}
@@ -413,8 +415,9 @@ def _doable(
 ) -> bool:
     """Whether there are steps for all of it, in this order, and time for it before the ego meets anything."""
     if _stands(asked):
-        in_the_way = asked.position is Position.AHEAD and Action.BLOCK in lasting
-        return not acts and lasting <= {Action.STAND} | ({Action.BLOCK} if in_the_way else set())
+        in_the_way = {Action.BLOCK} if asked.position in _IN_LANE else set[Action]()
+        at_its_edge = {Action.NARROW} if asked.position is Position.AHEAD and not _walks(asked) else set[Action]()
+        return not acts and lasting <= {Action.STAND} | in_the_way | at_its_edge
     if not set(acts) <= steps.keys() or not lasting <= {*start.given, *_PACES, Action.BLOCK}:
         return False
     return (
@@ -498,10 +501,12 @@ def composed_again(snippet_id: str) -> Snippet:
 
 
 _LEADS = (Position.AHEAD, Position.BESIDE, Position.AHEAD_BESIDE)  # from there one gets ahead before one acts
+_IN_LANE = (Position.AHEAD, Position.BEYOND)  # who stands there is in the ego's way
 _PART_OF_HALTING = (Action.BRAKE, Action.CROSS)  # what need not be done before somebody halts
 _IMPLIED = {
     Action.STAND: (Action.BLOCK,),
     Action.BLOCK: (Action.STAND,),
+    Action.NARROW: (Action.STAND, Action.BLOCK),
     Action.REVERSE: (Action.STOP,),
     Action.STOP: (Action.BRAKE, Action.BLOCK),
 }
@@ -534,8 +539,13 @@ _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
 def _stands(asked: Asked) -> bool:
     """Whether it stands from the beginning on."""
     quiet = all(action.row.all_along for action in asked.actions)
-    ahead = asked.position is Position.AHEAD and quiet
-    return Action.STAND in asked.actions or (ahead and Action.BLOCK in asked.actions)
+    in_lane = asked.position in _IN_LANE and quiet
+    return Action.STAND in asked.actions or (in_lane and not {Action.BLOCK, Action.NARROW}.isdisjoint(asked.actions))
+
+
+def _never_moves(asked: Asked) -> bool:
+    """Whether it can only stand, being a thing or where nobody else has a start."""
+    return asked.kind.lies or asked.position is Position.BEYOND
 
 
 def _meets(asked: Asked, start: Start) -> bool:
@@ -554,7 +564,8 @@ def _walks(asked: Asked) -> bool:
 def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
     """What is done, phase by phase."""
     if not acts and _stands(asked):
-        yield "Halt()" if start.steps is ACROSS or _walks(asked) else f"BrakeOnPath({start.path}, 1)"
+        on_the_spot = start.steps is ACROSS or _walks(asked) or asked.position in _IN_LANE
+        yield "Halt()" if on_the_spot else f"BrakeOnPath({start.path}, 1)"
     elif not acts:
         yield from _on_its_way(asked, start)
     elif _on_foot_ahead(start):
@@ -649,6 +660,9 @@ def _snippet(asked: Asked, start: Start, meanwhile: float, phases: Sequence[str]
 
 
 def _constants(asked: Asked, start: Start) -> tuple[str, ...]:
+    if _stands(asked) and asked.position in _IN_LANE and not _walks(asked):
+        aside = ("advAside = 0",) if Action.NARROW in asked.actions else ()
+        return ("advStill = 0", *aside)
     turns = [_ADV_TURNS[action] for action in asked.actions if action in _ADV_TURNS]
     return (f'advTurn = "{turns[0]}"',) if turns and _meets(asked, start) else start.constants
 

@@ -173,7 +173,7 @@ def _draw_actor(camera: Camera, brush: ImageDraw.ImageDraw, track: Track, step: 
         return
     corners = placed([(half, side), (-half, side), (-half, -side), (half, -side)])
     brush.polygon(corners, fill=ROLES[track.role], outline=PAINT, width=OVERSAMPLE)
-    if track.role is not Role.OCCLUDER:
+    if track.role is not Role.OCCLUDER and manner_of(track.kind) is not Manner.LIES:
         tip, base = 0.75 * half, 0.75 * half - 0.8 * side
         brush.polygon(placed([(tip, 0), (base, 0.6 * side), (base, -0.6 * side)]), fill=PAINT)
 

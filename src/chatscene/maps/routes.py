@@ -366,7 +366,8 @@ def _on_road(
     if query.maneuver is Maneuver.STRAIGHT:
         return own, run.ids_between(onset, end), own.length / 2 if past is None else past - onset
     bypass = query.maneuver is Maneuver.BYPASS
-    against = bypass and query.opposite_lane is not False
+    into = query.maneuver is Maneuver.LANE_CHANGE_LEFT and query.opposite_lane is True  # the lane of oncoming traffic
+    against = into or (bypass and query.opposite_lane is not False)
     leaves, returns = (BLOCKER_AT - PASSING - SWING, BLOCKER_AT + PASSING) if bypass else (CHANGE_AT, None)
     side = -1 if query.maneuver is Maneuver.LANE_CHANGE_RIGHT else 1
     used = np.linspace(onset + leaves, onset + returns + SWING if returns else end, 5).tolist()

@@ -33,6 +33,7 @@ TURNED_MIDWAY = math.radians(25)  # of a vehicle that ends up standing in its tu
 TURNING = math.radians(10)  # by now it is turning
 HALT = 4  # [steps] of standing
 PAUSE = 3  # [steps]
+PARTLY = 0.7  # [m] from the middle of a lane: who stands there leaves a part of it free
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,7 +314,7 @@ def _wrong_way(s: Seen) -> Iterator[Act]:
 
 
 def _blocks_way(s: Seen) -> Iterator[Act]:
-    within = np.abs(s.offset) < 1.3 + s.track.width / 2
+    within = np.minimum(np.abs(s.offset), np.abs(s.aside)) < 1.3 + s.track.width / 2
     start = _first(within & (_speed(s) < STANDING) & (s.lead > 0.0))
     if start is not None:  # once there, an ego that drives through it was in its way as well
         stands = within & (_speed(s) < STANDING)
@@ -346,6 +347,13 @@ def _stands(s: Seen) -> Iterator[Act]:
         yield from _lasting(still, 10)
 
 
+def _narrows(s: Seen) -> Iterator[Act]:
+    """It stands, not in the middle of the ego's lane, and yet in the way of somebody who keeps to its middle."""
+    aside = np.minimum(np.abs(s.offset), np.abs(s.aside))
+    if (aside > PARTLY).all() and (aside - s.track.width / 2 < 1.3).all():
+        yield from _stands(s)
+
+
 ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.CROSS: _crosses,
     Action.STOP: _stops,
@@ -374,4 +382,5 @@ ACTIONS: dict[Action, Callable[[Seen], Iterable[Act]]] = {
     Action.FAST: _fast,
     Action.FOLLOW: _follows,
     Action.STAND: _stands,
+    Action.NARROW: _narrows,
 }

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING
-from chatscene.program.watching import Seen, in_frame, watch
+from chatscene.program.watching import Seen, in_frame, moved_over, watch
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
@@ -28,6 +28,7 @@ DRIVING, CRAWLING = (
 )  # [m/s]: as fast at least it drives before it slows down, slower than that all along it crawls
 SLOWED = 1.5  # [m/s]
 TOLD_BY_SITE = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
+TOGETHER_WITHIN = 4.4  # [m] beyond the length of one: so near are those who stand or go together
 BRAKED = 4.0  # [m/s²] for so many steps as for a halt
 
 OCCLUDER_CLASSES: dict[Occluder, tuple[str, ...]] = {
@@ -119,10 +120,7 @@ def maneuver_of(route: Route) -> Maneuver:
     if route.junction is not None and abs(turned) > math.radians(45):
         return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
     if route.junction is None and route.place is not Place.CURVE:
-        # How far it moves over to the left of a road that bends evenly from its first to its last direction.
-        along = np.hypot(step[:, 0], step[:, 1])
-        even = heading[0] + turned * np.cumsum(along) / along.sum()
-        over = np.cumsum(np.sin(heading - even) * along)
+        over = moved_over(route.line)
         if over.max() > 1.5 and abs(over[-1]) < 1.0:
             return Maneuver.BYPASS
         if abs(over[-1]) > 1.5:
@@ -312,11 +310,12 @@ def _blocks(track: Track, route: Route) -> bool:
 
 
 def _accompanies(other: Track, track: Track) -> bool:
-    return other.kind == track.kind and math.hypot(other.x[0] - track.x[0], other.y[0] - track.y[0]) < 5.0
+    apart = math.hypot(other.x[0] - track.x[0], other.y[0] - track.y[0])
+    return other.kind == track.kind and apart < TOGETHER_WITHIN + track.length
 
 
 POSITIONS: dict[Position, Callable[[Seen], bool]] = {
-    Position.AHEAD: lambda s: s.along[0] > 2.0 and abs(s.offset[0]) < 1.8,
+    Position.AHEAD: lambda s: s.along[0] > 2.0 and min(abs(s.offset[0]), abs(s.aside[0])) < 1.8,
     Position.ROADSIDE: lambda s: s.along[0] > 0.0 and abs(s.offset[0]) > 1.6,
     Position.BESIDE: lambda s: abs(s.along[0]) < 8.0 and 2.0 < abs(s.across[0]) < 6.0,
     Position.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 2.0 < abs(s.across[0]) < 6.0 and abs(s.bearing[0]) < 1.0,
@@ -326,4 +325,5 @@ POSITIONS: dict[Position, Callable[[Seen], bool]] = {
     Position.CROSSING: lambda s: s.along[0] > 2.0 and math.radians(40) < abs(s.bearing[0]) < math.radians(140),
     Position.FAR_CORNER: lambda s: s.along[0] > 5.0 and abs(s.offset[0]) > 1.6,
     Position.KERB: lambda s: s.along[0] > 0.0 and 1.6 < abs(s.offset[0]) < 6.0 and abs(s.track.speed[0]) < STANDING,
+    Position.BEYOND: lambda s: s.beyond[0] > 0.0 and abs(s.offset[0]) < 1.8,
 }

@@ -7,9 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from chatscene.terms.conclusions import LANE_CHANGES
 from chatscene.terms.episode import Array, Episode, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
+
+MOST = 0.9  # of the turn at a junction: after it, a road user is seen to be in the street that is turned into
+TURNS = math.radians(30)
+CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is before it
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +27,9 @@ class Seen:
         along: (T,) [m], position along the ego's start heading, from the ego's start.
         across: (T,) [m], to the left of it.
         offset: (T,) [m], signed lateral offset from the ego's route.
+        aside: (T,) [m], signed lateral offset from the lane that the ego starts in; as `offset` where it keeps it.
+        beyond: (T,) [m], how far along the route it is past the end of the turn at the route's junction; on open road,
+            past the route's event.
         lead: (T,) [m], how far along the route it is ahead of the ego.
         drift: (T,) [m], to the left of the line on which the adversary itself began.
         acceleration: (T,) [m/s²].
@@ -37,6 +45,8 @@ class Seen:
     along: Array
     across: Array
     offset: Array
+    aside: Array
+    beyond: Array
     lead: Array
     drift: Array
     acceleration: Array
@@ -66,6 +76,8 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         along=along,
         across=across,
         offset=offset,
+        aside=offset + _left_by_route(route, at),
+        beyond=at - _turned_at(route),
         lead=at - _on_line(route.line, ego)[0],
         drift=drift,
         acceleration=track.acceleration(episode.dt),
@@ -75,6 +87,34 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         signals=episode.signals,
         grip=episode.surroundings.grip,
     )
+
+
+def moved_over(line: Polyline) -> Array:
+    """(N - 1,) [m], how far a line is to the left of one that bends evenly from its first to its last direction."""
+    step = np.diff(line.points, axis=0)
+    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    along = np.hypot(step[:, 0], step[:, 1])
+    even = heading[0] + (heading[-1] - heading[0]) * np.cumsum(along) / along.sum()
+    return np.cumsum(np.sin(heading - even) * along)
+
+
+def _left_by_route(route: Route, at: Array) -> Array:
+    """How far [m] to the left a route has left its first lane at arc lengths, if it leaves it for another."""
+    if route.maneuver not in LANE_CHANGES:
+        return np.zeros_like(at)
+    over = moved_over(route.line)
+    return np.interp(at, np.linspace(0.0, route.length, len(over)), over)
+
+
+def _turned_at(route: Route) -> float:
+    """Arc length [m] at which a route has done most of its turn at a junction."""
+    if route.junction is None:
+        return route.event_at
+    step = np.diff(route.line.points, axis=0)
+    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    turned = np.abs(heading - heading[0])
+    done = int(np.argmax(turned > MOST * turned.max())) if turned.max() > TURNS else 0
+    return max(route.event_at + CROSSED, float(done) * route.length / len(heading))
 
 
 def _until(track: Track, step: int | None) -> Track:

@@ -39,7 +39,9 @@ EGO_AS_OBJECT = re.compile(
 
 # The words of one kind may be part of another's name: a dirt bike is no bike. The general ones are looked for last.
 KINDS: dict[AdversaryKind, re.Pattern[str]] = {
-    kind: _p(kind.row.words) for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
+    kind: _p(kind.row.words)
+    for kind in sorted(AdversaryKind, key=lambda kind: kind.row.general)
+    if not kind.lies  # of which only the reader of whole texts may speak
 }
 ANYBODY = re.compile("|".join(pattern.pattern for pattern in KINDS.values()))
 ENCOUNTER = _p(

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.phrases import Phrase, Sort, Where, is_plural, kind_in, phrases, road_user, side_in, traits_in
 from chatscene.read.quantities import quantity_at
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
@@ -39,7 +39,8 @@ _LEAD_ASIDE = _TO_A_SIDE | {
 }  # behind these, "in front of us" says where they lead
 # Who does one of these is in the way by it.
 _IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
-_QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK))
+_QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK, Action.NARROW))
+_OF_LANE = frozenset((Action.BLOCK, Action.NARROW))  # who stands so stands in the ego's lane
 _OF_MOTORWAYS = (Site.ON_RAMP, Site.OFF_RAMP, Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP)
 MOST_ACTORS = 2
 
@@ -160,7 +161,7 @@ def _name(told: _Told, match: re.Match[str]) -> None:
     else:
         raise _UnreadError(match[0])
     one = told.actors[told.subject]
-    if article in ("two", "three", "several", "a group of", "a pack of"):
+    if article in ("two", "three", "several", "a group of", "a pack of") or (kind.lies and is_plural(match, kind)):
         one.group = True
     for sort, value in traits_in(match):
         if sort is Sort.WHERE and isinstance(value, Where):
@@ -246,14 +247,12 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
     value: Any = phrase.value
     if phrase.sort is Sort.ACT:
         _act(told, value)
+    elif phrase.sort is Sort.ROW and not actor.group:
+        raise _UnreadError(match[0])
     elif phrase.sort is Sort.OCCLUDER:
         actor.occluder = value
     elif phrase.sort is Sort.WHERE:
-        if value is Where.RAMP:
-            _sited(told, Site.PAST_ON_RAMP)
-            value = Where.NEXT_LANE
-        if not (_LEAD_ASIDE.intersection(actor.acts) and value in (Where.AHEAD, Where.OWN_LANE)):
-            actor.where.add(value)
+        _is_at(told, actor, value)
     elif phrase.sort is Sort.SIDE:
         side = Side(side_in(match) or "")
         whither = bool(actor.acts) and actor.acts[-1] in _TO_A_SIDE and "from" not in match[0]
@@ -264,6 +263,14 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
             actor.where.add(value)
         elif "from" in match[0]:
             actor.where.add(Where.FROM_SIDE)
+
+
+def _is_at(told: _Told, actor: _Actor, where: Where) -> None:
+    if where is Where.RAMP:
+        _sited(told, Site.PAST_ON_RAMP)
+        where = Where.NEXT_LANE
+    if not (_LEAD_ASIDE.intersection(actor.acts) and where in (Where.AHEAD, Where.OWN_LANE)):
+        actor.where.add(where)
 
 
 def _placed(told: _Told, place: Place, control: Control | None) -> None:
@@ -384,7 +391,7 @@ def _acts_of(one: _Actor, position: Position | None) -> tuple[Action, ...]:
         acts.remove(Action.FOLLOW)  # whoever does something else drives on as well
     if len(acts) > 1 and Action.STAND in acts:
         stands_first = acts[0] is Action.STAND and position in WAITING
-        if not stands_first and acts != [Action.STAND, Action.BLOCK]:
+        if not stands_first and not all(action.row.stands for action in acts):
             raise _UnreadError("it stands, and something else")
         acts.remove(Action.STAND)
     if Action.STOP in acts and Action.FOLLOW in acts[acts.index(Action.STOP) :]:
@@ -400,6 +407,10 @@ def _acts_of(one: _Actor, position: Position | None) -> tuple[Action, ...]:
 
 def _position(one: _Actor, facts: dict[str, Any]) -> Position | None:
     """Where somebody starts."""
+    if Where.BEYOND in one.where:
+        if facts.get("place") not in JUNCTIONS:
+            raise _UnreadError("behind a corner that is none")
+        return Position.BEYOND
     place = _beside_the_road(one, facts) or _against_the_ego(one) or _behind(one)
     return place or (_on_foot(one) if one.kind.row.manner is Manner.WALKS else _on_wheels(one, facts))
 
@@ -415,7 +426,8 @@ def _beside_the_road(one: _Actor, facts: dict[str, Any]) -> Position | None:
     if manner is Manner.WALKS or (manner is Manner.RIDES and Action.CROSS in acts):
         return Position.ROADSIDE
     along = manner is Manner.RIDES and acts & {Action.FOLLOW, Action.SLOW}
-    return Position.AHEAD if along or Where.OWN_LANE in one.where else Position.KERB
+    in_lane = Where.OWN_LANE in one.where or (bool(acts & _OF_LANE) and all(action.row.stands for action in acts))
+    return Position.AHEAD if along or in_lane else Position.KERB
 
 
 def _against_the_ego(one: _Actor) -> Position | None:
@@ -447,9 +459,9 @@ def _on_wheels(one: _Actor, facts: dict[str, Any]) -> Position | None:
         return Position.CROSSING
     if Where.BESIDE in one.where:
         return Position.BESIDE
-    in_way = Action.STAND in one.acts and one.side is None  # where else it stands is said
+    in_way = Action.NARROW in one.acts or (Action.STAND in one.acts and one.side is None)  # or where else is said
     if in_way or {Where.NEXT_LANE, Where.AHEAD, Where.OWN_LANE} & one.where:
-        aside = Where.NEXT_LANE in one.where or (one.side is not None and not rides)
+        aside = Where.NEXT_LANE in one.where or (one.side is not None and not rides and Action.NARROW not in one.acts)
         return Position.AHEAD_BESIDE if aside else Position.AHEAD
     if Action.CUT_IN in one.acts:
         return Position.AHEAD_BESIDE if one.side is None else Position.BESIDE

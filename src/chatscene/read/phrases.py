@@ -31,6 +31,7 @@ class Sort(StrEnum):
     MANEUVER = "maneuver"  # of the ego
     STATE = "state"  # of the ego
     WHERE = "where"  # of whoever is spoken of: the value is a `Where`
+    ROW = "row"  # of several: how they stand or come
     SIDE = "side"
     TARGET = "target"  # where an act leads, which says no more than the act
     PLACE = "place"
@@ -59,6 +60,7 @@ class Where(StrEnum):
     ARM = "arm"  # of a junction, to a side
     FAR_CORNER = "far-corner"
     FROM_SIDE = "from-side"  # it comes from there
+    BEYOND = "beyond"  # the junction, in the lane that the ego comes into
     RAMP = "ramp"  # it comes from one, beside the ego's lane
 
 
@@ -133,7 +135,10 @@ def pattern_of(phrase: str) -> re.Pattern[str]:
 def _acts() -> Iterator[Phrase]:
     for action in Action:
         row = action.row
-        for manner, own in ((Manner.DRIVES, row.drives), (Manner.RIDES, row.rides), (Manner.WALKS, row.walks)):
+        told = [(Manner.DRIVES, row.drives), (Manner.RIDES, row.rides), (Manner.WALKS, row.walks)]
+        if row.stands:
+            told.append((Manner.LIES, row.drives))
+        for manner, own in told:
             for phrase in (*listed(own or row.drives), *listed(row.also)):
                 yield Phrase(sort=Sort.ACT, value=action, pattern=pattern_of(phrase), manner=manner, ego=False)
 
@@ -245,6 +250,7 @@ _WHERE: tuple[tuple[object, str], ...] = (
     (Where.OPPOSITE, rf"(?:coming |approaching )?from the opposite direction|in the (?:opposite|oncoming) (?:lane|direction)|coming towards {_US}|(?:coming )?from the front|coming the other way"),
     (Where.EDGE, r"(?:at|by|on|from|beside|along) the (?:kerb|curb|roadside|pavement|sidewalk|(?:side|edge) of the (?:road|street|lane))|beside the road|parked|(?:in|from|out of) a parking (?:space|place|bay)"),
     (Where.ARM, r"(?:coming |approaching |out )?(?:from|out of|on) (?:a|the) (?:side|cross) (?:street|road)"),
+    (Where.BEYOND, r"(?:just |right |directly |immediately )?(?:behind|around|round|after|beyond|past) the (?:corner|turn|junction|intersection|crossroads)|(?:on|in) the (?:street|road|lane) (?:that )?we (?:turn|come|drive) into"),
     (Where.RAMP, rf"(?:coming |merging |joining )?from {_THE} (?:on-)?ramp"),
     (Where.FAR_CORNER, r"(?:at|from) the far (?:corner|kerb|side)|(?:on|from) the (?:opposite|far) (?:sidewalk|pavement|side)"),
 )  # fmt: skip
@@ -315,6 +321,7 @@ _FILLERS = (
     r"|at (?:a )?constant speed|at a (?:steady|constant) speed|at the same speed|(?:the )?whole time|from a standstill|closer|as usual|of the road"
     r"|in (?:our|the same|its own|its|their) direction|in (?:its|his|her|their) (?:own )?lane|along with traffic|in the same direction"
 )
+_ROW = r"one (?:behind|after) (?:the other|another)|(?:behind|after) (?:each other|one another)|in a (?:row|queue|line)"
 _SEES = r"we (?:meet|see|encounter|come up (?:to|on|behind)|come upon|face|approach|follow|drive behind|come up behind|drive towards)(?= (?:a|an|the|another|some|two) )"
 
 
@@ -343,6 +350,7 @@ def phrases() -> tuple[Phrase, ...]:
         *_occluders(),
         *(Phrase(sort=Sort.WHERE, value=value, pattern=_compiled(said), ego=False) for value, said in _WHERE),
         *(Phrase(sort=Sort.SIDE, value=value, pattern=_sided(said), ego=False) for value, said in _SIDED),
+        Phrase(sort=Sort.ROW, value=None, pattern=_compiled(_ROW), ego=False),
         Phrase(sort=Sort.TARGET, value=None, pattern=_compiled(_TARGETS), ego=False),
     ]  # fmt: skip
     return tuple(found)
@@ -362,19 +370,27 @@ def side_in(match: re.Match[str]) -> str | None:
     return next((value for name, value in match.groupdict().items() if name.startswith("side") and value), None)
 
 
+_NAMED = (*(kind for kind in AdversaryKind if kind.lies), *lexicon.KINDS)  # a traffic cone is no traffic
+
+
 @lru_cache(maxsize=1)
 def road_user() -> re.Pattern[str]:
     """A road user with its article and what is said before the noun."""
     traits = "|".join(said for _, _, said in _TRAITS)
-    nouns = "|".join(f"(?P<k{i}>{kind.row.words})" for i, kind in enumerate(lexicon.KINDS))
+    nouns = "|".join(f"(?P<k{i}>{kind.row.words})" for i, kind in enumerate(_NAMED))
     article = r"(?P<article>an?|the|another|a second|a third|some|one|two|three|several|a group of|a pack of)"
     return re.compile(rf"(?:{article} )?(?P<traits>(?:(?:{traits}) )*)(?:{nouns})(?![\w'-])")
 
 
 def kind_in(match: re.Match[str]) -> AdversaryKind:
     """The kind of road user that a match of `road_user` names."""
-    kinds = list(lexicon.KINDS)
-    return next(kinds[int(name[1:])] for name, value in match.groupdict().items() if name[0] == "k" and value)
+    return next(_NAMED[int(name[1:])] for name, value in match.groupdict().items() if name[0] == "k" and value)
+
+
+def is_plural(match: re.Match[str], kind: AdversaryKind) -> bool:
+    """Whether a match of `road_user` names several by the form of its noun: what is left of it is a noun of the kind."""
+    noun = match[0].removeprefix(f"{match['article']} ").removeprefix(match["traits"])
+    return any(re.fullmatch(kind.row.words, noun.removesuffix(end)) for end in ("s", "es") if noun.endswith(end))
 
 
 def traits_in(match: re.Match[str]) -> Iterator[tuple[Sort, object]]:

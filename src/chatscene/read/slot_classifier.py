@@ -252,7 +252,7 @@ def believe(frame: Frame, own: str = "") -> Beliefs:
     at = Path(own) / NAME
     classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
     kind = frame.outright.adversary
-    if kind is None or kind.acts_as is kind or str(kind) in classifier.classes["adversary"]:
+    if kind is None or kind.lies or kind.acts_as is kind or str(kind) in classifier.classes["adversary"]:
         return classifier.classify([encoder.states(frame.canonical) for encoder in encoders], frame.outright)
     text, known = KINDS[kind].sub(kind.acts_as.noun, frame.canonical), replace(frame.outright, adversary=kind.acts_as)
     beliefs = classifier.classify([encoder.states(text) for encoder in encoders], known)

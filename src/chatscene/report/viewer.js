@@ -171,7 +171,7 @@ function drawTrail(actor) {
   canvas.globalAlpha = 1;
 }
 
-const SHAPES = { walks: drawWalker, rides: drawTwoWheeler, drives: drawVehicle };
+const SHAPES = { walks: drawWalker, rides: drawTwoWheeler, drives: drawVehicle, lies: drawProp };
 
 /** Draws at the origin, heading along +x; metres. */
 function drawActor(actor) {

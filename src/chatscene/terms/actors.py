@@ -23,6 +23,7 @@ class Manner(StrEnum):
     WALKS = "walks"
     RIDES = "rides"
     DRIVES = "drives"
+    LIES = "lies"  # a thing on the road, which does nothing but be there
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -446,6 +447,56 @@ class AdversaryKind(StrEnum):
         ),
     )
 
+    # Things on the road: they only stand, and what they do is composed. They are read where every word of a text is:
+    # elsewhere a box is a junction's, and a cone stands for what is around.
+    BOX = (
+        "box",
+        RoadUser(
+            scenic="Box",
+            blueprint="static.prop.box01",
+            mass=15.0,
+            limits=Limits(length=0.65, width=0.65),
+            manner=Manner.LIES,
+            words=(
+                r"(?:(?:cardboard|wooden|moving|packing) )?(?:box(?:es)?|crates?|cartons?|parcels?)"
+                r"(?! (?:junctions?|trucks?|lorry|lorries|vans?|couriers?))|objects?"
+            ),
+            nouns="box:it | box:it | crate:it | cardboard box:it | carton:it | wooden crate:it | parcel:it",
+            motorised=False,
+        ),
+    )
+    CONE = (
+        "cone",
+        RoadUser(
+            scenic="Cone",
+            like="box",
+            blueprint="static.prop.trafficcone02",
+            mass=5.0,
+            limits=Limits(length=0.45, width=0.4),
+            manner=Manner.LIES,
+            words=r"(?:(?:traffic|road|roadworks?|construction|warning) )?(?:cones?|pylons?)",
+            nouns="cone:it | traffic cone:it | pylon:it | road cone:it | warning cone:it | construction cone:it",
+            motorised=False,
+        ),
+    )
+    DEBRIS = (
+        "debris",
+        RoadUser(
+            scenic="Debris",
+            like="box",
+            blueprint="static.prop.creasedbox02",
+            mass=60.0,
+            limits=Limits(length=1.6, width=0.7),
+            manner=Manner.LIES,
+            words=(
+                r"debris|rubble|wreckage|(?:fallen|lost|dropped) (?:load|cargo|goods)|(?:fallen )?(?:branch(?:es)?|"
+                r"planks?|pallets?|ladders?|mattress(?:es)?)"
+            ),
+            nouns="debris:it | fallen load:it | lost cargo:it | rubble:it | lost load:it | wreckage:it | fallen branch:it",
+            motorised=False,
+        ),
+    )
+
     @property
     def acts_as(self) -> AdversaryKind:
         """The kind whose snippets serve it: itself, or that which it is like."""
@@ -459,7 +510,12 @@ class AdversaryKind(StrEnum):
     @property
     def is_vulnerable(self) -> bool:
         """Whether it is on foot or on two wheels."""
-        return self.row.manner is not Manner.DRIVES
+        return self.row.manner in (Manner.WALKS, Manner.RIDES)
+
+    @property
+    def lies(self) -> bool:
+        """Whether it is a thing, which never moves."""
+        return self.row.manner is Manner.LIES
 
 
 BY_CLASS: dict[str, AdversaryKind] = {kind.row.scenic: kind for kind in AdversaryKind}
@@ -473,7 +529,7 @@ def manner_of(kind: str) -> Manner | None:
 
 def has_lamps(kind: str) -> bool:
     """Whether what a track is of is seen by its own lamps at night, which the law asks of vehicles and cycles."""
-    return manner_of(kind) not in (None, Manner.WALKS)
+    return manner_of(kind) not in (None, Manner.WALKS, Manner.LIES)
 
 
 def kind_of(thing: object) -> str:

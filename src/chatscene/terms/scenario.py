@@ -60,6 +60,7 @@ class Position(StrEnum):
     CROSSING = "crossing"  # on an arm to the side of a junction
     FAR_CORNER = "far-corner"  # at the side of the road the ego turns into
     KERB = "kerb"  # a vehicle standing at the edge of the road, ahead
+    BEYOND = "beyond"  # in the lane that the ego comes into, just behind its junction
 
 
 WAITING = (Position.ROADSIDE, Position.FAR_CORNER, Position.KERB)  # beside the road, until the ego comes near

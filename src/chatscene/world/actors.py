@@ -33,6 +33,13 @@ class Placed:
         raise ValueError("nothing jumps here: an action that sets a position is not simulated; drive or walk there")
 
 
+class Lying(Placed):
+    """A thing on the road that somebody may be told to be: whatever is asked of it, it stays where it is."""
+
+    def setControls(self, throttle: float, brake: float, steer: float, reverse: bool) -> None:  # noqa: N802
+        """Nothing: it has neither pedals nor a wheel."""
+
+
 class Driven(Placed, Steers):
     """A vehicle or two-wheeler: Scenic's driving actions, which its body follows within its limits."""
 

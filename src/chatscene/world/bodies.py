@@ -21,7 +21,7 @@ class Placement:
     """How a thing of a scene begins.
 
     Attributes:
-        kind: One that moves (see `LIMITS`) or any other, which stays in place.
+        kind: One that moves (see `LIMITS`) or any other, which stays in place, as does what has no top speed.
         x: Centre [m], map frame.
         y: Centre [m], map frame.
         heading: [rad, 0 = +x, counter-clockwise].
@@ -140,7 +140,7 @@ class Walker(Body):
 def body_of(placement: Placement) -> Body:
     """The plain body of a thing, for a simulator that keeps how it moves elsewhere."""
     limits = LIMITS.get(placement.kind)
-    cls = Body if limits is None else Vehicle if limits.wheelbase else Walker
+    cls = Body if limits is None or not limits.top_speed else Vehicle if limits.wheelbase else Walker
     body = cls(placement.x, placement.y, placement.heading, placement.length, placement.width, placement.speed)
     body.grip = placement.grip
     return body

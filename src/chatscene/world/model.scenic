@@ -15,10 +15,10 @@ _install_network_memo()  # no parsed copy of the map beside the map itself
 from scenic.domains.driving.model import *
 
 from chatscene.world.actions import DriveAction, WalkAction
-from chatscene.world.actors import Driven, Placed, Walking
+from chatscene.world.actors import Driven, Lying, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
-    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, levelOn, maximum, neighbourPath,
+    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, maximum, neighbourPath,
     offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
@@ -131,6 +131,22 @@ class Dog(Pedestrian):
 class Deer(Pedestrian):
     length: _LIMITS['Deer'].length
     width: _LIMITS['Deer'].width
+
+class Box(Lying, DrivingObject):
+    regionContainedIn: everywhere
+    position: _unplaced()
+    length: _LIMITS['Box'].length
+    width: _LIMITS['Box'].width
+    isWalker: False
+    label: ''
+
+class Cone(Box):
+    length: _LIMITS['Cone'].length
+    width: _LIMITS['Cone'].width
+
+class Debris(Box):
+    length: _LIMITS['Debris'].length
+    width: _LIMITS['Debris'].width
 
 ## Things that stand in the way or in the line of sight
 

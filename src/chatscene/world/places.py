@@ -13,6 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
 from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
@@ -32,6 +33,7 @@ FOLLOWING_CORRIDOR = 1.3  # [m] beside a path that a driver keeps free
 FOLLOWING_BRAKE = 2.5  # [m/s²], comfortable
 STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
 _WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
+_LANE_WIDTH = 2.5  # [m] at least
 KERB_SHORT = 3.0  # [m] before a junction, where a kerb ends
 ROUTES = 10  # per geometry, as in the paper (section 4.2)
 
@@ -324,6 +326,19 @@ def ownLane(route: EgoRoute) -> Polyline:  # noqa: N802
     line = lane_runs(route.network)[route.route.lane_ids[0]].line
     level, _, _ = line.project(*route.line.point_at(0.0))
     return line.between(level, line.length)
+
+
+def leftAt(route: EgoRoute) -> float:  # noqa: N802
+    """Arc length [m] at which a route that changes lanes has all but left its first one, which is free for others then.
+
+    Raises:
+        MapError: It keeps its lane.
+    """
+    lane = ownLane(route)
+    aside = np.abs([lane.project(x, y)[1] for x, y in route.line.points.tolist()])
+    if aside.max() < _LANE_WIDTH:
+        raise MapError(f"route {route.route.id!r} keeps its lane")
+    return float(np.argmax(aside > 0.8 * aside.max())) * route.line.length / (len(aside) - 1)
 
 
 def ownWay(route: EgoRoute) -> Polyline:  # noqa: N802

@@ -117,6 +117,16 @@ POST: dict[Position, tuple[tuple[str, ...], tuple[str, ...]]] = {
             parked at the roadside | stationary at the edge of the road | waiting at the kerb"""
         ),
     ),
+    Position.BEYOND: (
+        listed(
+            """behind the corner on the {side} | behind the junction on the {side} | after the turn on the {side}
+            just behind the corner on {egos} {side}"""
+        ),
+        listed(
+            """just behind the corner | right behind the junction | just after the turn | behind the intersection
+            directly behind the corner | after the junction"""
+        ),
+    ),
 }
 FROM: dict[Position, tuple[tuple[str, ...], tuple[str, ...]]] = {
     Position.ROADSIDE: (

@@ -148,7 +148,7 @@ def make_body(
     slowest = -REVERSE_SPEED if known.wheelbase else 0.0
     if not slowest <= speed <= known.top_speed:
         raise ValueError(f"a {kind} that begins at {speed:g} m/s; it goes at {slowest:g} to {known.top_speed:g} m/s")
-    if known is THING:
+    if not known.top_speed:
         return Body(x, y, heading, *size)
     limits = replace(
         known, length=size[0], width=size[1], wheelbase=placement.wheelbase, wheel_angle=placement.wheel_angle

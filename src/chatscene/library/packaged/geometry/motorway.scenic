@@ -24,6 +24,7 @@ egoRoute = selectRoute(maneuver="$maneuver", site="$site", lanes=3, lane=$lane) 
 egoRoute = selectRoute(maneuver="$maneuver", site="$site", lanes=2)  #: if target  #: unless site off-ramp
 egoRoute = selectRoute(maneuver="$maneuver", site="$site", beside="right")  #: unless lane  #: unless target left  #: unless site motorway
 egoSpawnPt = startOf(egoRoute)
+laneLeft = leftAt(egoRoute)  #: if target
 adjacentLane = neighbourPath(egoRoute, "$target")  #: if target
 adjacentLane = neighbourPath(egoRoute, "left")  #: if lane 1
 adjacentLane = neighbourPath(egoRoute, "right")  #: unless target  #: unless lane 1

@@ -15,7 +15,7 @@ from chatscene.terms.actors import AdversaryKind, Manner
 
 _BOOL, _INT, _FLOAT, _STRING, _COLOUR = 1, 2, 3, 4, 5
 _VAN = "van"  # CARLA's other types of vehicles are called as our kinds are
-_BASES = (*(kind.value for kind in AdversaryKind if kind.row.manner is not Manner.WALKS), _VAN)
+_BASES = (*(kind.value for kind in AdversaryKind if kind.row.manner in (Manner.DRIVES, Manner.RIDES)), _VAN)
 _EMERGENCY = {"vehicle.ford.ambulance", "vehicle.carlamotors.firetruck"}
 _SIRENS = ("ambulance", "police", "firetruck")
 _WALKER = (0.38, 0.38, 1.86)  # [m], length, width, height of most of CARLA's grown pedestrians
