@@ -492,7 +492,7 @@ class AdversaryKind(StrEnum):
                 r"debris|rubble|wreckage|(?:fallen|lost|dropped) (?:load|cargo|goods)|(?:fallen )?(?:branch(?:es)?|"
                 r"planks?|pallets?|ladders?|mattress(?:es)?)"
             ),
-            nouns="debris:it | fallen load:it | lost cargo:it | rubble:it | lost load:it | wreckage:it | fallen branch:it",
+            nouns="debris:it | fallen load:it | lost cargo:it | rubble:it | lost load:it | wreckage:it",
             motorised=False,
         ),
     )

@@ -732,13 +732,13 @@ class Action(StrEnum):
             meaning="stands at an edge of the ego's lane and leaves a part of it free",
             drives="""
                 [block] a part of {egos} lane | [stand] half in {egos} lane | [stand] partly in {egos} lane
-                [stick] out into {egos} lane
+                [stick] out into {egos} lane | [jut] out into {egos} lane | [take] up a part of {egos} lane
             """,
             all_along=True,
             stands=True,
             also="""
                 [block] part of {egos} lane | [block] half of {egos} lane | [block] a part of the lane
-                [block] a part of the road | [jut] out into {egos} lane | [take] up a part of {egos} lane
+                [block] a part of the road
                 [narrow] {egos} lane | [be] parked half in {egos} lane | [be] parked partly in {egos} lane
                 [protrude] into {egos} lane | [stand] at the edge of {egos} lane | [block] half the lane
                 [block] {egos} lane partly
