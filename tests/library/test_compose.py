@@ -110,6 +110,14 @@ def test_more_acts_begin_sooner() -> None:
     )
 
 
+def test_who_rides_across_and_does_nothing_else_may_be_as_fast_as_in_test_protocols() -> None:
+    def fastest(said: str) -> float:
+        return next(p.high for p in plan(said).parameters if p.name == "OPT_ADV_SPEED")
+
+    assert fastest("bicycle roadside cross") > 25 / 3.6
+    assert fastest("bicycle roadside cross stop") == fastest("pedestrian roadside cross") == 4
+
+
 def test_what_an_act_or_a_place_shows_by_itself_need_not_be_said() -> None:
     assert Action.STOP in goes_without_saying(asked_of("car ahead reverse"))
     assert Action.ONCOMING in goes_without_saying(asked_of("car oncoming brake"))

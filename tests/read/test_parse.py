@@ -67,6 +67,12 @@ def test_what_the_ego_does_is_told_before_or_after(text: str, facts: tuple[objec
         assert (slots.adversary, slots.actions) == (AdversaryKind.BUS, (Action.ACCELERATE,))
 
 
+def test_the_way_to_an_exit_leaves_the_motorway() -> None:
+    slots = read("We change lanes to the right toward the motorway exit while a car drives in that lane.").slots
+    assert (slots.site, slots.maneuver) == (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT)
+    assert (slots.position, slots.actions) == (Position.AHEAD_BESIDE, (Action.FOLLOW,))
+
+
 def test_what_hides_somebody_and_on_which_side_is_read() -> None:
     slots = read("A cyclist rides out from behind a parked truck on the left.").slots
     assert (slots.occluder, slots.side, slots.position) == (Occluder.PARKED_TRUCK, Side.LEFT, Position.ROADSIDE)

@@ -127,6 +127,7 @@ def _without(steps: dict[Action, Step], one: Action) -> dict[Action, Step]:
     return {action: step for action, step in steps.items() if action is not one}
 
 
+_RIDDEN = 7.0  # [m/s], 25 km/h, at which cyclists of test protocols cross at most
 _COMES = "MoveAhead($ADV_SPEED)"
 ACROSS: dict[Action, Step] = {
     Action.CROSS: Step(does=(f"{_COMES} until abs(offsetFrom(egoRoute, self)) < 2.5",), last=(_COMES,)),
@@ -712,8 +713,14 @@ def _speeds(asked: Asked) -> tuple[float, float]:
     if _walks(asked) and asked.position is Position.AHEAD:
         return 0.9, 2.2
     if asked.position is Position.ROADSIDE:
-        return (2.2, 3.2) if Action.TURN_BACK in asked.actions and not _walks(asked) else (1.4, 4)
+        return _speeds_across(asked)
     if asked.position in (Position.ONCOMING, Position.CROSSING):
         return (4, 7) if row.manner is Manner.RIDES and not row.motorised else (6, 10)
     behind = asked.position is Position.BEHIND and len(asked.actions) > 1  # or it runs into the ego at once
     return (3.5, 6) if not row.motorised else (3.5, 6) if behind else (5, 9)
+
+
+def _speeds_across(asked: Asked) -> tuple[float, float]:
+    if not _walks(asked) and asked.actions == (Action.CROSS,):
+        return 1.4, _RIDDEN  # nothing follows for which it would be too fast
+    return (2.2, 3.2) if Action.TURN_BACK in asked.actions and not _walks(asked) else (1.4, 4)

@@ -213,7 +213,7 @@ def _sites() -> Iterator[Phrase]:
     for site, said in where.items():
         yield Phrase(sort=Sort.SITE, value=(site, None), pattern=_compiled(said))
     joins = rf"[merge] (?:on|in)to {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[join] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[merge] from {_THE} {_ON_RAMP}"
-    leaves = rf"[leave] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_OFF_RAMP})?|[exit] {_THE} {_MOTORWAY}|[take] {_THE} {_OFF_RAMP}{of}"
+    leaves = rf"[leave] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_OFF_RAMP})?|[exit] {_THE} {_MOTORWAY}|[take] {_THE} {_OFF_RAMP}{of}|(?:towards?|to|onto|into) {_THE} {_OFF_RAMP}{of}"
     for site, maneuver, said in (
         (Site.ON_RAMP, Maneuver.LANE_CHANGE_LEFT, joins),
         (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT, leaves),
