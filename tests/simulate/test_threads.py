@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -34,6 +35,16 @@ scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
 simulate(load_simulator(resolve_map("town"), SimulationSettings()), program, scene, load_ego("sac"))
 print(json.dumps([library["num_threads"] for library in threadpool_info()]))
 """
+BELIEVE = """
+from chatscene.read.decompose import hear
+from chatscene.read.slot_classifier import believe
+for text in (
+    "A cyclist rides out from the left and stops in front of us.",
+    "We were on the ring road, with a lorry on our right that indicated and came over without looking.",
+    "Somebody pushing a pram came round the back of the bus, saw us, hesitated, and then ran for the other side.",
+):
+    print(repr(believe(hear(text))))
+"""
 MANY = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -58,6 +69,20 @@ def test_the_explanation_of_a_sentence_does_not_depend_on_the_number_of_threads(
         for name in MANY:
             monkeypatch.setenv(name, count)
         said.add(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert len(said) == 1
+
+
+@pytest.mark.parametrize("first", ["numpy", "torch"])
+def test_what_is_believed_of_a_sentence_does_not_depend_on_what_was_imported_first(
+    first: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if find_spec(first) is None:
+        pytest.skip(f"needs {first}")
+    # Kernels whose sums are known to depend on their threads; the newest do not show it.
+    monkeypatch.setenv("OPENBLAS_CORETYPE", "Haswell")
+    said: set[str] = set()
+    for code in (BELIEVE, f"import {first}\n{BELIEVE}"):
+        said.add(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
     assert len(said) == 1
 
 

@@ -50,7 +50,7 @@ def likely_by_wording(text: str, snippets: Sequence[Snippet], embedder: Embedder
         return {}
     owners = np.array([i for i, s in enumerate(snippets) for _ in (s.description, *s.rephrasings)])
     rows = encode_cached(embedder, [wording for s in snippets for wording in (s.description, *s.rephrasings)])
-    cosines, _ = best_of_each(rows @ embedder.encode([text])[0], owners)
+    cosines, _ = best_of_each(np.einsum("nd,d->n", rows, embedder.encode([text])[0]), owners)
     likely = np.clip((cosines.astype(float) - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
     return {s.id: p for s, p in zip(snippets, likely.tolist(), strict=True)}
 

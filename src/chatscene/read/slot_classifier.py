@@ -79,10 +79,16 @@ class Member:
     bias: Floats
 
     def log_odds(self, states: Floats) -> Floats:
-        """(heads, columns) log-odds of each class as each head sees it, from the encoder's states, (tokens, D)."""
-        share = np.exp(states @ self.queries.T - (states @ self.queries.T).max(axis=0))
-        pooled = (share / share.sum(axis=0)).T @ states
-        return np.asarray(pooled @ self.weights + self.bias, np.float32)
+        """(heads, columns) log-odds of each class as each head sees it, from the encoder's states, (tokens, D).
+
+        Not with ``@``: how linear algebra sums depends on how many threads it has, which whoever imports NumPy before
+        us decides (decision 0027); `einsum` has one.
+        """
+        told = states.astype(np.float64)
+        heed = np.einsum("td,hd->th", told, self.queries)
+        share = np.exp(heed - heed.max(axis=0))
+        pooled = np.einsum("th,td->hd", share / share.sum(axis=0), told)
+        return (np.einsum("hd,dc->hc", pooled, self.weights) + self.bias).astype(np.float32)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
