@@ -22,10 +22,8 @@ from chatscene.terms.scenario import WAITING, EgoState, Maneuver, Occluder, Plac
 IN_LANE = 1.75  # [m] from the ego's line
 TOGETHER = 1.0  # [s]; acts that begin within this time begin together, to a watcher
 AT_FIRST = 1.0  # [s]; who stands for so long before it sets off stood
-DRIVING, CRAWLING = (
-    3.0,
-    4.0,
-)  # [m/s]: as fast at least it drives before it slows down, slower than that all along it crawls
+DRIVING = 3.0  # [m/s]; who has been faster was driving, and can slow down
+CRAWLING = 4.0  # [m/s]; who is never as fast, but moves, crawls
 SLOWED = 1.5  # [m/s]
 TOLD_BY_SITE = (Site.ROUNDABOUT, Site.ON_RAMP, Site.OFF_RAMP, Site.WEAVING, Site.LANE_DROP)
 TOGETHER_WITHIN = 4.4  # [m] beyond the length of one: so near are those who stand or go together
