@@ -32,6 +32,9 @@ QUANTIFIED = "A cyclist rides out at 18 km/h from the left and stops in front of
 SENTENCES = [
     QUANTIFIED,
     "A pedestrian steps out from behind a bus stop on the right 30 m ahead of us and freezes.",
+    "A car stands in our lane ahead, and a pedestrian crosses the road from the right.",
+    "A cyclist crosses the road from the left, stops and then walks back.",
+    "The car ahead of us stops, reverses and then accelerates.",
     *(Retrieved().texts(base)[0] for base in BaseScenario),
 ]
 
