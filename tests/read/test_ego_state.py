@@ -65,7 +65,7 @@ def test_a_state_survives_beside_what_the_classifier_believes() -> None:
     said = frame.outright
     assert (said.ego, said.control, said.position) == (EgoState.STANDS, Control.SIGNAL, Position.BEHIND)
     assert said.actions == (Action.FOLLOW,)
-    assert frame.plain
+    assert frame.whole
 
 
 def test_few_of_the_texts_at_hand_say_a_state() -> None:

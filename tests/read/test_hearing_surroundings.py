@@ -37,7 +37,7 @@ def test_what_surrounds_a_scene_is_heard_and_the_rest_is_read_as_without_it(text
     frame = hear(text)
     assert frame.surroundings == heard
     assert frame.unused == ()
-    assert frame.plain
+    assert frame.whole
     assert frame.told.removeprefix("the road is dry; ") == BRAKES or "road" in frame.told
 
 

@@ -54,7 +54,7 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
 def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequence[Tried]) -> Snippet | None:
     """A behavior that does just what was said; None if words leave it open, a snippet does it, or it was tried."""
     slots = scenario.slots
-    if scenario.frame is None or not scenario.frame.plain or slots.adversary is None:
+    if scenario.frame is None or not scenario.frame.whole or slots.adversary is None:
         return None
     position = slots.position
     if isinstance(found, Retrieval):
@@ -81,7 +81,7 @@ def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
         NothingFits: Neither a snippet does it, nor are there steps for it.
     """
     frame, actions = scenario.frame, scenario.slots.actions
-    if frame is None or not frame.plain or does_all(found.behavior.snippet, actions):
+    if frame is None or not frame.whole or does_all(found.behavior.snippet, actions):
         return
     kind = scenario.slots.adversary
     reason = f"no snippet, and no steps that a plan could be composed of: {kind} {', then '.join(actions)}"
@@ -185,7 +185,7 @@ def _none_for(found: Retrieval, reason: str) -> NothingFits:
 
 def _bound(retrieval: Retrieval, scenario: Scenario, *notes: str) -> tuple[Retrieval, Triple]:
     made = bound(retrieval.snippets, scenario)
-    if made.unused and scenario.frame is not None and scenario.frame.plain:
+    if made.unused and scenario.frame is not None and scenario.frame.whole:
         said = ", ".join(repr(one.said) for one in made.unused)
         raise _none_for(retrieval, f"{said}: nothing that fits the rest can be set to it")
     return replace(retrieval, notes=(*notes, *retrieval.notes, *made.notes), unused=made.unused), made.triple

@@ -45,7 +45,7 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
         return understood(frame, frame.outright, frame.notes)
     library = library_with(settings.library)
     frame = _with_own_behaviors(frame, library, settings.embedder)
-    if frame.plain:
+    if frame.whole:
         return understood(frame, concluded(frame.outright), frame.notes)
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
     slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})

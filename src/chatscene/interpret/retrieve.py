@@ -278,13 +278,13 @@ def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
     similarity, texts = shelf.words.search(asked.parts[shelf.component])
     agreement, conflicts = shelf.facts(slots, frame.beliefs)
     if shelf.component is Component.BEHAVIOR:
-        p = shelf.said(frame.beliefs, slots.actions) if frame.plain else shelf.meant(frame.beliefs)
-        if frame.plain:
+        p = shelf.said(frame.beliefs, slots.actions) if frame.whole else shelf.meant(frame.beliefs)
+        if frame.whole:
             conflicts = conflicts + [reordered(s.slots.actions, slots.actions) for s in shelf.snippets]
         score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
     else:
         score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
-        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs), sure=frame.plain)
+        score = score + shelf.likelihood(_alternatives(slots, frame.beliefs), sure=frame.whole)
     if frame.quantities:
         score = score - CONFLICT * np.array(
             [out_of_reach(s, frame.quantities, slots.adversary) for s in shelf.snippets]
@@ -466,7 +466,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
         if slot == "actions":
             against = bool(wanted) and bool(does) and not set(wanted) & set(does)
             against |= any(action not in wanted and action.opposite in wanted for action in does)
-            against |= asked.frame.plain and reordered(does, wanted)
+            against |= asked.frame.whole and reordered(does, wanted)
         else:
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
@@ -553,7 +553,7 @@ def _confidence(
     if any(one.why in REFUSED for one in scenario.unused):
         return 0.0
     contradicted = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
-    if frame.plain:
+    if frame.whole:
         return WHOLE * contradicted
     against = doubts(scenario, frame, triple[0].snippet, library, embedder)
     odds = sum(CONFIDENCE[name] * value for name, value in against.items())

@@ -144,5 +144,5 @@ def ask(model: LanguageModel, frame: Frame) -> Frame:
         unused=tuple(one for one in frame.unused if one.why not in (Why.WORDS, Why.LANGUAGE)),  # it knows more
         notes=(Note(about=About.READER, said=(model.name,)), *differ),
         reader=model.name,
-        plain=False,
+        whole=False,
     )

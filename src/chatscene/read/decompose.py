@@ -8,7 +8,7 @@ patterns of `chatscene.read.lexicon`.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from chatscene.errors import SettingsError
 from chatscene.read import lexicon as words
@@ -43,36 +43,25 @@ def hear(text: str) -> Frame:
     told = _rewritten(mended)
     clauses = cut(told)
     notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(around.rest, mended)]
+    heard = Frame(text=plain, canonical=around.rest, told=told, clauses=clauses, surroundings=around.surroundings)
     parsed = parse(mended)
     # What the ego does may be how it reacts, which is its own affair.
     if parsed is not None and parsed.slots.ego is (parsed.slots.ego and ego_state_of(clauses.whole, words.ANYBODY)):
-        return Frame(
-            text=plain,
-            canonical=around.rest,
-            told=told,
-            clauses=clauses,
-            outright=parsed.slots,
-            beliefs=certain(parsed.slots),
-            quantities=parsed.quantities,
-            unused=(*around.unlike, *(Unused(said=said, why=Why.WORDS) for said in parsed.looks)),
-            notes=tuple(notes),
-            plain=True,
-            surroundings=around.surroundings,
-        )
-    slots = _slots(clauses, notes)
-    quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
-    return Frame(
-        text=plain,
-        canonical=around.rest,
-        told=told,
-        clauses=clauses,
+        slots, quantities = parsed.slots, parsed.quantities
+        unused = (*around.unlike, *(Unused(said=said, why=Why.WORDS) for said in parsed.looks))
+        heard = replace(heard, whole=True)
+    else:
+        slots = _slots(clauses, notes)
+        quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
+        unused = unused_of(told, quantities, around.unlike)
+        heard = replace(heard, mentions=mentions_of(told))
+    return replace(
+        heard,
         outright=slots,
         beliefs=certain(slots),
         quantities=quantities,
-        unused=unused_of(told, quantities, around.unlike),
-        mentions=mentions_of(told),
+        unused=unused,
         notes=tuple(notes),
-        surroundings=around.surroundings,
     )
 
 

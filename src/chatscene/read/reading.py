@@ -27,7 +27,7 @@ def read(text: str, settings: RetrievalSettings | None = None) -> Frame:
     settings = settings or RetrievalSettings()
     heard = hear(text)
     believed = believe(heard, settings.library)
-    frame = replace(heard, beliefs=certain(heard.outright, believed) if heard.plain else believed)
+    frame = replace(heard, beliefs=certain(heard.outright, believed) if heard.whole else believed)
     if settings.language_model == OFFLINE:
         return frame
     return ask(load_language_model(settings.language_model, cache=cache_folder("replies")), frame)

@@ -150,7 +150,7 @@ class Frame:
         mentions: The road users that it names.
         notes: What was unsure.
         reader: The language model that read it; empty for our own reader.
-        plain: Whether every phrase has its place: then this is what was said, and nothing beyond it.
+        whole: Whether every phrase has its place: then this is what was said, and nothing beyond it.
         surroundings: Light, weather and the state of the road.
     """
 
@@ -165,5 +165,5 @@ class Frame:
     mentions: tuple[Mention, ...] = ()
     notes: tuple[Note, ...] = ()
     reader: str = ""
-    plain: bool = False
+    whole: bool = False
     surroundings: Surroundings = field(default_factory=Surroundings)
