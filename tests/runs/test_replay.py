@@ -35,6 +35,7 @@ SENTENCES = [
     "A car stands in our lane ahead, and a pedestrian crosses the road from the right.",
     "A cyclist crosses the road from the left, stops and then walks back.",
     "The car ahead of us stops, reverses and then accelerates.",
+    "A car ahead of us changes lanes and a stationary car stands ahead in our lane.",
     *(Retrieved().texts(base)[0] for base in BaseScenario),
 ]
 
