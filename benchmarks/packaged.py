@@ -30,7 +30,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Episode
-from chatscene.terms.scenario import Maneuver, Position, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import Maneuver, Place, Position, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet
 
@@ -64,12 +64,12 @@ def plainest(only: str) -> Iterator[Triple]:
             yield from found.values()
 
 
-def _weight(triple: Triple) -> tuple[bool, bool, int, str, str]:
-    """What place and start add; where nothing is said, an ego goes straight on, in town."""
+def _weight(triple: Triple) -> tuple[bool, bool, bool, int, str, str]:
+    """What place and start add; where nothing is said, an ego goes straight along a street in town."""
     _, geometry, spawn = triple
     facts = sum(len(part.slots.said()) + len(part.parameters) for part in (geometry, spawn))
     turns, elsewhere = geometry.slots.maneuver is not Maneuver.STRAIGHT, geometry.slots.site is not None
-    return elsewhere, turns, facts, geometry.id, spawn.id
+    return elsewhere, turns, geometry.slots.place is not Place.ROAD, facts, geometry.id, spawn.id
 
 
 def program_of(triple: Triple) -> tuple[ScenicProgram, Slots]:

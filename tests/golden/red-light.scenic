@@ -5,8 +5,8 @@ model chatscene.world.model
 AdvClass = Truck
 
 ## behavior/run-light-brake
-param OPT_ADV_DISTANCE = Range(12, 48)
-param OPT_ADV_SPEED = Range(6, 11)
+param OPT_ADV_DISTANCE = Range(28, 56)
+param OPT_ADV_SPEED = Range(7, 11)
 param OPT_STOP_DISTANCE = Range(0, 4.5)
 
 advTurn = ("straight", "left-turn", "right-turn")

@@ -5,8 +5,8 @@
 #: actions = ["overtake", "swerve", "brake"]
 #: position = "behind"
 
-param OPT_SWERVE = Range(1.65, 2.1)  #: [m] how far beside the ego's line it passes
-param OPT_ADV_AHEAD = Range(1, 5)  #: [m] how far ahead of the ego it is when it moves over
+param OPT_SWERVE = Range(1.85, 2.2)  #: [m] how far beside the ego's line it passes
+param OPT_ADV_AHEAD = Range(5, 9)  #: [m] how far ahead of the ego it is when it moves over
 param OPT_BRAKE = Range(0.5, 1)  #: [1] how hard it brakes
 
 behavior AdvBehavior():

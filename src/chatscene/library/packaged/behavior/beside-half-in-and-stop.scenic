@@ -13,5 +13,5 @@ param OPT_BRAKE = Range(0.4, 0.8)  #: [1] how hard it brakes
 
 behavior AdvBehavior():
     do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE and headway(egoRoute, ego, self) > 8
-    do SwerveOnPath(advLane, 6, -globalParameters.OPT_SWERVE if offsetFrom(egoRoute, self) > 0 else globalParameters.OPT_SWERVE) for 0.8 seconds
+    do SwerveOnPath(advLane, 7.5, -globalParameters.OPT_SWERVE if offsetFrom(egoRoute, self) > 0 else globalParameters.OPT_SWERVE) for 0.8 seconds
     do BrakeOnPath(advLane, globalParameters.OPT_BRAKE, -globalParameters.OPT_SWERVE if offsetFrom(egoRoute, self) > 0 else globalParameters.OPT_SWERVE)

@@ -2,13 +2,13 @@
 #: adversaries = ["car", "motorcycle", "emergency-vehicle"]
 #: origin = "own code"
 #: [slots]
-#: actions = ["weave", "cut-in", "change-lane"]
+#: actions = ["weave", "change-lane", "cut-in"]
 #: maneuver = "straight"
 #: leader = false
 
 param OPT_ADV_AHEAD = Range(6, 12)  #: [m] how far ahead of the ego it stays
-param OPT_ADV_SPEED = Range(4.5, 6.5)  #: [m/s] how fast it drives
-param OPT_ADV_AMPLITUDE = Range(3.2, 3.8)  #: [m] how far it swings to either side
+param OPT_ADV_SPEED = Range(5.5, 7)  #: [m/s] how fast it drives
+param OPT_ADV_AMPLITUDE = Range(3.6, 4.2)  #: [m] how far it swings to either side
 param OPT_ADV_PERIOD = Range(4.5, 6)  #: [s] how long a full swing takes
 
 behavior AdvBehavior():

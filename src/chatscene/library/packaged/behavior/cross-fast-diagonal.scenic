@@ -5,7 +5,7 @@
 #: actions = ["cross", "diagonal", "fast"]
 
 param OPT_ADV_SPEED = Range(4, 7)  #: [m/s] how fast it runs
-param OPT_ADV_DISTANCE = Range(6, 18)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(9, 20)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_ADV_ANGLE = Range(0.5, 0.95)  #: [rad] how far its way turns from straight across
 
 behavior AdvBehavior():

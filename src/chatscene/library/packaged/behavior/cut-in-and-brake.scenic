@@ -7,10 +7,11 @@
 #: blocker = false
 
 param OPT_ADV_DISTANCE = Range(-15, 20)  #: [m] how far before the start of its manoeuvre the ego is when the adversary acts
+param OPT_ADV_AHEAD = Range(9, 18)  #: [m] how far ahead of the ego it drives before it moves over
 param OPT_ADV_SPEED = Range(5, 9)  #: [m/s] how fast it drives while it cuts in
 param OPT_BRAKE = Range(0.4, 1)  #: [1] how hard it brakes
 
 behavior AdvBehavior():
-    do KeepStation(advLane, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE and headway(egoRoute, ego, self) > 0.8 * globalParameters.OPT_ADV_AHEAD
     do DrivePath(ownLane(egoRoute), globalParameters.OPT_ADV_SPEED) until abs(offsetFrom(ownLane(egoRoute), self)) < 1
     do BrakeOnPath(ownLane(egoRoute), globalParameters.OPT_BRAKE)

@@ -7,7 +7,7 @@
 #: leader = false
 
 param OPT_ADV_DISTANCE = Range(10, 38)  #: [m] how far before the start of its manoeuvre the ego is when the adversary acts
-param OPT_ADV_AHEAD = Range(1, 7)  #: [m] how far its rear is ahead of the ego's front before it moves over
+param OPT_ADV_AHEAD = Range(4, 10)  #: [m] how far its rear is ahead of the ego's front before it moves over
 param OPT_ADV_SPEED = Range(2.5, 5)  #: [m/s] how fast it drives
 param OPT_ADV_AMPLITUDE = Range(0.8, 1.3)  #: [m] how far it swings to either side
 

@@ -7,7 +7,7 @@
 #: maneuver = "straight"
 #: leader = false
 
-param OPT_ADV_AHEAD = Range(1.5, 6)  #: [m] how far ahead of the ego it is when it moves over
+param OPT_ADV_AHEAD = Range(9, 16)  #: [m] how far ahead of the ego it is when it moves over
 param OPT_BRAKE = Range(0.6, 1)  #: [1] how hard it brakes
 
 behavior AdvBehavior():

@@ -1,7 +1,7 @@
 #: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [variants]
-#: junction-hesitate  = { actions = ["hesitate"], adv_distance = [-4, 26], adv_speed = [4, 8], stop_distance = [-3, 2], stop_time = [0.4, 1.5] }
+#: junction-hesitate  = { actions = ["hesitate"], adv_distance = [14, 36], adv_speed = [4, 8], stop_distance = [-3, 2], stop_time = [0.4, 1.5] }
 #: run-light-hesitate = { actions = ["run-light", "hesitate"], adv_distance = [0, 22], adv_speed = [5, 8], stop_distance = [-5, 0], stop_time = [0.4, 1.5], position = "crossing", control = "signal", origin = "own code" }
 #: [descriptions]
 #: junction-hesitate  = "The car pulls into the intersection, hesitates, and drives on."

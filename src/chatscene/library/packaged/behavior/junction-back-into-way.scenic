@@ -4,7 +4,7 @@
 #: [slots]
 #: actions = ["brake", "stop", "reverse"]
 
-param OPT_ADV_DISTANCE = Range(25, 50)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_DISTANCE = Range(36, 58)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
 param OPT_ADV_SPEED = Range(6, 9)  #: [m/s] how fast it drives
 param OPT_STOP_DISTANCE = Range(4, 7)  #: [m] how far beyond where their ways meet it stops first
 param OPT_ADV_BACK = Range(1.5, 3.5)  #: [m/s] how fast it backs up

@@ -4,7 +4,7 @@
 #: [slots]
 #: actions = ["slow"]
 
-param OPT_ADV_DISTANCE = Range(-4, 26)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_DISTANCE = Range(8, 30)  #: [m] how far the ego still is from where their ways meet when it sets off
 param OPT_ADV_SPEED = Range(5, 9)  #: [m/s] how fast it comes in
 param OPT_SLOW_DISTANCE = Range(-2, 6)  #: [m] how far before the place where their ways meet it slows down
 param OPT_SLOW_SPEED = Range(0.6, 2.2)  #: [m/s] how fast it crosses then

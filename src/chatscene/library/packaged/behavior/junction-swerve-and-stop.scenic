@@ -4,7 +4,7 @@
 #: [slots]
 #: actions = ["swerve", "stop"]
 
-param OPT_ADV_DISTANCE = Range(0, 22)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_DISTANCE = Range(14, 32)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
 param OPT_ADV_SPEED = Range(6, 10)  #: [m/s] how fast it drives
 param OPT_SWERVE = Range(1.5, 3)  #: [m] how far it swerves to its left
 param OPT_SWERVE_DISTANCE = Range(4, 9)  #: [m] how far before the place where their ways meet it swerves

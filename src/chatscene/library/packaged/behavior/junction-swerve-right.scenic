@@ -4,10 +4,10 @@
 #: [slots]
 #: actions = ["swerve"]
 
-param OPT_ADV_DISTANCE = Range(12, 48)  #: [m] how far the ego still is from where their ways meet when it sets off
-param OPT_ADV_SPEED = Range(5, 10)  #: [m/s] how fast it drives
+param OPT_ADV_DISTANCE = Range(28, 56)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_SPEED = Range(6, 10)  #: [m/s] how fast it drives
 param OPT_SWERVE = Range(1, 3)  #: [m] how far it swerves
-param OPT_SWERVE_DISTANCE = Range(0, 8)  #: [m] how far before the place where their ways meet it swerves
+param OPT_SWERVE_DISTANCE = Range(2, 9)  #: [m] how far before the place where their ways meet it swerves
 
 advTurn = "straight"
 

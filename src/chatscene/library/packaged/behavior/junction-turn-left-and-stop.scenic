@@ -5,8 +5,8 @@
 #: actions = ["turn-left", "stop"]
 #: maneuver = "straight"
 
-param OPT_ADV_DISTANCE = Range(4, 30)  #: [m] how far the ego still is from where their ways meet when it sets off
-param OPT_ADV_SPEED = Range(4, 9)  #: [m/s] how fast it turns
+param OPT_ADV_DISTANCE = Range(20, 40)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_SPEED = Range(5.5, 9)  #: [m/s] how fast it turns
 param OPT_STOP_DISTANCE = Range(4, 7.5)  #: [m] how far beyond where their ways meet it comes to rest
 
 advTurn = "left-turn"

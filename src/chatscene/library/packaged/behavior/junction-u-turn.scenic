@@ -4,7 +4,7 @@
 #: [slots]
 #: actions = ["u-turn"]
 
-param OPT_ADV_DISTANCE = Range(5, 28)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_DISTANCE = Range(16, 36)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
 param OPT_ADV_SPEED = Range(4, 7)  #: [m/s] how fast it drives
 param OPT_SWERVE_DISTANCE = Range(0, 5)  #: [m] how far before the place where their ways meet it turns
 

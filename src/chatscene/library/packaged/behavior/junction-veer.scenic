@@ -4,9 +4,9 @@
 #: [slots]
 #: actions = ["weave", "swerve"]
 
-param OPT_ADV_DISTANCE = Range(12, 48)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_DISTANCE = Range(20, 50)  #: [m] how far the ego still is from where their ways meet when it sets off
 param OPT_ADV_SPEED = Range(5, 9)  #: [m/s] how fast it drives
-param OPT_ADV_AMPLITUDE = Range(1.6, 2.6)  #: [m] how far it swings to either side
+param OPT_ADV_AMPLITUDE = Range(2, 2.6)  #: [m] how far it swings to either side
 param OPT_ADV_PERIOD = Range(2, 3)  #: [s] how long a full swing takes
 
 advTurn = "straight"

@@ -5,8 +5,8 @@
 #: actions = ["pull-out", "stop", "reverse"]
 #: position = "kerb"
 
-param OPT_ADV_DISTANCE = Range(16, 34)  #: [m] how far the ego still has to go to it when it moves off
-param OPT_BRAKE = Range(0.4, 0.9)  #: [1] how hard it brakes
+param OPT_ADV_DISTANCE = Range(32, 50)  #: [m] how far the ego still has to go to it when it moves off
+param OPT_BRAKE = Range(0.5, 0.9)  #: [1] how hard it brakes
 param OPT_ADV_BACK_SPEED = Range(0.8, 2.4)  #: [m/s] how fast it backs up
 
 behavior AdvBehavior():

@@ -6,7 +6,7 @@
 #: side = "right"
 #: position = "kerb"
 
-param OPT_ADV_DISTANCE = Range(12, 28)  #: [m] how far the ego still has to go to it when it moves off
+param OPT_ADV_DISTANCE = Range(22, 38)  #: [m] how far the ego still has to go to it when it moves off
 param OPT_ADV_TURN = Range(0.95, 1.2)  #: [rad] how far it turns to the left
 
 behavior AdvBehavior():

@@ -6,11 +6,12 @@
 #: position = "ahead"
 
 param OPT_ADV_DISTANCE = Range(0, 30)  #: [m] how far before the start of its manoeuvre the ego is when the adversary acts
+param OPT_ADV_AHEAD = Range(18, 28)  #: [m] how far ahead of the ego it drives before it acts
 param OPT_THROTTLE = Range(0.5, 0.8)  #: [1] how far the pedal is pressed
 param OPT_THROTTLE_TIME = Range(0.6, 1.2)  #: [s] for how long it presses the pedal
 
 behavior AdvBehavior():
-    do KeepStation(advTrajectory, ego) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE
+    do PaceOnPath(advTrajectory, ego, globalParameters.OPT_ADV_AHEAD, 16, 5) until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE and headway(egoRoute, ego, self) > 0.85 * globalParameters.OPT_ADV_AHEAD
     do BrakeOnPath(advTrajectory, 0.15) for 1.5 seconds
     do ThrottleOnPath(advTrajectory, globalParameters.OPT_THROTTLE) for globalParameters.OPT_THROTTLE_TIME seconds
     do BrakeOnPath(advTrajectory, 0.15) for 1.5 seconds

@@ -4,7 +4,7 @@
 #: [slots]
 #: actions = ["slow"]
 
-param OPT_ADV_DISTANCE = Range(5, 30)  #: [m] how far before the start of its manoeuvre the ego is when the adversary acts
+param OPT_ADV_DISTANCE = Range(10, 35)  #: [m] how far before the start of its manoeuvre the ego is when the adversary acts
 param OPT_ADV_AHEAD = Range(-4, 14)  #: [m] how far ahead of the leading vehicle it stays
 
 behavior AdvBehavior():

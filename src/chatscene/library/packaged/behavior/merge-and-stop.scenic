@@ -3,8 +3,8 @@
 #: [slots]
 #: position = "crossing"
 #: [variants]
-#: junction-cut-off-stop = { actions = ["cut-in", "brake", "stop"], adv_distance = [5, 28], adv_speed = [6, 9], stop_time = [0.5, 2], turn = ["straight", "right-turn", "left-turn"], aside = 3.5 }
-#: turn-right-merge-stop = { actions = ["turn-right", "brake", "stop"], adv_distance = [0, 25], adv_speed = [5, 8], stop_time = [2, 3.5], turn = ["straight", "right-turn"], aside = 6, side = "right", maneuver = "straight", adversaries = ["car", "truck", "bus", "motorcycle"] }
+#: junction-cut-off-stop = { actions = ["cut-in", "brake", "stop"], adv_distance = [16, 36], adv_speed = [6, 9], stop_time = [0.4, 1.2], turn = ["straight", "right-turn", "left-turn"], aside = 3.5 }
+#: turn-right-merge-stop = { actions = ["turn-right", "brake", "stop"], adv_distance = [26, 46], adv_speed = [6, 8], stop_time = [1.2, 2.2], turn = ["straight", "right-turn"], aside = 6, side = "right", maneuver = "straight", adversaries = ["car", "truck", "bus", "motorcycle"] }
 #: [descriptions]
 #: junction-cut-off-stop = "The car turns into the ego's lane, brakes hard, and stops."
 #: turn-right-merge-stop = "The car turns right into the ego's lane and brakes to a stop."

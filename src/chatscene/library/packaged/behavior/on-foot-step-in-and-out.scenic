@@ -8,7 +8,7 @@
 #: place = "road"
 
 param OPT_ADV_SPEED = Range(2, 4)  #: [m/s] how fast it goes
-param OPT_ADV_DISTANCE = Range(16, 32)  #: [m] distance to the ego at which it enters the lane
+param OPT_ADV_DISTANCE = Range(20, 36)  #: [m] distance to the ego at which it enters the lane
 param OPT_ADV_REACH = Range(0.4, 1.6)  #: [m] how far from the ego's line it withdraws
 
 # It faces against the ego's direction.

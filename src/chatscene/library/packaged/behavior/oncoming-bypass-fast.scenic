@@ -7,7 +7,7 @@
 #: maneuver = "bypass"
 
 param OPT_ADV_SPEED = Range(12, 16)  #: [m/s] how fast it drives
-param OPT_ADV_DISTANCE = Range(0, 45)  #: [m] how far before the middle of its way around the ego is when the adversary sets off
+param OPT_ADV_DISTANCE = Range(15, 50)  #: [m] how far before the middle of its way around the ego is when the adversary sets off
 
 behavior AdvBehavior():
     do Halt() until distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE

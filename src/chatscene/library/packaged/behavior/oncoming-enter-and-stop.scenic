@@ -5,8 +5,8 @@
 #: actions = ["oncoming", "stop"]
 #: position = "oncoming"
 
-param OPT_ADV_SPEED = Range(1.5, 4)  #: [m/s] how fast it goes
-param OPT_ADV_DISTANCE = Range(3, 20)  #: [m] distance to the ego at which it enters the lane
+param OPT_ADV_SPEED = Range(2, 4)  #: [m/s] how fast it goes
+param OPT_ADV_DISTANCE = Range(10, 28)  #: [m] distance to the ego at which it enters the lane
 param OPT_ADV_ANGLE = Range(0.6, 1)  #: [rad] how sharply it turns into the lane
 param OPT_STOP_DISTANCE = Range(0, 1)  #: [m] how far from the ego's line it comes to rest
 

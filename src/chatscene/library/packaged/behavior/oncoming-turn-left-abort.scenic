@@ -6,7 +6,7 @@
 #: position = "oncoming"
 #: maneuver = "straight"
 
-param OPT_ADV_DISTANCE = Range(0, 25)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_DISTANCE = Range(34, 56)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
 param OPT_ADV_SPEED = Range(5, 8)  #: [m/s] how fast it drives
 param OPT_STOP_DISTANCE = Range(5.5, 8)  #: [m] how far beyond where their ways meet it comes to rest
 param OPT_ADV_BACK = Range(1.5, 3)  #: [m/s] how fast it backs up

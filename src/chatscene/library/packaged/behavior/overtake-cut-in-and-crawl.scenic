@@ -8,7 +8,7 @@
 #: leader = false
 
 param OPT_ADV_SPEED = Range(11.5, 15)  #: [m/s] how fast it overtakes at most
-param OPT_ADV_AHEAD = Range(3, 10)  #: [m] how far ahead of the ego it is when it moves over
+param OPT_ADV_AHEAD = Range(9, 15)  #: [m] how far ahead of the ego it is when it moves over
 param OPT_ADV_CRAWL = Range(1.2, 2.8)  #: [m/s] how fast it crawls
 
 behavior AdvBehavior():

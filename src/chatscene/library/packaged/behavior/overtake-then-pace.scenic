@@ -7,7 +7,8 @@
 #: place = "road"
 
 param OPT_ADV_SPEED = Range(12, 15)  #: [m/s] how fast it overtakes at most
-param OPT_ADV_AHEAD = Range(5.6, 7.6)  #: [m] how far ahead of the ego it stays
+param OPT_ADV_AHEAD = Range(2, 6)  #: [m] how far ahead of the ego it stays
 
 behavior AdvBehavior():
-    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, globalParameters.OPT_ADV_SPEED, 5)
+    do DrivePath(advLane, globalParameters.OPT_ADV_SPEED) until headway(egoRoute, ego, self) > 9.5
+    do PaceOnPath(advLane, ego, globalParameters.OPT_ADV_AHEAD, globalParameters.OPT_ADV_SPEED, 2.5)

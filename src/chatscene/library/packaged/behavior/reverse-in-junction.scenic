@@ -1,8 +1,8 @@
 #: adversaries = ["car", "truck", "bus"]
 #: origin = "base scenarios crossing-negotiation, red-light-running, unprotected-left-turn; own code"
 #: [variants]
-#: junction-reverse  = { actions = ["stop", "reverse"], adv_distance = [-4, 26], adv_speed = [3, 8], stop_distance = [0, 4.5], adv_back = [1.5, 4], adv_back_time = [1, 4] }
-#: run-light-reverse = { actions = ["run-light", "stop", "reverse"], adv_distance = [0, 22], adv_speed = [5, 9], stop_distance = [-2.5, 2.5], adv_back = [1.5, 3.5], adv_back_time = [1.5, 4], position = "crossing", control = "signal", origin = "own code" }
+#: junction-reverse  = { actions = ["stop", "reverse"], adv_distance = [26, 42], adv_speed = [6, 9], stop_distance = [0, 4.5], adv_back = [1.5, 4], adv_back_time = [1, 4] }
+#: run-light-reverse = { actions = ["run-light", "stop", "reverse"], adv_distance = [30, 50], adv_speed = [6, 9], stop_distance = [-2.5, 2.5], adv_back = [1.5, 3.5], adv_back_time = [1.5, 4], position = "crossing", control = "signal", origin = "own code" }
 #: [descriptions]
 #: junction-reverse  = "The car enters the intersection, stops, and reverses."
 #: run-light-reverse = "The crossing car runs the red light, stops, and backs up again."

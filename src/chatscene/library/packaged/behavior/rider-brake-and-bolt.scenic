@@ -5,9 +5,9 @@
 #: actions = ["cross", "brake", "hesitate", "accelerate"]
 
 param OPT_ADV_SPEED = Range(2.8, 5)  #: [m/s] how fast it rides out
-param OPT_ADV_DISTANCE = Range(8, 28)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(22, 38)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_STOP_DISTANCE = Range(0.2, 1.25)  #: [m] how far from the ego's line it stops
-param OPT_STOP_TIME = Range(0.3, 1.2)  #: [s] how long it stands
+param OPT_STOP_TIME = Range(0.3, 0.9)  #: [s] how long it stands
 param OPT_ADV_SPRINT = Range(5, 9)  #: [m/s] how fast it tears off
 
 behavior AdvBehavior():

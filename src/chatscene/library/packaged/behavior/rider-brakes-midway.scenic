@@ -5,7 +5,7 @@
 #: actions = ["cross", "brake", "stop"]
 
 param OPT_ADV_SPEED = Range(3, 6)  #: [m/s] how fast it rides
-param OPT_ADV_DISTANCE = Range(4, 24)  #: [m] how far the ego still has to go when it starts
+param OPT_ADV_DISTANCE = Range(12, 30)  #: [m] how far the ego still has to go when it starts
 param OPT_STOP_DISTANCE = Range(0, 1)  #: [m] how far from the ego's line it comes to rest
 
 behavior AdvBehavior():

@@ -5,7 +5,7 @@
 #: actions = ["cross", "u-turn", "turn-back"]
 
 param OPT_ADV_SPEED = Range(2.2, 3.2)  #: [m/s] how fast it rides
-param OPT_ADV_DISTANCE = Range(2, 20)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(16, 30)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_ADV_REACH = Range(1.8, 3)  #: [m] how far from the ego's line it begins to turn
 param OPT_TURN_RADIUS = Range(1.6, 2.4)  #: [m] the radius of its turn
 

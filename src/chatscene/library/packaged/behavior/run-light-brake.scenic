@@ -6,8 +6,8 @@
 #: position = "crossing"
 #: control = "signal"
 
-param OPT_ADV_DISTANCE = Range(12, 48)  #: [m] how far the ego still is from where their ways meet when it sets off
-param OPT_ADV_SPEED = Range(6, 11)  #: [m/s] how fast it drives
+param OPT_ADV_DISTANCE = Range(28, 56)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_SPEED = Range(7, 11)  #: [m/s] how fast it drives
 param OPT_STOP_DISTANCE = Range(0, 4.5)  #: [m] how far beyond where their ways meet it comes to rest
 
 advTurn = ("straight", "left-turn", "right-turn")

@@ -6,7 +6,7 @@
 #: position = "crossing"
 #: control = "signal"
 
-param OPT_ADV_DISTANCE = Range(12, 48)  #: [m] how far the ego still is from where their ways meet when it sets off
+param OPT_ADV_DISTANCE = Range(26, 54)  #: [m] how far the ego still is from where their ways meet when it sets off
 param OPT_ADV_SPEED = Range(7, 11)  #: [m/s] how fast it drives
 param OPT_SWERVE = Range(1.4, 3)  #: [m] how far it swerves to its left
 param OPT_SWERVE_DISTANCE = Range(2, 9)  #: [m] how far before the place where their ways meet it swerves

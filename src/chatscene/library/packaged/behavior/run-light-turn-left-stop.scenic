@@ -8,8 +8,8 @@
 #: maneuver = "straight"
 #: control = "signal"
 
-param OPT_ADV_DISTANCE = Range(0, 22)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
-param OPT_ADV_SPEED = Range(5, 8)  #: [m/s] how fast it turns
+param OPT_ADV_DISTANCE = Range(32, 52)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_SPEED = Range(6, 8.5)  #: [m/s] how fast it turns
 param OPT_STOP_DISTANCE = Range(4, 8)  #: [m] how far beyond where their ways meet it comes to rest
 
 advTurn = "left-turn"

@@ -8,9 +8,9 @@
 #: maneuver = "straight"
 #: control = "signal"
 
-param OPT_ADV_DISTANCE = Range(0, 25)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
+param OPT_ADV_DISTANCE = Range(24, 44)  #: [m] how far the ego still is from where their ways meet when the adversary gets there
 param OPT_ADV_SPEED = Range(5, 8)  #: [m/s] how fast it turns
-param OPT_STOP_TIME = Range(1.2, 2.5)  #: [s] how long it goes on in the ego's lane before it stops
+param OPT_STOP_TIME = Range(0.6, 1.4)  #: [s] how long it goes on in the ego's lane before it stops
 
 advTurn = ("straight", "right-turn")
 

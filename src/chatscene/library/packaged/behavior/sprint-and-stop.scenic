@@ -5,7 +5,7 @@
 #: actions = ["cross", "accelerate", "stop"]
 
 param OPT_ADV_SPEED = Range(4, 7)  #: [m/s] how fast it runs
-param OPT_ADV_DISTANCE = Range(6, 18)  #: [m] how far the ego still has to go when it starts to run
+param OPT_ADV_DISTANCE = Range(10, 22)  #: [m] how far the ego still has to go when it starts to run
 param OPT_STOP_DISTANCE = Range(0, 1)  #: [m] how far from the ego's line it comes to rest
 
 behavior AdvBehavior():

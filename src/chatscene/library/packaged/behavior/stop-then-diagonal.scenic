@@ -5,10 +5,10 @@
 #: actions = ["hesitate", "stop", "diagonal"]
 
 param OPT_ADV_SPEED = Range(1.2, 4)  #: [m/s] how fast it goes
-param OPT_ADV_DISTANCE = Range(24, 56)  #: [m] how far the ego still has to go when it starts to move
+param OPT_ADV_DISTANCE = Range(32, 58)  #: [m] how far the ego still has to go when it starts to move
 param OPT_ADV_ANGLE = Range(0.45, 1)  #: [rad] how far its slanted way turns from straight across
 param OPT_STOP_DISTANCE = Range(1, 3)  #: [m] how far from the ego's line it stops
-param OPT_STOP_TIME = Range(0.5, 1.5)  #: [s] how long it stands
+param OPT_STOP_TIME = Range(0.4, 1.1)  #: [s] how long it stands
 
 behavior AdvBehavior():
     # Earlier where it has farther to go, and briskly where the ego would be gone otherwise.

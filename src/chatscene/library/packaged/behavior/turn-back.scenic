@@ -5,7 +5,7 @@
 #: actions = ["cross", "turn-back"]
 
 param OPT_ADV_SPEED = Range(1.5, 5)  #: [m/s] how fast it goes
-param OPT_ADV_DISTANCE = Range(10, 36)  #: [m] how far the ego still has to go when it starts to move
+param OPT_ADV_DISTANCE = Range(20, 40)  #: [m] how far the ego still has to go when it starts to move
 param OPT_ADV_REACH = Range(0, 1)  #: [m] how far from the ego's line it turns back
 
 behavior AdvBehavior():

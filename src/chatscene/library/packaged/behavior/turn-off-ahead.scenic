@@ -5,8 +5,8 @@
 #: maneuver = "straight"
 #: place = "road"
 #: [variants]
-#: rider-turn-left-unsignalled = { actions = ["brake", "swerve", "turn-left"], adv_speed = [1.6, 2.4], adv_distance = [-20, 5], react_distance = [4, 18], turn_radius = [2.5, 4], angle = 1.5 }
-#: rider-turn-round-ahead      = { actions = ["brake", "u-turn", "oncoming"], adv_speed = [1.6, 2.4], adv_distance = [-20, 5], react_distance = [4, 18], turn_radius = [1.8, 3], angle = 3.1 }
+#: rider-turn-left-unsignalled = { actions = ["brake", "swerve", "turn-left"], adv_speed = [1.6, 2.4], adv_distance = [-20, 5], react_distance = [12, 22], turn_radius = [2.5, 4], angle = 1.5 }
+#: rider-turn-round-ahead      = { actions = ["brake", "u-turn", "oncoming"], adv_speed = [1.8, 2.6], adv_distance = [-20, 5], react_distance = [20, 32], turn_radius = [1.8, 2.4], angle = 3.1 }
 #: [descriptions]
 #: rider-turn-left-unsignalled = "The rider ahead suddenly brakes and turns off to the left across the road without a hand signal."
 #: rider-turn-round-ahead      = "The rider ahead brakes, whips round in a U-turn and comes back past the ego."
@@ -18,7 +18,7 @@ param OPT_TURN_RADIUS = Range$turn_radius  #: [m] the radius of its turn
 
 behavior AdvBehavior():
     # It keeps right, as if to let the ego pass.
-    do DrivePath(advTrajectory, 5, -1.9) until self.pose[3] > 4.2 and (headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE or distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE)
+    do DrivePath(advTrajectory, 5, -1.9) until self.pose[3] > 4.4 and (headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE or distanceLeft(egoRoute, ego, egoRoute.eventAt) < globalParameters.OPT_ADV_DISTANCE)
     do BrakeOnPath(advTrajectory, 0.5, -1.9) until self.pose[3] < globalParameters.OPT_ADV_SPEED
     do TurnOff($angle, globalParameters.OPT_ADV_SPEED, globalParameters.OPT_TURN_RADIUS)
     do MoveAhead(globalParameters.OPT_ADV_SPEED)

@@ -5,7 +5,7 @@
 #: actions = ["cross", "fast", "swerve"]
 
 param OPT_ADV_SPEED = Range(3.4, 5.5)  #: [m/s] how fast it runs
-param OPT_ADV_DISTANCE = Range(0, 14)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(10, 20)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_ADV_REACH = Range(0.3, 1.2)  #: [m] how far from the ego's line it turns along the road
 param OPT_ADV_ANGLE = Range(1, 1.4)  #: [rad] how far it turns along the road
 

@@ -5,9 +5,9 @@
 #: actions = ["cross", "brake", "hesitate", "slow"]
 
 param OPT_ADV_SPEED = Range(2.8, 5)  #: [m/s] how fast it runs
-param OPT_ADV_DISTANCE = Range(10, 32)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(24, 42)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_STOP_DISTANCE = Range(0.3, 1.6)  #: [m] how far from the ego's line it falls
-param OPT_STOP_TIME = Range(0.8, 1.8)  #: [s] how long it is down
+param OPT_STOP_TIME = Range(0.6, 1.3)  #: [s] how long it is down
 param OPT_SLOW_SPEED = Range(0.6, 1.1)  #: [m/s] how fast it limps on
 
 behavior AdvBehavior():

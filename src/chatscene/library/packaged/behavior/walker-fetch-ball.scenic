@@ -5,9 +5,9 @@
 #: actions = ["cross", "brake", "stop", "turn-back"]
 
 param OPT_ADV_SPEED = Range(2.8, 5.5)  #: [m/s] how fast it runs
-param OPT_ADV_DISTANCE = Range(0, 24)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(18, 34)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_STOP_DISTANCE = Range(0.2, 1.25)  #: [m] how far from the ego's line it stops
-param OPT_STOP_TIME = Range(0.6, 1.4)  #: [s] how long it bends down
+param OPT_STOP_TIME = Range(0.5, 1.1)  #: [s] how long it bends down
 
 behavior AdvBehavior():
     do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 7 * abs(offsetFrom(egoRoute, self)) / globalParameters.OPT_ADV_SPEED

@@ -11,7 +11,7 @@ param OPT_ADV_SPRINT = Range(4, 7)  #: [m/s] how fast it sprints
 
 behavior AdvBehavior():
     # Briskly as far as the ego's own lane, should there be others before it.
-    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 4
+    do MoveAhead(4.5) until abs(offsetFrom(egoRoute, self)) < 5.5
     do MoveAhead(globalParameters.OPT_ADV_SPEED) for 0.6 seconds
     do MoveAhead(globalParameters.OPT_ADV_SPEED) until restsWithin(egoRoute, self, globalParameters.OPT_ADV_REACH) or headway(egoRoute, ego, self) < globalParameters.OPT_REACT_DISTANCE + 8
     do Halt() until self.pose[3] < 0.1

@@ -5,9 +5,9 @@
 #: actions = ["cross", "slow", "hesitate"]
 
 param OPT_ADV_SPEED = Range(0.7, 1.2)  #: [m/s] how fast it goes
-param OPT_ADV_DISTANCE = Range(10, 40)  #: [m] how far the ego still has to go when it starts to move
+param OPT_ADV_DISTANCE = Range(16, 40)  #: [m] how far the ego still has to go when it starts to move
 param OPT_STOP_DISTANCE = Range(0.2, 1.5)  #: [m] how far from the ego's line it rests
-param OPT_STOP_TIME = Range(0.8, 2.5)  #: [s] how long it rests
+param OPT_STOP_TIME = Range(0.6, 1.8)  #: [s] how long it rests
 
 behavior AdvBehavior():
     do Halt() until headway(egoRoute, ego, self) < globalParameters.OPT_ADV_DISTANCE + 3 * abs(offsetFrom(egoRoute, self))

@@ -5,7 +5,7 @@
 #: actions = ["cross", "brake", "slow"]
 
 param OPT_ADV_SPEED = Range(3.2, 6)  #: [m/s] how fast it runs at first
-param OPT_ADV_DISTANCE = Range(4, 24)  #: [m] how far the ego still has to go when the adversary reaches its line
+param OPT_ADV_DISTANCE = Range(18, 32)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_ADV_REACH = Range(0.9, 1.9)  #: [m] how far from the ego's line it slows down
 param OPT_SLOW_SPEED = Range(0.6, 1.2)  #: [m/s] how fast it strolls
 

@@ -7,7 +7,7 @@
 param OPT_ADV_SPEED = Range(2.6, 4)  #: [m/s] how fast it walks out
 param OPT_ADV_DISTANCE = Range(28, 44)  #: [m] how far the ego still has to go when the adversary reaches its line
 param OPT_STOP_DISTANCE = Range(0, 1.2)  #: [m] how far from the ego's line it comes to rest
-param OPT_REACT_DISTANCE = Range(2.5, 7)  #: [m] how near the ego is when it flees
+param OPT_REACT_DISTANCE = Range(7, 11)  #: [m] how near the ego is when it flees
 param OPT_ADV_SPRINT = Range(3.5, 6.5)  #: [m/s] how fast it runs back
 
 behavior AdvBehavior():

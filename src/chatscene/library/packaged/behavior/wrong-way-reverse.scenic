@@ -7,7 +7,7 @@
 #: maneuver = "straight"
 
 param OPT_ADV_SPEED = Range(5, 9)  #: [m/s] how fast it drives
-param OPT_ADV_DISTANCE = Range(12, 32)  #: [m] distance to the ego at which it brakes
+param OPT_ADV_DISTANCE = Range(30, 48)  #: [m] distance to the ego at which it brakes
 param OPT_ADV_BACK = Range(1.5, 4)  #: [m/s] how fast it backs up
 param OPT_ADV_BACK_TIME = Range(2, 5)  #: [s] for how long it backs up
 
