@@ -15,6 +15,7 @@ behavior AdvBehavior():
 ## geometry/lane-change-left
 egoRoute = selectRoute(maneuver="lane-change-left", lanes=2)
 egoSpawnPt = startOf(egoRoute)
+laneLeft = leftAt(egoRoute)
 adjacentLane = neighbourPath(egoRoute, "left")
 leftLane = adjacentLane
 

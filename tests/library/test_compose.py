@@ -66,6 +66,7 @@ def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
         ("pedestrian roadside cross", ["Halt", "MoveAhead"]),
         ("pedestrian roadside cross stop turn-back", ["Halt", "MoveAhead", "MoveAhead", "Halt", "Halt", "MoveAhead"]),
         ("bicycle crossing cross", ["Halt", "DrivePath"]),
+        ("car crossing slow cross", ["Halt", "DrivePath", "DrivePath"]),  # it comes up first, or the ego were gone
         ("car crossing turn-left stop", ["Halt", "DrivePath", "DrivePath", "BrakeOnPath", "Halt"]),
         ("car ahead stand", ["Halt"]),
         ("car ahead narrow", ["Halt"]),

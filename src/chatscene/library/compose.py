@@ -193,7 +193,13 @@ _BEFORE_EVENT = "distanceLeft(egoRoute, ego, egoRoute.eventAt) < $ADV_DISTANCE"
 _BEFORE = "how far before the start of its manoeuvre the ego is when the adversary acts"
 _SETS_OFF = (
     "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < "
-    "$ADV_DISTANCE + 6 * distanceLeft(advTrajectory, self, advMeeting) / $ADV_SPEED"
+    "$ADV_DISTANCE + 6 * distanceLeft(advTrajectory, self, advMeeting) / $ADV_SPEED + 0.8 * $ADV_SPEED"
+)  # the last, since it sets off from a halt and is later than at full speed
+_CREEPS = 12.0  # [m] before where their ways meet, whoever is to be slow there slows down: nobody waits for more
+_SETS_OFF_TO_CREEP = (
+    "Halt() until distanceLeft(egoRoute, ego, egoMeeting) < $ADV_DISTANCE + "
+    f"6 * ({_CREEPS:g} / $ADV_SPEED + max(0, distanceLeft(advTrajectory, self, advMeeting) - {_CREEPS:g}) / 8)",
+    f"DrivePath(advTrajectory, 8) until distanceLeft(advTrajectory, self, advMeeting) < {_CREEPS:g}",
 )
 _COMES_UP = "DrivePath(advTrajectory, $ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < "
 _TO_IT = "how far the ego still has to go when it starts to move"
@@ -605,7 +611,9 @@ def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
 
 def _on_its_way(asked: Asked, start: Start) -> Iterator[str]:
     """What somebody does of whom no act was said: goes on."""
-    if start.steps is ACROSS or _meets(asked, start):
+    if Action.SLOW in asked.actions and _meets(asked, start):
+        yield from _SETS_OFF_TO_CREEP
+    elif start.steps is ACROSS or _meets(asked, start):
         yield start.opening[0]
     yield _COMES if _walks(asked) or start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
 
