@@ -1,67 +1,169 @@
-"""Fit how sure a reading is: what speaks for a sentence being served, weighed by likelihood.
+"""Fit how far a reading is trusted: what speaks for every fact of it being right, weighed by likelihood.
 
-    python benchmarks/confidence.py
+    python benchmarks/confidence.py --narratives FOLDER/dev.jsonl
 
-Sentences that the classifier did not learn from: the packaged ones to fit with that are kept back, and the packaged
-ones out of scope that nothing else learns from. Prints the weights (`retrieve.CONFIDENCE`) and, by five-fold
-cross-validation, how many of either kind are refused below some confidences.
+Texts that the classifier did not learn from, with the facts that people wrote down for them: `benchmarks/texts/`
+(`first` and `second`, by two writers; labels of crash narratives by their ids, whose texts are in FOLDER, without which
+they are left out), and of the packaged sentences the ones held out, those out of scope, and those to fit with that the
+classifier has not seen. Prints the weights
+(`trust.ACCOUNT`, `retrieve.CONFIDENCE`) and, by cross-validation over the styles of writing, how many texts of each
+set are served rightly and wrongly at some thresholds, how well right is told from wrong, and the calibration error.
 """
 
 from __future__ import annotations
 
-import numpy as np
-from scipy.optimize import minimize
+import json
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
 
+import click
+import numpy as np
+from pydantic import TypeAdapter
+
+from chatscene.errors import ChatSceneError
 from chatscene.grow.curation import FITTING, kept_back
-from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.decide import guessed, understood
 from chatscene.interpret.retrieve import CONFIDENCE, doubts, retrieve
+from chatscene.interpret.trust import ACCOUNT, speaks_for_account
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
+from chatscene.read.reading import read
 from chatscene.settings import RetrievalSettings
+from chatscene.studies.facts import differing
 from chatscene.studies.reading import load_sentences
+from chatscene.terms.scenario import Slots
 
-RIDGE = 0.01
-
-
-def main() -> None:
-    sentences = [s for s in load_sentences(FITTING) if kept_back(s)] + list(load_sentences("out-of-scope"))
-    library, embedder, anything = load_library(), load_embedder(), RetrievalSettings(refuse_below=0.0)
-    rows = []
-    for sentence in sentences:
-        scenario = scenario_of(sentence.text)
-        found = retrieve(scenario, library, embedder, anything)
-        told = doubts(scenario, scenario.frame, found.behavior.snippet, library, embedder)
-        rows.append([told[name] for name in CONFIDENCE])
-    x, served = np.array(rows), np.array([s.in_scope for s in sentences], float)
-    odds = np.empty(len(x))
-    order = np.random.default_rng(0).permutation(len(x))
-    for fold in range(5):
-        left = order[fold::5]
-        used = np.setdiff1d(order, left)
-        odds[left] = x[left] @ fit(x[used], served[used])
-    print("; ".join(f"{name} {weight:.2f}" for name, weight in zip(CONFIDENCE, fit(x, served), strict=True)))
-    for below in (0.2, 0.3, 0.4, 0.5):
-        refused = odds < np.log(below / (1 - below))
-        rates = ", ".join(
-            f"{np.mean(refused[these]):.3f} of {int(these.sum())} {what}"
-            for what, these in (("in scope", served > 0), ("out of scope", served == 0))
-        )
-        print(f"below {below} refused, cross-validated: {rates}")
+TEXTS = Path(__file__).parent / "texts"
+FOLDS, RIDGE, BINS = 8, 1.0, 5
+THRESHOLDS = (0.4, 0.5, 0.6, 0.7)
 
 
-def fit(x: np.ndarray, served: np.ndarray) -> np.ndarray:
-    weight = np.where(served > 0, 0.5 / served.sum(), 0.5 / (1 - served).sum())
+@dataclass(frozen=True)
+class Row:
+    """What is weighed of one text, and whether either reading of it is right."""
+
+    group: str
+    style: str
+    in_scope: bool
+    whole: bool = False
+    account: list[float] | None = None
+    account_right: bool = False
+    guess: list[float] | None = None
+    guess_right: bool = False
+
+
+def labelled(narratives: Path | None) -> Iterator[tuple[str, str, str, bool, Slots]]:
+    """Group, style, text, whether it is in scope, and its facts."""
+    slots = TypeAdapter(Slots)
+    texts = {}
+    if narratives:
+        texts = {row["id"]: row["text"] for row in map(json.loads, narratives.read_text().splitlines())}
+    for name in ("first", "second", "narratives"):
+        for line in (TEXTS / f"{name}.jsonl").read_text().splitlines():
+            row = json.loads(line)
+            if text := row.get("text") or texts.get(row["id"]):
+                facts = slots.validate_python(row.get("slots") or {})
+                yield name, row.get("style", name), text, row["in_scope"], facts
+    packaged = {name: load_sentences(name) for name in ("held-out", "out-of-scope")}
+    packaged["kept back"] = tuple(one for one in load_sentences(FITTING) if kept_back(one))
+    for name, sentences in packaged.items():
+        for one in sentences:
+            yield name, one.style, one.text, one.in_scope, one.slots
+
+
+def row_of(group: str, style: str, text: str, in_scope: bool, said: Slots) -> Row:
+    library, embedder = load_library(), load_embedder()
+    frame = read(text)
+    if frame.whole:
+        return Row(group, style, in_scope, whole=True, account_right=in_scope and not differing(said, frame.outright))
+    guess, account = guessed(frame, RetrievalSettings()), frame.account
+    told = list(speaks_for_account(frame, account, guess).values()) if account else None
+    scenario = understood(frame, guess, frame.notes)
+    try:
+        found = retrieve(scenario, library, embedder, RetrievalSettings(refuse_below=0.0))
+        against = list(doubts(scenario, frame, found.behavior.snippet, library, embedder).values())
+    except ChatSceneError:
+        against = None
+    return Row(
+        group,
+        style,
+        in_scope,
+        account=told,
+        account_right=bool(account) and in_scope and not differing(said, account.slots),
+        guess=against,
+        guess_right=in_scope and not differing(said, guess),
+    )
+
+
+def fit(x: np.ndarray, y: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    """Logistic regression of weighted rows, held back by the spread of each column but the first."""
     spread = x.std(axis=0)
-    spread[0] = 0.0  # the base is not held back
+    held = RIDGE * np.r_[0.0, np.where(spread > 0, spread, 1.0)[1:] ** 2]
+    w = np.zeros(x.shape[1])
+    for _ in range(60):
+        p = 1 / (1 + np.exp(-x @ w))
+        slope = x.T @ (weight * (p - y)) + held * w
+        w -= np.linalg.solve((x.T * (weight * p * (1 - p))) @ x + np.diag(held + 1e-6), slope)
+    return w
 
-    def loss(w: np.ndarray) -> tuple[float, np.ndarray]:
-        z = x @ w
-        p = 1 / (1 + np.exp(-z))
-        told = weight @ (served * np.logaddexp(0, -z) + (1 - served) * np.logaddexp(0, z))
-        held = RIDGE * w * spread**2
-        return told + 0.5 * held @ w, x.T @ (weight * (p - served)) + held
 
-    return minimize(loss, np.zeros(x.shape[1]), jac=True).x
+def balanced(groups: list[str]) -> np.ndarray:
+    """The weight of each row: every group weighs the same, since our own sentences are many and much alike."""
+    count = Counter(groups)
+    return np.array([len(groups) / len(count) / count[group] for group in groups])
+
+
+def cross_validated(x: np.ndarray, y: np.ndarray, styles: list[tuple[str, str]]) -> np.ndarray:
+    """Probabilities of rows whose styles were left out of the fit."""
+    order = sorted(set(styles))
+    np.random.default_rng(0).shuffle(order)
+    p, weight = np.zeros(len(x)), balanced([group for group, _ in styles])
+    for fold in range(FOLDS):
+        left = {tuple(style) for style in order[fold::FOLDS]}
+        out = np.array([style in left for style in styles])
+        p[out] = 1 / (1 + np.exp(-x[out] @ fit(x[~out], y[~out], weight[~out])))
+    return p
+
+
+def auc(p: np.ndarray, y: np.ndarray) -> float:
+    right, wrong = p[y > 0], p[y == 0]
+    return float(np.mean((right[:, None] > wrong) + 0.5 * (right[:, None] == wrong)))
+
+
+@click.command()
+@click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+def main(narratives: Path | None) -> None:
+    rows = [row_of(*one) for one in labelled(narratives)]
+    sure: dict[int, tuple[float, bool]] = {}
+    weights = {}
+    for what, names in (("guess", CONFIDENCE), ("account", ACCOUNT)):
+        have = [(i, row) for i, row in enumerate(rows) if getattr(row, what) is not None]
+        x = np.array([getattr(row, what) for _, row in have])
+        y = np.array([getattr(row, f"{what}_right") for _, row in have], float)
+        weights[what] = dict(zip(names, fit(x, y, balanced([row.group for _, row in have])), strict=True))
+        for (i, row), p in zip(have, cross_validated(x, y, [(r.group, r.style) for _, r in have]), strict=True):
+            if p >= sure.get(i, (0.0, False))[0]:  # the likelier of the two stands
+                sure[i] = float(p), getattr(row, f"{what}_right")
+    for what, found in weights.items():
+        print(what, ", ".join(f'"{name}": {weight:.2f}' for name, weight in found.items()))
+    p, y = np.array([one[0] for one in sure.values()]), np.array([one[1] for one in sure.values()], float)
+    bins = np.minimum((p * BINS).astype(int), BINS - 1)
+    error = sum(
+        abs(p[bins == b].mean() - y[bins == b].mean()) * np.mean(bins == b) for b in range(BINS) if any(bins == b)
+    )
+    print(f"cross-validated: AUC {auc(p, y):.2f}, calibration error {error:.3f}")
+    for threshold in THRESHOLDS:
+        told = []
+        for group in dict.fromkeys(row.group for row in rows):
+            here = [(i, row) for i, row in enumerate(rows) if row.group == group]
+            served = [row.account_right for _, row in here if row.whole]
+            served += [sure[i][1] for i, _ in here if i in sure and sure[i][0] >= threshold]
+            told.append(
+                f"{group} {sum(served)} right, {len(served) - sum(served)} wrong of {sum(r.in_scope for _, r in here)}"
+            )
+        print(f"served from {threshold}: {'; '.join(told)}")
 
 
 if __name__ == "__main__":

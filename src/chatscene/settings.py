@@ -116,7 +116,7 @@ class RetrievalSettings:
     """
 
     candidates: int = 5
-    refuse_below: float = 0.45
+    refuse_below: float = 0.5
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE

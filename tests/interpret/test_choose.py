@@ -48,7 +48,6 @@ def test_what_words_say_and_no_snippet_does_is_composed_and_shown(
     [
         "The car ahead accelerates, then brakes.",  # a snippet does it
         "An oncoming car brakes, then accelerates.",  # oncoming goes without saying
-        "A cyclist does something odd ahead of us.",  # words do not say what
     ],
 )
 def test_a_snippet_that_does_it_is_preferred(text: str) -> None:

@@ -109,5 +109,6 @@ def test_a_run_goes_on_with_the_choice_that_climbed(tmp_path: Path) -> None:
     run(asked_run(CYCLIST, settings=few, ego="rule-based"), tmp_path / "run")
     kept = open_run(tmp_path / "run")
     assert read_explanation(kept)["scenarios"][0]["tried"]
-    scenario, rebuilt = rebuild(kept)
-    assert rebuilt.snippet_ids != Retrieved().write(scenario, SETTINGS).program.snippet_ids
+    _, rebuilt = rebuild(kept)
+    first = Retrieved().write(Retrieved().read(CYCLIST, SETTINGS), SETTINGS)
+    assert rebuilt.snippet_ids != first.program.snippet_ids

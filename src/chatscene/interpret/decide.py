@@ -7,8 +7,10 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
+from chatscene.errors import NothingFits
 from chatscene.interpret.nearest import likely_by_wording
-from chatscene.interpret.retrieve import settle
+from chatscene.interpret.retrieve import retrieve, settle
+from chatscene.interpret.trust import BELIEVED, account_is_right
 from chatscene.interpret.wording import parts_of
 from chatscene.library.load import Library, library_with
 from chatscene.models.encoders.embedding import load_embedder
@@ -16,7 +18,7 @@ from chatscene.read.reading import read
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
-from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note
+from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
 from chatscene.terms.slots import SLOTS
 
@@ -43,13 +45,10 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     """
     if frame.reader:
         return understood(frame, frame.outright, frame.notes)
-    library = library_with(settings.library)
-    frame = _with_own_behaviors(frame, library, settings.embedder)
+    frame = _with_own_behaviors(frame, library_with(settings.library), settings.embedder)
     if frame.whole:
         return understood(frame, concluded(frame.outright), frame.notes)
-    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
-    slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
-    slots = settle(frame, slots, library)
+    slots = guessed(frame, settings)
     differ = [
         Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))
         for name in frame.beliefs.slots
@@ -57,7 +56,46 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     ]
     found = {About.WHO, About.STRANGER} if slots.adversary else set[About]()
     found |= {About.WHAT} if slots.actions else set[About]()
-    return understood(frame, slots, (*(note for note in frame.notes if note.about not in found), *differ))
+    scenario = understood(frame, slots, (*(note for note in frame.notes if note.about not in found), *differ))
+    sure = account_is_right(frame, slots)
+    if sure >= BELIEVED and sure >= _confidence(scenario, settings):
+        return _told(frame, sure)
+    return scenario
+
+
+def guessed(frame: Frame, settings: RetrievalSettings) -> Slots:
+    """What a text is likeliest to say, by patterns and classifier, settled together with what the library has."""
+    library = library_with(settings.library)
+    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
+    slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
+    return settle(frame, slots, library)
+
+
+def _confidence(scenario: Scenario, settings: RetrievalSettings) -> float:
+    """How far what was guessed is trusted."""
+    library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+    try:
+        return retrieve(scenario, library, embedder, replace(settings, refuse_below=0.0)).confidence
+    except NothingFits:
+        return 0.0
+
+
+def _told(frame: Frame, sure: float) -> Scenario:
+    """The scenario of a text whose account stands: it says just this, and the words without a place are listed."""
+    account = frame.account
+    assert account is not None  # or it were not sure
+    unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
+    unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
+    frame = replace(
+        frame,
+        outright=account.slots,
+        beliefs=certain(account.slots, frame.beliefs),
+        quantities=account.quantities,
+        unused=(*unlike, *unread),
+        whole=True,
+        sure=sure,
+    )
+    return understood(frame, concluded(account.slots), frame.notes)
 
 
 def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:

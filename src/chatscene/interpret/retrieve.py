@@ -56,9 +56,11 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
 # classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": -5.18, "scope": 0.52, "beyond": -1.38, "outright": 0.71, "wording": 2.90, "meant": 0.57,
+    "base": -5.04, "scope": 0.39, "beyond": 0.58, "outright": 0.45, "wording": 2.05, "meant": 0.67,
+    "same acts": 1.29, "same kind": 0.80, "same place": 0.11, "no account": 0.62, "touched": -2.30,
+    "unused": -1.00, "words": -0.14,
 }  # fmt: skip
-WHOLE = 0.95  # confidence in a text of which every phrase has its place: set, not fitted, as few of others' are
+FEW = 5  # words of which a share says little
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
@@ -528,6 +530,7 @@ def doubts(
     meant = beliefs.meant(behavior.id)
     meant /= max(meant, sum(beliefs.behaviors.get(s.id, 0.0) for s in able)) or 1.0
     text, description = embedder.encode([scenario.parts.behavior, behavior.description])
+    words, account = len(frame.told.split()), frame.account
     return {
         "base": 1.0,
         "scope": math.log((beliefs.in_scope + FAINTEST) / (1.0 - beliefs.in_scope + FAINTEST)),
@@ -535,6 +538,13 @@ def doubts(
         "outright": float(min(len(scenario.slots.said()) - len(guessed(scenario.slots, frame)), ENOUGH)),
         "wording": min(max(float(text @ description), FAR_WORDING), NEAR_WORDING),
         "meant": math.log(meant + UNLIKELY),
+        "same acts": float(account is not None and set(account.slots.actions) == set(scenario.slots.actions)),
+        "same kind": float(account is not None and account.slots.adversary is scenario.slots.adversary),
+        "same place": float(account is not None and account.slots.position is scenario.slots.position),
+        "no account": float(account is None),
+        "touched": float(account is not None and account.touched),
+        "unused": sum(one.why is not Why.BESIDES for one in frame.unused) / max(words, FEW),
+        "words": math.log(max(words, 1)),
     }
 
 
@@ -554,7 +564,7 @@ def _confidence(
         return 0.0
     contradicted = CONTRADICTED ** sum(len(match.conflicts) for match in triple)
     if frame.whole:
-        return WHOLE * contradicted
+        return frame.sure * contradicted
     against = doubts(scenario, frame, triple[0].snippet, library, embedder)
     odds = sum(CONFIDENCE[name] * value for name, value in against.items())
     return contradicted / (1.0 + math.exp(-odds))

@@ -12,9 +12,11 @@ from dataclasses import dataclass, replace
 
 from chatscene.errors import SettingsError
 from chatscene.read import lexicon as words
+from chatscene.read.account import hear_account
 from chatscene.read.canonical import canonical
 from chatscene.read.clauses import cut, without_things
 from chatscene.read.ego_state import ego_state_of
+from chatscene.read.naming import plainly_named
 from chatscene.read.parse import parse
 from chatscene.read.quantities import quantities_of
 from chatscene.read.surroundings import hear_surroundings
@@ -25,6 +27,7 @@ from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.frame import About, Clauses, Frame, Note, certain
 from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots, Unused, Why
 
+WHOLE = 0.95  # of a text of which every phrase has its place: set, not fitted, as few of others' are
 LONGEST = 2000  # characters; a situation fits into a paragraph
 
 
@@ -38,7 +41,8 @@ def hear(text: str) -> Frame:
         SettingsError: The text is empty or longer than `LONGEST`.
     """
     plain = _printable(text)
-    around = hear_surroundings(canonical(plain))
+    named = plainly_named(plain)
+    around = hear_surroundings(canonical(named.text))
     mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), around.rest)
     told = _rewritten(mended)
     clauses = cut(told)
@@ -49,18 +53,18 @@ def hear(text: str) -> Frame:
     if parsed is not None and parsed.slots.ego is (parsed.slots.ego and ego_state_of(clauses.whole, words.ANYBODY)):
         slots, quantities = parsed.slots, parsed.quantities
         unused = (*around.unlike, *(Unused(said=said, why=Why.WORDS) for said in parsed.looks))
-        heard = replace(heard, whole=True)
+        heard = replace(heard, whole=True, sure=WHOLE)
     else:
         slots = _slots(clauses, notes)
         quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
         unused = unused_of(told, quantities, around.unlike)
-        heard = replace(heard, mentions=mentions_of(told))
+        heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(told), slots))
     return replace(
         heard,
         outright=slots,
         beliefs=certain(slots),
         quantities=quantities,
-        unused=unused,
+        unused=(*unused, *(Unused(said=said.lower(), why=Why.BESIDES) for said in named.dropped)),
         notes=tuple(notes),
     )
 

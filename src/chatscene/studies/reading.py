@@ -35,6 +35,7 @@ from chatscene.search.generator import Written, climb, simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import Simulator
+from chatscene.studies.facts import differing
 from chatscene.terms.acts import BRINGS, TURNS, Action
 from chatscene.terms.conclusions import concluded
 from chatscene.terms.results import Cell, ResultTable
@@ -301,13 +302,14 @@ def summary_table(judged: Sequence[Judged]) -> ResultTable:
         title="How well sentences are understood",
         columns=(
             "in scope", "refused", "behavior", "geometry", "spawn", "behavior top 3", "geometry top 3", "spawn top 3",
-            "very behavior", "flips", "runs", "means it", "out of scope refused",
+            "very behavior", "flips", "runs", "means it", "out of scope refused", "every fact", "a wrong fact",
         ),
         rows=tuple((name, _summary(group)) for name, group in groups.items()),
         notes=(
             "rates of the sentences in scope; behavior, geometry, spawn, flips, runs and means it: of those that were "
             "not refused; intervals: Wilson, 95 %",
             "very behavior: the snippet that the sentence was written for, where others may do the same",
+            "every fact, a wrong fact: served with all facts read as they were written down, or with one that is not",
         ),
     )  # fmt: skip
 
@@ -326,6 +328,8 @@ def _summary(group: Sequence[Judged]) -> tuple[Cell, ...]:
         _rate(bool(j.ran) for j in ran),
         _rate(j.failures == () for j in ran),
         _rate(bool(j.refusal) for j in group if not j.sentence.in_scope),
+        _rate(not j.refusal and not differing(j.sentence.slots, j.slots) for j in inside),
+        _rate(not j.refusal and bool(differing(j.sentence.slots, j.slots)) for j in inside),
     )
 
 

@@ -138,6 +138,7 @@ class AdversaryKind(StrEnum):
                 r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|"
                 r"cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|"
                 r"hatchback|estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|"
+                r"pick-?ups?(?: trucks?)?|"
                 r"veh(?:icle)?|targets?|tesla|bmw|audi|golf|hatch|limos?|roadsters?|minicabs?|uber|4x4|corsa|prius|"
                 r"volvo|toyota|honda|fiat|micra|passat|skoda|renault|clio|peugeot|nissan|mazda|hyundai|kia|opel|"
                 r"vauxhall|mercedes|porsche|lexus|subaru|chevy|chevrolet|cadillac|camry|corolla|civic|fiesta|astra|"
@@ -176,7 +177,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.DRIVES,
             words=(
                 r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|"
-                r"delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|pickups?|tractors?|tipper|"
+                r"delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|tractors?|tipper|"
                 r"tanker|dumper|removal van|artics?|articulated|juggernauts?|camions?|(?:eighteen|18)[- ]wheelers?|"
                 r"big rigs?|cement mixer|car transporter|low[- ]?loader|flatbed|dustcart|prime mover"
             ),

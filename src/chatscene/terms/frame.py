@@ -135,6 +135,23 @@ class Mention:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Account:
+    """What was made out of an account of a conflict, read clause by clause.
+
+    Attributes:
+        slots: The facts.
+        quantities: The numbers said of the adversary.
+        unread: Words that have no place, in the text's order.
+        touched: Whether a contact with the ego is told, by which the adversary is known.
+    """
+
+    slots: Slots
+    quantities: tuple[Quantity, ...] = ()
+    unread: tuple[str, ...] = ()
+    touched: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Frame:
     """What a text says.
 
@@ -150,7 +167,9 @@ class Frame:
         mentions: The road users that it names.
         notes: What was unsure.
         reader: The language model that read it; empty for our own reader.
-        whole: Whether every phrase has its place: then this is what was said, and nothing beyond it.
+        whole: Whether nothing is guessed: then this is what was said, and nothing beyond it.
+        sure: The probability that this is right, where nothing is guessed.
+        account: What was made out clause by clause, of a text of which not every phrase has its place.
         surroundings: Light, weather and the state of the road.
     """
 
@@ -166,4 +185,6 @@ class Frame:
     notes: tuple[Note, ...] = ()
     reader: str = ""
     whole: bool = False
+    sure: float = 0.0
+    account: Account | None = None
     surroundings: Surroundings = field(default_factory=Surroundings)

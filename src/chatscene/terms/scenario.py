@@ -245,6 +245,7 @@ class Why(StrEnum):
     ROAD_USER = "another road user; one adversary is searched with"
     SITE = "served only where every word of a text is understood, and some of this one is not"
     NUMBER = "nothing in the program can be set to it"
+    BESIDES = "tells nothing that a scene could show"
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 
 

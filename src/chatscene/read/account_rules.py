@@ -1,0 +1,415 @@
+"""The words of accounts: the one table by which `chatscene.read.account` reads them, and the patterns beside it.
+
+Reports, protocols and notes say what somebody does in other words than sentences of the grammar do, and in the passive
+as often as not. A rule is a regular expression over canonical text, in which the ego is "we", "us" and "our". Where two
+rules match as much, the later one holds. All are our own.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+
+from chatscene.read.inflection import Form, inflected
+from chatscene.read.phrases import Where
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import EgoState, Maneuver, Side, Site
+
+
+class Kind(StrEnum):
+    """What a rule tells, by which `chatscene.read.account_meaning` knows what to make of it."""
+
+    STRUCK = "struck"  # the ego was, by whoever is named next
+    HIT = "hit"  # somebody touches the ego
+    EGO_HITS = "ego-hits"  # the ego touches whoever is named next
+    CONTACT = "contact"  # of the ego and somebody, whoever's doing it was
+    BY = "by"  # whoever is named next touches the ego
+    OUR_PART = "our-part"  # a part of the ego, as the subject
+    PART_OF = "part-of"  # of whoever is named next
+    DRIVER = "driver"  # of somebody who was named, or of the ego
+    OWN_DRIVER = "own-driver"
+    HEADING = "heading"
+    COMPASS_SIDE = "compass-side"  # a side of the road, by the compass
+    BYPASSES = "bypasses"  # the ego, whoever is named next
+    MEETS = "meets"  # the ego waits for, or follows, whoever is named next
+    ACT = "act"
+    WAYWARD = "wayward"  # somebody goes on where it ought to wait
+    ENTERS = "enters"  # a junction, a road, a crosswalk
+    FOREIGN = "foreign"  # nothing that an act says: an attack, somebody on the car
+    DOOR = "door"  # one opens
+    NOUN = "noun"  # an act of whoever is named next: "the cut-in of"
+    BARE = "bare"  # an act of nobody in particular
+    TARGET = "target"  # where an act leads, which says no more than the act
+    WHERE = "where"
+    FROM_SIDE = "from-side"
+    AHEAD = "ahead"
+    OWN_SIDE = "own-side"  # the ego's lane, of several
+    EGO_TURNS = "ego-turns"
+    EGO_CHANGES_LANE = "ego-changes-lane"
+    EGO_REVERSES = "ego-reverses"
+    TURNING = "turning"  # the ego is, to a side that is not said
+    SLIP_LANE = "slip-lane"
+    PAST = "past"  # a turn that the ego has done with
+    STATE = "state"  # of the ego, at the pedals
+    SETS_OFF = "sets-off"  # the ego, from a standstill
+    AROUND_IT = "around-it"  # the ego drives around whoever stands there
+    SITE = "site"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rule:
+    """Words of accounts that mean one thing.
+
+    Attributes:
+        kind: What they tell.
+        pattern: How they are written.
+        ego: Whether they are said of the ego alone (True), of others alone (False), or of either (None).
+        opens: Whether they may come before whoever they are said of: "from the left comes a van".
+        action: The act that they tell.
+        where: Where they say that somebody is.
+        maneuver: What they say that the ego does.
+        state: What they say that the ego does at the pedals.
+        site: Where they say that it is.
+    """
+
+    kind: Kind
+    pattern: re.Pattern[str]
+    ego: bool | None = None
+    opens: bool = False
+    action: Action | None = None
+    where: Where | None = None
+    maneuver: Maneuver | None = None
+    state: EgoState | None = None
+    site: Site | None = None
+
+
+def _rule(
+    kind: Kind,
+    pattern: str,
+    *,
+    ego: bool | None = None,
+    opens: bool = False,
+    action: Action | None = None,
+    where: Where | None = None,
+    maneuver: Maneuver | None = None,
+    state: EgoState | None = None,
+    site: Site | None = None,
+) -> Rule:
+    return Rule(
+        kind=kind,
+        pattern=re.compile(rf"(?:{pattern})(?!\w)"),
+        ego=ego,
+        opens=opens,
+        action=action,
+        where=where,
+        maneuver=maneuver,
+        state=state,
+        site=site,
+    )
+
+
+def _act(action: Action, pattern: str, where: Where | None = None) -> Rule:
+    return _rule(Kind.ACT, pattern, ego=False, action=action, where=where)
+
+
+_FORMS = (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)
+
+
+def _verbs(*verbs: str) -> str:
+    forms = {inflected(verb, form) for verb in verbs for form in _FORMS} | set(verbs)
+    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
+
+
+_PART_NOUN = (
+    r"(?:bumpers?|corner|sides?|fender|doors?|mirrors?|panel|quarter panel|wheels?|wheel well|wheel arch|arch|end|tire|tyre|window|hatch|trunk|boot|"
+    r"sensors?|lidar|radar|fascia|hood|bonnet|front|rear|back|tail(?:[ -]?lights?|gate)?|headlight|bodywork|flank|quarter|axle|roof|windscreen|windshield|wing|trailer|housing|plate|grille)"
+)
+_PART = rf"(?:(?!of\b|and\b|we\b|us\b)[\w'/-]+ ){{0,5}}?{_PART_NOUN}(?: {_PART_NOUN}| assembly| area| and (?:[\w'-]+ ){{0,4}}?{_PART_NOUN})*"
+_OWN_PART = rf"(?:(?:front|rear|left|right|lower|upper|cent(?:er|re)|back|driver|passenger|side|outer|inner|own|wing|near|off)(?:'s)?[-/ ])*{_PART_NOUN}(?: {_PART_NOUN})*"
+_HIT = (
+    rf"(?:{_verbs('make')} (?:\w+ ){{0,2}}contact(?: again)?|(?:came|comes|come|coming) in(?:to)? (?:\w+ )?contact"
+    rf"|{_verbs('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge')}|struck"
+    r"|(?:runs?|ran|running|rode|rides?|drives?|drove|driving|slams?|slammed|slamming|smash(?:es|ed)|ploughs?|ploughed|plows?|plowed|bangs?|backs?|backed|revers(?:es|ed|ing)|backing|rolls?|rolled) (?:straight |right )?into)"
+)
+_INTO = r"(?: (?:with|into|against|on|up against|to|at))*"
+_TARGET = rf"(?:(?:the |a )?(?P<part>{_PART}|back|rear) of us(?:\b|$)|(?:our|its) (?P<part2>{_PART})|us|(?:the )?(?P<part3>{_PART})(?! of))"
+_HELP = r"(?:were|was|are|is|been|being|get|gets|got|get)"
+_LY = r"(?:\w+ly )?"
+_BEGINS = r"(?:(?:attempt\w*|tr(?:y|ies|ied|ying)|beg[aiu]n\w*|start\w*|proceed\w*|continu\w*|go(?:es|ing)|wants?|decid\w+) (?:to )?)?"
+_SIDES = r"left|right"
+_LANE = rf"(?:(?:{_SIDES})[ -]?(?:hand )?|adjacent |neighbou?ring |next |parallel |number \w+ |no\. \d |cent(?:er|re) |inside |outside |inner |outer |middle |bike |turn(?:ing)? |travel |through |fast |slow )*lane"
+_FROM = r"(?:(?:coming |approaching |travell?ing )?(?:out )?(?:from|on|at|to|in|off))"
+KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|shoulder|(?:side|edge)(?: of the (?:road|street))?)"
+
+
+def _turn(side: str) -> str:
+    return rf"{_BEGINS}(?:(?:mak(?:e|es|ing)|made|complet\w+|perform\w*|execut\w*|initiat\w*|tak(?:e|es|ing)|took|in the process of making|do(?:es|ing)?|want\w* (?:to )?|signal\w+ for|prepar\w+ (?:to make|for)|prior to making|waiting to make|attempt\w*|begin\w*|began) (?:a |an |its |their |our |the )?(?:\w+ )?{side}(?:[ -]?hand)?(?: turn|(?! (?:lane|side|hand|arm|kerb|curb|of|rear|front|turn)\b))|{_verbs('turn')} (?:off )?(?:to (?:the |our )?)?{side}|{side}[ -]turn(?:ing|s)?|proceed {side}|{_verbs('go')} {side}|hook\w* {side})"
+
+
+@lru_cache(maxsize=1)
+def rules() -> tuple[Rule, ...]:
+    """All rules, in an order in which a later one is the more telling."""
+    enter = _verbs(
+        "change",
+        "merge",
+        "move",
+        "enter",
+        "swerve",
+        "veer",
+        "drift",
+        "cut",
+        "encroach",
+        "pull",
+        "steer",
+        "come",
+        "squeeze",
+        "drop",
+        "swing",
+        "shift",
+        "get",
+        "pop",
+        "slide",
+        "barge",
+        "push",
+        "change lanes",
+    )
+    return (
+        # Contact
+        _rule(Kind.STRUCK, rf"(?:{_HELP} |^)(?:also |then |{_LY})(?:struck|hit|rear[ -]ended|contacted|side-?swiped|clipped|bumped|tapped|impacted|rammed)(?P<part>(?: (?!by\b|when\b|and\b)[\w'-]+){{0,14}}?) by", ego=True),
+        _rule(Kind.HIT, rf"{_BEGINS}{_LY}{_HIT}{_INTO} {_TARGET}(?: (?P<from>from (?:the )?(?:rear|behind|back)))?(?: on (?:its|our|the) (?P<part4>{_PART}))?", ego=False),
+        _rule(Kind.HIT, rf"{_BEGINS}{_HIT}(?: (?P<from>from (?:the )?(?:rear|behind)|head-on))", ego=False),
+        _rule(Kind.HIT, rf"{_BEGINS}{_HIT}(?=[.,;]|$)", ego=False),
+        _rule(Kind.EGO_HITS, rf"{_HIT}{_INTO} (?:the |its |a )?{_PART} of", ego=True),
+        _rule(Kind.EGO_HITS, rf"{_HIT}{_INTO}(?= (?:the |a |an |another |its |that ))", ego=True),
+        _rule(Kind.CONTACT, rf"we and (?:the |a |an |another )?(?:other )?(?:[\w-]+ ){{0,3}}?[\w-]+ {_HIT}"),
+        _rule(Kind.CONTACT, rf"contact (?:was|is) made (?:with|to|between|at)(?: (?:the )?(?P<part>{_PART}) of us| our (?P<part2>{_PART})| us)?(?P<by> by)?"),
+        _rule(Kind.BY, r"(?:a |the )?(?:contact|collision|impact)(?: was made)? by"),
+        _rule(Kind.CONTACT, rf"(?:was|is) made (?:with|to|at) (?:(?:the )?(?P<part>{_PART}) of us|our (?P<part2>{_PART})|us)"),
+        _rule(Kind.OUR_PART, rf"our {_OWN_PART}|the {_OWN_PART} of us"),
+        _rule(Kind.PART_OF, rf"(?:the|its) {_OWN_PART} of(?= (?:the|a|an|another)\b)"),
+        # Whose way it is
+        _rule(Kind.DRIVER, r"(?:the |our |a )?(?:safety |test )?(?:driver|operator|occupant|rider)s? of (?P<of>us|the other (?:vehicle|car)|the (?:vehicle|car|truck|bus))(?: (?:proceeding|continuing))?"),
+        _rule(Kind.OWN_DRIVER, r"(?:our|the|a) (?:safety |test |vehicle |av )?(?:operator|safety driver|test driver|driver)s?(?: of us)?|(?:the )?avtos?"),
+        _rule(Kind.HEADING, r"(?:heading |headed |travell?ing |proceeding |driving |going |facing )?(?P<compass>(?:north|south)(?:[ -]?(?:east|west))?|east|west)(?:[ -]?bound|erly)?(?: lanes?)?(?! (?:kerb|curb|sidewalk|side|pavement|verge|edge|corner|crosswalk|leg|arm))"),
+        _rule(Kind.COMPASS_SIDE, rf"(?:from|on|at|off) the (?P<compass>north|south|east|west) (?:{KERB}|leg|arm|crosswalk)"),
+        # What else is met
+        _rule(Kind.BYPASSES, rf"{_verbs('manoeuvre', 'maneuver', 'go', 'drive', 'move', 'steer', 'pull', 'swing', 'pass')} (?:around|past|by|round)(?: and to the (?:left|right) of)?(?= (?:a|an|the|another|some)\b)|{_verbs('pass', 'overtake')}(?= (?:a|an|the|another|some)\b)", ego=True),
+        _rule(Kind.MEETS, rf"(?:{_verbs('yield', 'wait', 'stop', 'slow', 'brake', 'queue')}(?: (?:down|briefly|again|immediately|completely|up|gently))*(?: (?:to|for|behind|due to|because of|in response to|as))+|in response to|{_verbs('come')} to an? (?:\w+ )?(?:stop|halt|standstill)(?: (?:to|for|behind|due to|in response to|at))+|due to|because of|to avoid|avoiding|in order to avoid|for clearance to|{_verbs('give')} way to|to let|waiting for|behind|following|{_verbs('follow', 'trail')}|{_verbs('sit')} behind)(?= (?:a|an|the|another|some|two|other|slow|traffic|oncoming|cross|left|approaching)\b)", ego=True),
+        # Acts in the words of reports
+        _act(Action.FOLLOW, rf"{_verbs('approach')} (?:us |towards us )?(?:quickly |rapidly |fast )?from (?:the rear|behind)|(?:coming|comes|came|drives|driving|closes|closing) (?:up )?(?:from )?behind(?: us)?|(?:coming|comes|came) from behind", Where.BEHIND),
+        _act(Action.FOLLOW, rf"(?:{_verbs('travel', 'drive', 'proceed', 'follow', 'ride', 'go')}|directly|immediately|close|stopped|waiting|who was|that was|the one|right|just)(?: (?:directly|immediately|close|right|just))? behind(?: us)?|behind us|{_verbs('follow')} us|(?:is |was )?following", Where.BEHIND),
+        _act(Action.CUT_IN, rf"{_BEGINS}{_LY}(?:{enter})(?: (?:over|in|across|partially|back|out|closely|directly|abruptly|suddenly|straight|right|close|tightly|sharply|its lane|lanes?|wide|the (?:cent(?:er|re) ?line|line)))*(?: (?:from (?:the |our )?(?P<side>{_SIDES})(?:[ -]?hand)?(?: lane| side)?))?(?: (?:in|into|to|onto|on|across|over))* (?:our (?:travel )?(?:lane|path|side)(?: of (?:travel|the (?:line|road)))?|the (?:same )?lane (?:as|of) (?:us|we)|the (?:\w+ )?lane (?:in which we were travel?ling|that we were in)|the path of us|(?:closely |directly |right |just |close )?(?:in front|ahead) of us|before us|(?:the |a )?(?:[\d.]+ m )?gap(?: of [\d.]+ m)?(?: between us and [\w ]+)?|front of us|(?:right )?in front of our (?:nose|bonnet|hood|car|bumper))"),
+        _act(Action.CUT_IN, r"cut(?:s|ting)?(?:[ -]in| us off| in front| up)|cut-in"),
+        _act(Action.CHANGE_LANE, rf"{_BEGINS}(?:{_verbs('change', 'switch')} (?:\w+ )?lanes?|{_verbs('merge')}(?: into (?:the|a|an) (?:[\w-]+ ){{0,3}}lane)?|(?:{_verbs('change', 'move', 'swerve', 'merge', 'swing')}|swung) (?:over )?(?:into|to) (?:the|a) (?:[\w-]+ ){{0,3}}?(?:lane|right|left)|(?:made|makes|making|attempt\w*|initiat\w*|began|begins) (?:to (?:make|initiate) )?an? (?:\w+ )?(?:left |right )?lane change)(?: to the (?:left|right))?(?: directly)?(?: in front of us)?"),
+        _act(Action.CHANGE_LANE, rf"cuts? out|cut-out|cutting out|(?:leaves|left|leaving|exits|vacates|moves out of|pulls out of) (?:our|the same|its|the) lane|{_verbs('change')} into (?:the |an? )?(?:[\w-]+ )?lane(?=,? (?:reveal|expos))", Where.AHEAD),
+        _act(Action.OVERTAKE, rf"lane[ -]splitting|{_verbs('split')} lanes|{_verbs('filter')}(?: (?:past|between|through)[\w ]*)?", Where.BEHIND),
+        _act(Action.OVERTAKE, rf"{_BEGINS}(?:{_verbs('overtake')}(?: us)?|(?:{_verbs('pass')}|pass(?:es|ed|ing)? (?:through|between) (?:the )?(?:traffic|lanes|vehicles|cars)|(?:came?|comes|coming|went|goes|shoots?|shot|fl(?:ies|ew|ying)|rac\w+|blast\w+)(?: \w+ing)? past|get around|go around|goes? past|went past|drive around|maneuver around|manoeuvre around|squeezes? (?:past|by)|squeezed (?:past|by)) us|{_verbs('pass')}(?= (?:on|to) (?:the|our|its)|[,.;]| and| exactly| as| while| behind|$))(?: (?:to|on|by) (?:the |our |its )?(?P<side>{_SIDES})(?: side)?)?"),
+        _rule(Kind.WAYWARD, r"(?:straight )?(?:past|through) (?:the|its|his|her|a) stop sign", ego=False),
+        _rule(Kind.WAYWARD, rf"(?:fail(?:s|ed|ing)? to (?:yield|give way|stop|slow|brake)|without (?:stopping|yielding|giving way|looking)|(?:does|did|do) not (?:yield|give way|stop|slow|brake)|(?:doesn't|didn't|don't) (?:yield|give way|stop|slow|brake)|no yield|{_verbs('run', 'disregard', 'ignore')} (?:the |its |a )?stop sign|(?:passe[sd]|went|goes|drove|drives|proceed\w*|roll\w*|rode|rides|came|blew|blows) (?:through|past) (?:the |its |a )?stop sign)(?: (?:at|for|to) (?:the |its |a )?(?:stop sign|right[ -]of[ -]way|us|stop|traffic))?", ego=False),
+        _act(Action.RUN_LIGHT, rf"(?:{_verbs('run', 'disregard', 'ignore', 'jump', 'violate')}|(?:passe[sd]|went|goes|drove|drives|proceed\w*|rode|came|going|proceeding|shoots?|shot|blew|blows) (?:through|on|against|over)|{_verbs('enter')} (?:the (?:intersection|junction) )?(?:on|against)|against|failed to stop (?:for|at)|did not stop (?:for|at)) (?:the |its |a |their |his )?(?:steady |solid )?(?:red(?: (?:traffic )?(?:light|signal))|red)"),
+        _rule(Kind.ENTERS, rf"(?:{_verbs('enter', 'cross')}|{_verbs('proceed', 'drive', 'travel', 'ride', 'go', 'continue', 'come', 'run', 'walk')} (?:straight )?(?:into|through|across|over)) (?:the|an?) (?:intersection|junction|roadway|crosswalk|zebra(?: crossing)?|carriageway|roundabout)|enters?|entered(?= from)", ego=False),
+        _act(Action.CROSS, rf"(?:{_verbs('step', 'walk', 'run', 'ride', 'dart', 'dash', 'emerge', 'come', 'roll', 'jump', 'appear', 'pop', 'rush', 'go', 'cycle')}|rode|leaves?|left) (?:straight |right |quickly |suddenly )?(?:(?:out|off|in|on|onto|into|over|across|from)(?: of the \w+)? )*(?:(?:the|a) )?(?:(?P<side>{_SIDES}) |(?:north|south|east|west) )?(?:(?:road(?:way)?|street|carriageway)(?! debris)|lane|crosswalk|zebra(?: crossing)?|front(?: of us)?|path of us|{KERB})(?: into the (?:road(?:way)?|street|lane))?"),
+        _act(Action.CROSS, r"cross(?:es|ed|ing)? (?:the )?(?:(?:street|road|exit|arm)(?: that| which)? we (?:turn|are turning|go|drive) into|exit road|exit)", Where.FAR_CORNER),
+        _act(Action.CROSS, r"(?:dash|dart|sprint|shoot|rush|bolt|burst|tear|fly|step|walk|run|com|rid|emerg)(?:e?s|ing|ed)? (?:straight )?(?:out|across)(?= (?:from|in front|behind|of)\b|[,.;]| and\b)|(?:ran|shot|came|rode|tore|flew|stepped) (?:straight )?(?:out|across)(?= (?:from|in front|behind|of)\b|[,.;]| and\b)"),
+        _act(Action.CROSS, rf"{_verbs('cross')}(?: (?:the|our|over|in|this) ?(?:road(?:way)?|street|carriageway|lane|path|junction|intersection|front of us|way)?)*|across the front|(?:walk|run|rid|wander|com)(?:s|es|ing)? over(?= from)|walks? over|cut(?:s|ting)? across(?: (?:us|the road|the street|our (?:path|way|lane)))?|crosses"),
+        _act(Action.REVERSE, rf"{_BEGINS}(?<!the )(?<!our )(?<!its )(?:{_verbs('back', 'reverse')}(?! (?:in|into|to|onto|at|there|before)\b)|(?:backed|backs|backing|reversed|reverses|reversing) (?=into us)|(?:put|puts|has put|engaged?) (?:the |its )?(?:back|reverse) gear|rolls? backwards?|rolled backwards?)(?: (?:up|out|backwards?|into|toward|towards|in reverse|of|from)\b)*|beg[ai]n(?:s|ning)? (?:to )?revers\w+|beg[ai]n(?:s|ning)? (?:to )?back(?:ing)?(?: up)?"),
+        _act(Action.PULL_OUT, rf"(?:{_verbs('pull', 'come', 'drive', 'exit', 'move', 'nose')} (?:out |away |off )*(?:of|from)|{_verbs('leave', 'exit')}) (?:a|an|the|its) (?:[\w-]+ )?(?:parking (?:space|spot|place|lot|bay)|driveway|garage|curb|kerb|alley|loading zone|lot|parked position|bay|bus (?:bay|stop)|stop)|{_verbs('pull')} (?:away|out) from (?:the|a) (?:curb|kerb)|{_verbs('pull')} (?:out|away|off)(?: anyway| suddenly)?|{_verbs('set', 'move')} off"),
+        _act(Action.U_TURN, rf"{_BEGINS}(?:(?:mak(?:e|es|ing)|made|do(?:es|ing)?|perform\w*|complet\w+|attempt\w*|execut\w*) (?:a|its|an)? ?(?:\w+ )?)?u[ -]turns?(?: across[\w ]*lanes?)?"),
+        _act(Action.TURN_LEFT, _turn("left")),
+        _act(Action.TURN_RIGHT, _turn("right")),
+        _act(Action.ACCELERATE, rf"{_verbs('accelerate')}|{_verbs('speed')} up|sped up|increas\w+ (?:its |their )?speed|gives? (?:full )?gas|picks? up speed"),
+        _act(Action.WEAVE, r"(?:veer|swerv|weav|wander|swing|lurch|mov)\w* (?:\w+ly )?(?:to and fro|from side to side|from one side to the other|back and forth|about)|zigzag\w*"),
+        _act(Action.BRAKE, r"(?:hits?|hit|stamps? on|steps? on|applies|applied) (?:the |its |his |her )?brakes|(?:slams? on (?:the |its )?brakes|slammed on (?:the |its )?brakes|brak(?:e|es|ed|ing)(?: (?:hard|sharply|abruptly|suddenly))*|decelerat(?:e|es|ed|ing)(?: hard)?|emergency brak\w+)"),
+        _act(Action.STOP, r"(?:to|until|into) (?:a )?(?:standstill|halt|complete stop|stop)|comes? to (?:a )?(?:rest|halt|stop|standstill)|came to (?:a )?(?:complete )?(?:rest|halt|stop|standstill)|stays? (?:standing|there)|remains? (?:standing|there)|freezes?|froze"),
+        _act(Action.HESITATE, r"(?:paus|hesitat)(?:e|es|ed|ing)(?: (?:halfway|briefly|for a moment|for a second))?(?:,? (?:and )?then (?:carries|carried|goes|went|continues|continued|walks|walked) on)?"),
+        _act(Action.DIAGONAL, r"diagonally|at an angle across"),
+        _act(Action.TURN_BACK, r"(?:turns?|turned) (?:around|round|back)(?: and (?:runs?|goes|ran|went|walks?|walked)? ?back)?|(?:runs?|ran|goes|went) back"),
+        _act(Action.SLOW, r"(?:super |very |too |extremely )?slow(?:ly)?|at (?:a )?(?:walking|low|crawling) (?:pace|speed)|crawl\w*|slow-moving"),
+        _act(Action.STAND, r"(?:is |was |were |are |remain\w* |sat |stood |sits |stands )?(?:double[- ]?parked|parked(?: (?:parallel|legally|illegally))?|stationary|stopped|disabled|standing|stalled|broken[- ]down|waiting|stranded|not moving|motionless)(?: (?:in|on) (?:the|our|its) (?:same )?(?:\w+ )?lane)?|stands|stand(?: still)?"),
+        _act(Action.WRONG_WAY, r"(?:the )?wrong[ -]way|against (?:the )?(?:traffic|direction of (?:travel|traffic))|on (?:our|the wrong) side(?: of the (?:road|line))?|contraflow"),
+        _act(Action.SWERVE, r"(?:runs|ran|drifts?|drifted|veer\w*|swerv\w*|cross\w*|com(?:e|es|ing)|wander\w*|strays?|swings?) (?:wide|(?:over|across) (?:the |into )?(?:cent(?:er|re) ?line|line|our (?:lane|side))|(?:into|onto|over to) (?:our (?:lane|side)|the wrong side|us))(?: (?:in)?to our lane| there| and ends up on our side of the line)*|(?:swerv(?:e|es|ed|ing)|veer(?:s|ed|ing)?)(?: towards? us)?"),
+        _act(Action.PACE, r"(?:keep\w*|kept|stay\w*|remain\w*|exactly|driv\w+)(?: exactly)? (?:level|abreast|alongside|parallel)(?: (?:with|to) us)?(?: the whole time)?|(?:at )?(?:the )?same speed(?: as us)?(?: the)?(?: whole time)?", Where.BESIDE),
+        _act(Action.TAILGATE, r"tailgat\w+(?: us)?|following (?:too |very )?closely(?: behind)?(?: us)?|(?:much |far )?too close(?:ly)? behind(?: us)?|bumper to bumper", Where.BEHIND),
+        _act(Action.FOLLOW, rf"(?:{_verbs('go', 'continue', 'proceed', 'drive', 'ride', 'travel', 'move', 'walk', 'roll')}) ?(?:straight(?: (?:on|ahead|through))?|on(?! (?:the|our|a|its|to)\b)|along|forward|ahead|at (?:a )?constant speed|in (?:its|the same) lane)|straight(?: on| ahead)?|constant(?: speed)?|remains? in (?:its )?lane"),
+        _rule(Kind.FOREIGN, r"(?:climb|jump|leap|kick|punch|spat|spit|slash|hit and broke|threw|throw|vandal|graffiti|block\w* us in)\w*(?: (?:on(?:to)?|off|at|out))*(?: (?:the|our|us)(?: (?:hood|roof|bonnet|windscreen|windshield|trunk|sensors?))?)?|on foot", ego=False),
+        _act(Action.FAST, r"(?:at |with )?(?:a )?(?:\w+ly )?(?:very )?(?:excessive|high|great|breakneck|full)(?: rate of)? speed|(?:way|well|far) (?:over|above) (?:the )?(?:speed )?limit|(?:way|far|much) too fast|speeding"),
+        # Acts as nouns: "the cut-in of a van"
+        *(
+            _rule(Kind.NOUN, rf"(?:(?:sudden|abrupt|emergency|unexpected|hard|the|a|an|illegal) )*(?:{noun})(?: of us)?(?:(?: of (?:the |our |a )?(?:[\w'-]+ ){{0,2}}(?:road|path|lane|intersection|junction|street))? by| of)(?! us)", action=action)
+            for action, noun in (
+                (Action.BRAKE, "deceleration|braking(?: manoeuvre| maneuver)?|brake"),
+                (Action.CUT_IN, "cut[ -]in|cutting[ -]in|merging|merge"),
+                (Action.CHANGE_LANE, "cut[ -]out|lane change"),
+                (Action.TURN_LEFT, "left[ -]turn"),
+                (Action.TURN_RIGHT, "right[ -]turn"),
+                (Action.U_TURN, "u[ -]turn"),
+                (Action.REVERSE, "reversing|backing(?: up)?"),
+                (Action.CROSS, "crossing|traversal|entry"),
+                (Action.DIAGONAL, "diagonal (?:crossing|traversal)"),
+                (Action.PULL_OUT, "departure|pulling out|pull-out"),
+                (Action.OVERTAKE, "overtaking(?: manoeuvre| maneuver)?|passing"),
+                (Action.TAILGATE, "tailgating"),
+                (Action.SWERVE, "incursion|drifting|veering|swerving"),
+                (Action.ACCELERATE, "acceleration"),
+                (Action.RUN_LIGHT, "red[ -]light (?:violation|running)"),
+                (Action.WEAVE, "weaving"),
+                (Action.STOP, "stopping"),
+            )
+        ),
+        _rule(Kind.NOUN, r"(?:are|were|is|was|being|been|get|got)?(?: then| being)? ?(?:overtaken|passed|undertaken)(?: (?:on|to) (?:the |our )?(?:left|right))? by(?! us)", action=Action.OVERTAKE, ego=True),
+        _rule(Kind.NOUN, r"(?:are|were|is|was|being|been)?(?: then| being)? ?tailgated by", action=Action.TAILGATE, ego=True),
+        _rule(Kind.NOUN, r"(?:are|were|is|was|being|been|get|got)?(?: then| being)? ?cut (?:off|up) by", action=Action.CUT_IN, ego=True),
+        _rule(Kind.NOUN, r"(?:is |are |being )?crossed by", action=Action.CROSS),
+        _rule(Kind.BARE, r"cut[ -]in", action=Action.CUT_IN, ego=True),
+        _rule(Kind.DOOR, r"(?:open(?:s|ed|ing)?) (?:\w+ ){0,5}?doors?|doors? (?:\w+ )?(?:open\w*|swings? open)|open door"),
+        # Where
+        _rule(Kind.TARGET, r"(?:in|on)?to the (?:oncoming|opposite|opposing|other) lane(?: of traffic)?", ego=False),
+        _rule(Kind.WHERE, r"(?:coming |approaching )?(?:from|in|on|at) the (?:opposite|opposing)(?: (?:direction|side|lane|approach|arm))?(?: of (?:travel|the (?:intersection|road|street)))?|oncoming|opposing|coming the other way|coming towards? (?:us|it)(?: in (?:that|the) (?:opposing|opposite|oncoming) lane)?|facing us|head-on|the other way|(?:came|comes|coming) against us", where=Where.OPPOSITE, ego=False, opens=True),
+        _rule(Kind.WHERE, rf"(?:in|from|on|occupying) (?:the|an|a|our)?(?: )?(?P<side>{_SIDES})?(?:[ -]?hand)? ?{_LANE}(?: (?:to|on) (?:the |our |its )(?P<side2>{_SIDES})(?: of us)?| (?:adjacent to|next to|beside|alongside) us)?|in the lane (?:to|on) (?:its|our|the) (?P<side3>{_SIDES})|alongside(?: us)?|(?:level|abreast) with (?:us|the cab)|(?:next to|beside)(?: us| it)?(?: on (?:that|its|the|our) (?P<side4>{_SIDES})(?: side)?)?", where=Where.NEXT_LANE, ego=False),
+        _rule(Kind.OWN_SIDE, r"(?:in|of|on) the (?P<side>left|right)(?:most|hand)?(?:[ -]hand)?(?: through| travel)? lane", ego=True),
+        _rule(Kind.FROM_SIDE, rf"(?:coming |approaching |travell?ing )?(?:from|on|at|to|in|off|along)? ?(?:the |our |its |that )?(?P<side>{_SIDES})(?:[ -]?hand)?(?: {KERB}| side| arm| side street| verge)?(?: (?:of (?:us|the (?:road|street|intersection|junction))|street|lane))?(?! (?:signal|turn|indicator|blinker|front|rear|bumper|side|of way|wheel|door|mirror))", ego=False, opens=True),
+        _rule(Kind.WHERE, rf"{_FROM} (?:the |a )?{KERB}(?: (?:on|to) (?:the |our )?(?P<side>{_SIDES}))?", where=Where.EDGE, ego=False, opens=True),
+        _rule(Kind.WHERE, rf"{_FROM} (?:the |a )?(?:side|cross|minor|intersecting) (?:street|road)(?: (?:on|to) (?:the |our )?(?P<side>{_SIDES}))?", where=Where.ARM, ego=False, opens=True),
+        _rule(Kind.AHEAD, r"(?:further |slightly (?:further )?|directly |immediately |just )?(?:ahead|in front)(?: of (?:us|it))?(?: in (?:the same|our) lane)?|lead(?:ing)?", ego=False),
+        _rule(Kind.WHERE, r"in (?:our|the same|that same|our own) (?:\w+ )?lane", where=Where.OWN_LANE, ego=False),
+        # The ego
+        _rule(Kind.EGO_TURNS, _turn("left"), maneuver=Maneuver.LEFT_TURN, ego=True),
+        _rule(Kind.EGO_TURNS, _turn("right"), maneuver=Maneuver.RIGHT_TURN, ego=True),
+        _rule(Kind.EGO_CHANGES_LANE, rf"(?:in the process of )?{_BEGINS}(?:(?:{_verbs('change', 'merge', 'move', 'shift', 'pull')})(?: lanes?| over| out)*(?: (?:in)?to(?: the| an?)?| from)*(?: adjacent)? ?(?P<side>{_SIDES})(?:most)?(?:[ -]hand)?(?: {_LANE})?|(?:changing|changed|moving|moved|merging|merged) from the (?:left|right|center|middle) lane (?:in)?to the (?P<side5>{_SIDES})(?:[ -]hand)? lane|an? (?:\w+ )?lane[ -]change(?: maneuver)? to (?:the |our )?(?P<side2>{_SIDES})|lane[ -]change to (?:the )?(?P<side3>{_SIDES})|has to change to the (?P<side4>{_SIDES}))", ego=True),
+        _rule(Kind.EGO_REVERSES, rf"{_HELP} (?:reversing|backing|in reverse)|in reverse(?: gear)?|{_verbs('reverse')}|{_verbs('back')} (?:up|out|into)|parallel parking(?! (?:vehicle|car|spot|space))|(?:exiting|leaving|pulling out of) (?:a|the|its) (?:\w+ )?parking (?:space|spot|place)", ego=True),
+        _rule(Kind.TURNING, r"(?:was |were |are |is |while |started |starting )?turning(?! (?:to |off )?(?:the |our |its )?(?:left|right))|(?:started|starting|began) to turn(?! (?:left|right))|(?:make|making) (?:a|its) turn", ego=True),
+        _rule(Kind.SLIP_LANE, r"(?:the |a )?slip ?lane", ego=True),
+        _rule(Kind.PAST, r"(?:after|having|just) (?:completing|completed|making|made|having made) (?:an? |its |the |our )?(?:\w+ )?(?:left|right) turn"),
+        # What it does at the pedals
+        _rule(Kind.STATE, r"(?:were|was|are|is|be|been|being|just)? ?(?:(?:just|already|still|then|fully|completely|legally|first) )*(?:stopped|stationary|parked|at rest|waiting|standing(?: still)?(?! \w+er\b)|queue?d|queue?ing|halted|sitting|sat|held|idle|stuck|at a (?:complete |full )?(?:stop|standstill|halt))|(?:wait(?:s|ed)?|stands?|stood|(?:sits?|sat)(?! behind)|remain\w* (?:stopped|stationary))|continu\w+ to wait|broken down", state=EgoState.STANDS, ego=True),
+        _rule(Kind.STATE, r"(?:came?|comes|coming|slowed|slows|slow|brought) to (?:a |an )?(?:\w+ )?(?:stop|halt|standstill|rest)|(?<!-way )(?<!a )(?<!the )(?<!bus )stop(?:s|ped)?(?![ -](?:sign|line|light))", state=EgoState.STOPS, ego=True),
+        _rule(Kind.STATE, rf"{_BEGINS}(?:slow(?:s|ed|ing)?(?: down)?|decelerat\w+|reduc\w+ (?:its |our )?speed|eas(?:es|ed|ing) off)", state=EgoState.SLOWS_DOWN, ego=True),
+        _rule(Kind.STATE, rf"{_BEGINS}(?:brak(?:e|es|ed|ing)(?: hard| sharply)?|appl\w+ (?:the )?brakes)", state=EgoState.BRAKES, ego=True),
+        _rule(Kind.STATE, r"(?:creep|crawl|inch|roll)\w*(?: along| forward| through)?|at (?:a )?walking pace|very slowly", state=EgoState.SLOW, ego=True),
+        _rule(Kind.STATE, r"(?:then )?(?:beg[aiu]n|start(?:s|ed|ing)?|attempt(?:s|ed)?|proceed(?:s|ed)?|continu(?:es|ed))(?: to| its| our)* (?:move|moving|proceed|proceeding|go|going|accelerate|accelerating|drive|driving|turn|turning|roll|rolling|make|making|forward|into|through|left turn|right turn|enter|across)(?: (?:off|forward|straight))*|(?:set|sets|setting|moves?|moved|moving|pulls?|pulled|pulling|starts?|started|drives?|drove) (?:off|away)|(?:then |and )?proceeded|making the|entered the (?:intersection|junction|roundabout)", state=EgoState.SETS_OFF, ego=True),
+        _rule(Kind.SETS_OFF, r"(?:(?:just|then) )?(?:set(?:s|ting)?|mov(?:e|es|ed|ing)|pull(?:s|ed|ing)?|start(?:s|ed|ing)?|driv(?:e|es|ing)|drove) (?:off|away)(?: from (?:a )?(?:standstill|rest|stop))?", ego=True),
+        _rule(Kind.AROUND_IT, r"(?:pass(?:es|ed)?|overt(?:ake|akes|ook)) (?:it|them)(?! on)|(?:pass(?:es|ed)?|overt(?:ake|akes|ook)) it on the (?:opposite|other|oncoming)[\w ]*|(?:go|went|goes|driv\w+|drove|steer\w*|pull\w*|swing\w*|swung|mov\w+) (?:out )?(?:a?round|past) it|to get (?:past|around|round)(?: it)?", ego=True),
+        # The place
+        _rule(Kind.SITE, r"(?:the |a |an )?(?:\w+-lane )?(?:[\w-]+ )?(?:motorway|freeway|expressway|autobahn)|highway", site=Site.MOTORWAY),
+        _rule(Kind.SITE, r"(?:the |a )?(?:motorway |freeway |highway )?(?:on-ramp|entry ramp|entrance ramp|slip road|acceleration lane)(?: (?:to|of|onto) the (?:motorway|freeway|highway))?", site=Site.ON_RAMP),
+        _rule(Kind.SITE, r"(?:the |a )?(?:single-lane |motorway |freeway |highway )*(?:off-ramp|exit ramp)", site=Site.OFF_RAMP),
+        _rule(Kind.SITE, r"(?:inside (?:of )?)?(?:the |a )?(?:roundabout|rotary|traffic circle)", site=Site.ROUNDABOUT),
+        _rule(Kind.SITE, r"(?:the |a )?(?:mid-block |marked )*(?:crosswalk|zebra(?: crossing)?)|(?:the|a) (?:marked )?pedestrian crossing", site=Site.CROSSWALK),
+        _rule(Kind.SITE, r"(?:the |a )?(?:rural|country) (?:road|lane)", site=Site.RURAL),
+        _rule(Kind.SITE, r"(?:in |from )?(?:a |the )?bus bay|(?<=bus in )the bay", site=Site.BUS_BAY),
+    )  # fmt: skip
+
+
+# Beside the rules
+
+NOT = re.compile(
+    r"(?:(?:does|do|did|will|would|could|can|has|have|had|is|are|was|were)(?: not|n't| never)|don't|doesn't|didn't|won't|isn't|wasn't|never|not|without|no|nor|neither|nobody|he not)(?: (?:actually|even|yet|ever|really|any|then|the|a))*(?![\w'])"
+)
+"""What comes next is said not to be."""
+NUMBER = re.compile(
+    r"(?:at |with |about |some |around |like |doing |doing about )*\d+(?:[.,/]\d+)? ?(?:km/h|kph|kmh|mph|m/s(?:²|\^?2)?|metres?|meters?|m|%|seconds?|s|ft|feet|g|lux)?(?![\w/])"
+)
+"""A number of nobody in particular, which no slot has."""
+PLAIN = re.compile(
+    r"(?:a|an|the|and|or|but|of|on|in|at|to|from|with|as|by|for|into|onto|over|out|off|up|down|through|along|is|are|was|were|be|"
+    r"been|being|has|have|had|will|would|can|could|it|its|he|his|she|her|him|we|they|their|them|there|this|that|these|those|"
+    r"which|who|whom|whose|us|our|ours|when|while|where|then|than|after|before|during|until|just|also|still|again|yet|so|such|"
+    r"same|time|moments|seconds|shortly|thereafter|approximately|about|later|subsequently|currently|immediately|suddenly|"
+    r"abruptly|quickly|slowly|briefly|lightly|slight|slightly|minor|low|speed|mph|very|another|other|second|third|party|one|two|"
+    r"traveling|travelling|driving|proceeding|continuing|moving|going|traffic|travel|lane|lanes|street|road|avenue|direction|way|"
+    r"towards|toward|near|within|between|mid-block|adjacent|involved|collision|incident|accident|crash|event|contact|impact|"
+    r"began|begin|beginning|start|started|attempt|attempted|attempting|tried|continued|proceed|proceeded|approached|approaching|"
+    r"vehicle|vehicles|car|cars|straight|ahead|forward|position|center|middle|green|clear|path|line|space|spot|target|dummy|"
+    r"sign|light|red|signal|intersection|junction|child|adult|test|case|variant|want|wants|ped|corner|sidewalk|roadway)"
+)
+"""Words that say nothing alone: one of them without a place is no sign that something was missed."""
+RETURNS = re.compile(r"(?:prior to|before|while|when|as|and)\b")
+"""Behind one of these, whoever was only met is done with."""
+APPOSED = re.compile(r" (?:who|that|which)\b")
+"""Behind a name, what comes next is said of whoever was named just before: "somebody, a pedestrian who"."""
+STOP_SIGN = re.compile(r"stop[ -](?:sign|line)")
+"""In these, nobody stops."""
+PARTICIPLE = re.compile(
+    r" (?:\w+ly )?(?:attempting|making|causing|cutting|forcing|hitting|striking|entering|coming|trying|apparently)\b"
+)
+"""Behind a comma, what comes next is still said of the same."""
+WORD = re.compile(r"[^\s.,;:!?]+|[.,;:!?]+")
+"""A word, or marks between words."""
+REVEALS = re.compile(r"\b(?:reveal|expos|uncover)\w*|there (?:it|he|she) (?:was|is)")
+"""Somebody leaves, and somebody else is there."""
+STATED = re.compile(
+    r"\b(?:intersection|junction|crossroads|four-way|all-way stop|three-way|stop sign|(?:traffic|red|green) (?:light|signal)s?|at (?:the|a) (?:red|lights)|t-(?:junction|intersection)|side (?:street|road)|cross (?:street|road)|arm|signali[sz]ed|roundabout|at (?:the|a) (?:lights|signal))\b"
+)
+"""A junction is spoken of, whatever patterns conclude."""
+SIGNALISED = re.compile(r"signali[sz]ed|traffic light|lights")
+"""Traffic lights are spoken of."""
+UNCONTROLLED = re.compile(
+    r"\bun-?signal|\buncontrolled|\b(?:no|without|neither)(?: any)? (?:traffic )?(?:lights|signals|signs|lights? or signs?)\b|\bunregulated|\bnon-signal"
+)
+"""A junction is said to have neither lights nor signs."""
+LIGHTS = re.compile(
+    r"\b(?:red|green|yellow|amber) (?:traffic )?(?:light|signal)s?\b|\blights (?:are |were |was )?(?:green|red|both)\b|\bwith (?:traffic )?lights\b|\b(?:had|have|on|got|still|at|with) (?:a |the )?(?:steady |solid )?(?:green|red)\b(?! (?:car|vehicle|sedan|truck|van|suv))|\bat the lights\b|\b(?:red|green) (?:traffic )?light\b"
+)
+"""Somebody has a green light or a red one."""
+REAR = re.compile(r"\b(?:rear|back|behind|tail|trunk|hatch|boot)\b")
+"""Parts of the ego that somebody touches from behind."""
+FLANK = re.compile(r"\b(?:doors?|side|quarter panel|wheels?|mirror|flank)\b")
+"""Parts of the ego that somebody touches from beside."""
+
+# Other words for the same, before anything is read
+
+_PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
+    (re.compile(pattern), meant)
+    for pattern, meant in (
+        (r"\b(?:nearside|near side|near-side|passenger(?:'s)?[ -]side)\b", "right side"),
+        (r"\b(?:farside|far-side|offside|driver(?:'s)?[ -]side)\b", "left side"),
+        (r"\((left|right)\)", r"\1"),
+        (r"(left|right) side (?:left|right)\b", r"\1 side"),
+        (r" ?\((?:[^()]*)\)", ""),
+        (r"\b((?:(?:a|an|the|another) )?)(lane-splitting|passing|overtaking|double-parked|reversing|merging|tailgating|wrong[ -]way|turning) ((?:box |delivery |semi-?)?(?:car|vehicle|truck|bus|van|taxi|suv|sedan|motorcyclist|motorcycle|cyclist|bicyclist|minivan|trailer|lorry|scooter)(?: truck)?)\b", r"\1\3 \2"),
+        (r"\bsemi(?:[ -]?truck|[ -]?trailer(?: truck)?)?\b|\btractor[ -]?trailer\b|\bbig rig(?: truck)?\b", "truck"),
+        (r"\ban auto\b", "a car"),
+        (r"\b(?:standing|waiting|parked|stopped) at (?:the|a|its) (?:bus )?stop\b", "parked"),
+        (r"\b(?:\w+ )?(?:person|man|woman|somebody|someone|juvenile|child|girl|boy|rider|one) (?:on|riding|operating|driving) (?:an? |one of those |his |her )?(?=(?:electric |kick )*(?:e-?)?scooters?\b|(?:e-)?bike|bicycle|motorcycle|motorbike|moped)", ""),
+        (r"\b(?:without|with) (?:using |giving |any )?(?:an? |its |the )?(?:left |right |turn |direction )?(?:signal(?:ling|ing)?|indicat\w+)(?: on)?\b|\bturn(?:ing)? (?:signals?|indicators?)(?: on)?\b|\b(?:headlights?|brake lights?|no lights? on|without lights?)\b", ""),
+        (r"\b(?:some |a |the )?(?:guy|idiot|somebody|someone|bloke|man|woman|lady|person) (?:in|driving) (?:an? |her |his )(?=(?:\w+ )?(?:car|van|truck|lorry|suv|pickup|taxi|bus)\b)", "a "),
+        (r"\b(?:some |a |the )?(?:guy|idiot|bloke|driver|somebody|someone)(?= (?:coming the other|coming towards|overt|cut|pull|doing|in front|ahead|beside|next to))", "a car"),
+        (r"\b(?:the|a|our) (stopped|stationary|parked|standing|waiting) (?:we|us)\b", r"we were \1 and we"),
+        (r"\bus (lane|path|way)\b", r"our \1"),
+        (r"\bwheelchair users?\b", "wheelchair"),
+        (r"\b(?:that|this|said|these|those) (?=(?:same |other )?(?:car|vehicle|truck|bus|van|cyclist|bicyclist|pedestrian|motorcycl|suv|scooter))", "the "),
+        (r"\b(?:somebody|someone)(?= (?:\w+ )?(?:walk|step|run|ran|cross|wander|jog|stroll))", "a person"),
+        (r"\b(?:our|we) (?:own )?(?:taxi|shuttle|cab|van|bus|minibus|truck|lorry)\b(?! (?:lane|stop|bay))", "we"),
+        (r" (?:to|for) (?:which|whom) we (?:have to |must )?(?:give way|yield|wait)\b", ""),
+        (r"\bmotor scooterist", "motorcyclist"),
+        (r"\b(?:stand-up |electric |e-)scooterist", "e-scooter"),
+        (r"\bscooterist", "motorcyclist"),
+        (r"\belectric scooter", "e-scooter"),
+        (r"\b(?:passenger|motor) (?=vehicle|cars?\b)", ""),
+        (r"\b(?:and|then) (?:was|were) (?=stopped|struck)", "and we were "),
+        (r"\b(the|a|an) ((?:[\w-]+ )?)(?:the )(other vehicle|ego)\b", r"\1 \2\3"),
+        (r"\b((?:stationary|slow-moving|oncoming|stopped|slow|leading|lead|following|overtaking|crossing|parked)) the other vehicle\b", r"\1 car"),
+        (r"\b(?:the |a )?(?:pov|tv|gvt|ov|lv)\d?\b", "the car"),
+        (r"\b(?:the |a |our )?(?:third[ -]party|other (?:driver|motorist|party|person)|(?:guy|someone|somebody|idiot|driver|person|one)(?= behind)|idiot in|some idiot in)(?! (?:vehicle|car))\b", "the car"),
+        (r"\bthird[ -]party (?=vehicle|car)", "other "),
+        (r"\b(the|a|another|an) ((?:(?!us\b)[\w-]+ )?(?!us\b)[\w-]+)'s ((?:\w+ ){0,4}(?:" + _PART_NOUN + r"))\b", r"the \3 of \1 \2"),
+        (r"\bit's\b", "it is"),
+        (r"'s\b(?= (?:in|on|at|going|coming|turning|standing|driving|not|just|still|behind|changing)\b)", " is"),
+    )
+)  # fmt: skip
+
+
+def prepared(text: str) -> str:
+    """An account in the words that the rules and phrases know."""
+    for pattern, meant in _PREPARED:
+        text = pattern.sub(meant, text)
+    return text
+
+
+def side_named(part: str) -> Side | None:
+    """The side of a part of the ego, as far as its words name one."""
+    if re.search(r"\bleft\b", part):
+        return Side.LEFT
+    return Side.RIGHT if re.search(r"\bright\b", part) else None

@@ -1,0 +1,95 @@
+"""An account of a conflict, read clause by clause: who did what, from where, and who touched whom."""
+
+from __future__ import annotations
+
+import pytest
+
+from chatscene.read.decompose import hear
+from chatscene.terms.frame import Account
+from chatscene.terms.scenario import EgoState, Slots
+
+
+def told(text: str) -> Account:
+    """What is made out of a text; one that is read whole would show nothing of this reader."""
+    heard = hear(text)
+    assert not heard.whole, text
+    assert heard.account is not None, text
+    return heard.account
+
+
+def facts(slots: Slots, *names: str) -> list[object]:
+    values = (getattr(slots, name) for name in names)
+    return [list(map(str, v)) if isinstance(v, tuple) else v and str(v) for v in values]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "acts", "side"),
+    [
+        ("The AV was stopped when a car made contact with its rear bumper, sir.", "behind", ["follow"], None),
+        ("A bus in the lane to our left, whoosh, moved over into our lane and hit us.", "beside", ["cut-in"], "left"),
+        ("As the AV proceeded, a van in the right adjacent lane changed into the lane of the AV and struck the AV.", "beside", ["cut-in"], "right"),
+        ("The AV was hit on the left front door by a truck that failed to stop at the stop sign.", "crossing", ["cross"], "left"),
+        ("While the AV was parked, the car in front of it backed into its front bumper, damn.", "ahead", ["reverse"], None),
+        ("The AV was northbound. A car that was southbound made a left turn and struck the AV.", "oncoming", ["turn-left"], None),
+        ("The AV was northbound. A car travelling eastbound entered the intersection and struck the AV.", "crossing", ["cross"], "left"),
+        ("A motorcyclist split lanes, passed the AV on the left and clipped its mirror.", "behind-beside", ["overtake"], "left"),
+        ("Sudden deceleration of the preceding vehicle, they say.", "ahead", ["brake"], None),
+        ("U-turn by an oncoming taxi, they say.", "oncoming", ["u-turn"], None),
+    ],
+)  # fmt: skip
+def test_who_is_in_conflict_with_the_ego_and_does_what(
+    text: str, position: str, acts: list[str], side: str | None
+) -> None:
+    assert facts(told(text).slots, "position", "actions", "side") == [position, acts, side]
+
+
+def test_whoever_is_only_waited_for_is_no_adversary() -> None:
+    account = told("The AV yielded to a pedestrian when, moments later, a van made contact with its rear bumper.")
+    assert facts(account.slots, "adversary", "actions") == ["car", ["follow"]]
+    assert account.touched
+
+
+@pytest.mark.parametrize(
+    ("text", "state"),
+    [
+        ("The AV was stopped at a red light when, bang, a car struck its rear bumper.", EgoState.STANDS),
+        ("The AV came to a stop behind a bus when, bang, a car struck its rear bumper.", EgoState.STOPS),
+        ("The AV stopped at the stop sign and proceeded into the intersection, where a truck, whoosh, failed to yield and struck its left door.", EgoState.SETS_OFF),
+        ("A car cut in, whoosh, and the AV braked.", None),
+    ],
+)  # fmt: skip
+def test_what_the_ego_does_anyway_is_told_from_how_it_answers(text: str, state: EgoState | None) -> None:
+    assert told(text).slots.ego is state
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("A pedestrian, poor soul, crosses from the left and does not stop.", "stop"),
+        ("The lead vehicle, sadly, crawls along, never brakes.", "brake"),
+        ("A cyclist, poor soul, crosses from the right without turning back.", "turn-back"),
+    ],
+)
+def test_what_is_denied_is_not_done(text: str, act: str) -> None:
+    assert act not in told(text).slots.actions
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was passing a parked car when its driver opened the door.",
+        "The AV was reversing out of a driveway when a car struck it, whoosh.",
+        "The AV stood at a light when a man climbed onto the hood.",
+    ],
+)
+def test_of_a_door_an_attack_or_an_ego_that_reverses_nothing_is_made_out(text: str) -> None:
+    assert hear(text).account is None
+
+
+def test_a_word_without_a_place_is_listed() -> None:
+    assert "shimmering" in told("A car in front of us brakes on the shimmering viaduct.").unread
+
+
+def test_the_end_of_the_world_is_read_without_an_error() -> None:
+    for text in ("?", "us us us", "car " * 300, "the AV hit hit hit by by", "'s 's of us's"):
+        hear(text)

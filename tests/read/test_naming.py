@@ -1,0 +1,62 @@
+"""Names that reports use: the ego's, makes, streets, dates, and what came of it."""
+
+from __future__ import annotations
+
+import pytest
+
+from chatscene.read.naming import plainly_named
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        'A Fernweh autonomous vehicle ("Fernweh AV") was stopped',
+        "The Fernweh AV, operating in autonomous mode, was stopped",
+        "A Fernweh vehicle was stopped",
+        "The test vehicle was stopped",
+        "Vehicle 1 was stopped; V2 did not stop",
+        "The robotaxi was stopped",
+    ],
+)
+def test_the_ego_is_known_under_any_of_its_names(said: str) -> None:
+    assert plainly_named(said).text.lower().startswith("the ego was stopped")
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("The AV was hit by a 2019 Toyota Corolla.", "The ego was hit by a car"),
+        ("The AV was hit by a white Ford pickup truck.", "The ego was hit by a pickup truck"),
+        ("On May 3, 2021 at 9:04 AM, the AV was stopped.", "the ego was stopped"),
+        ("The AV drove westbound on Elm Street when a car cut in.", "The ego drove westbound when a car cut in"),
+        ("The AV drove on Interstate 12 when a car cut in.", "The ego drove on the motorway when a car cut in"),
+        ("The AV was struck on Elm Street at Oak Avenue.", "The ego was struck at the intersection"),
+        ("A car struck the AV, damaging its rear bumper.", "A car struck the ego"),
+        (
+            "The AV was stopped when a car struck it. There were no injuries.",
+            "The ego was stopped when a car struck it",
+        ),
+    ],
+)
+def test_what_no_scene_shows_is_taken_out(said: str, plain: str) -> None:
+    assert plainly_named(said).text == plain
+
+
+def test_what_is_taken_out_is_told() -> None:
+    assert plainly_named("The AV was stopped on Elm Street. No injuries were reported.").dropped == (
+        "on Elm Street",
+        "No injuries were reported",
+    )
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "A car cuts in from the left on the motorway.",
+        "We wait at a red light on Friday, and a car hits us from behind.",
+        "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",
+    ],
+)
+def test_a_text_that_is_no_report_is_left_as_it_is(said: str) -> None:
+    named = plainly_named(said)
+    assert (named.text, named.dropped) == (said, ())
