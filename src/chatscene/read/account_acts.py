@@ -234,7 +234,9 @@ def _stopping(acts: list[Action], _party: Party, _position: Position | None) -> 
 
 
 def _one_for_two(acts: list[Action], _party: Party, _position: Position | None) -> list[Action]:
-    """One act where another is a part of it."""
+    """One act where another is a part of it: who brakes is in the way by that."""
+    if {Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN} & set(acts):
+        acts = _without(acts, Action.BLOCK)
     if Action.CUT_IN in acts:
         acts = _without(acts, Action.CHANGE_LANE, Action.SWERVE)
     return _without(acts, Action.CUT_IN, Action.CROSS) if TURNING.keys() & set(acts) else acts

@@ -92,7 +92,7 @@ def _adversary(telling: Telling) -> tuple[Party, Contact | None] | None:
     able = [one for one in there if one.acts or one.wayward or Where.OPPOSITE in one.where]
     if not able:
         return None
-    party = max(able, key=lambda one: bool(set(one.acts) - QUIET) or one.wayward)
+    party = max(able, key=lambda one: bool(set(one.acts) - QUIET - {Action.BLOCK}) or one.wayward)
     standing = [one for one in able if Action.STAND in one.acts and one is not party]
     if standing and Action.CHANGE_LANE in party.acts and Where.AHEAD in party.where:
         party = standing[0]  # who leaves the lane uncovers it
@@ -112,6 +112,8 @@ def _hidden_by_another(telling: Telling, party: Party, slots: Slots) -> Slots:
     if not hides or slots.occluder is not None or not party.kind.is_vulnerable or Action.CROSS not in slots.actions:
         return slots
     telling.parties.remove(hides[0])
+    if slots.maneuver is Maneuver.BYPASS:
+        return slots  # it is what the ego drives around
     return replace(slots, occluder=_occluder(hides[0]), position=Position.ROADSIDE)
 
 
@@ -182,6 +184,8 @@ def _facts(telling: Telling, text: str, known: Slots) -> dict[str, Any]:
     facts = dict(telling.facts)
     if known.place in JUNCTIONS and not STATED.search(text) and facts.get("maneuver") not in TURNS:
         known = replace(known, place=None, control=None)
+    if known.maneuver is Maneuver.BYPASS:
+        facts.setdefault("maneuver", Maneuver.BYPASS)
     for name in ("control", "lanes", "two_way"):
         if getattr(known, name) is not None:
             facts.setdefault(name, getattr(known, name))

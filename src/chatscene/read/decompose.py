@@ -58,7 +58,7 @@ def hear(text: str) -> Frame:
         slots = _slots(clauses, notes)
         quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
         unused = unused_of(told, quantities, around.unlike)
-        heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(told), slots))
+        heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(clauses.whole), slots))
     return replace(
         heard,
         outright=slots,

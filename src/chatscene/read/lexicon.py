@@ -420,6 +420,7 @@ def strangers(text: str) -> list[str]:
 
 # Words that say nothing beyond what a rule has read, and those that say what is always so
 _PLAIN_WORDS = """
+    positioned situated located
     a an the and or of in on at to for from by with as while when where who which that this these those it its itself he
     she his her him they them their there here we us our ours be is are was were been being am has have had having do
     does did will would can could may might must shall should then just after before into onto over out off up down

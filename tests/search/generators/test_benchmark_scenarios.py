@@ -8,6 +8,7 @@ from functools import cache
 
 import pytest
 
+from chatscene.errors import NothingFits
 from chatscene.library.load import load_library
 from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
@@ -45,7 +46,10 @@ def triple(text: str) -> tuple[str, ...]:
 
 def alike(one: str, other: str) -> bool:
     """Whether the programs found for two sentences have the same actor, on the same side, do something in common."""
-    (a, _, c, kind), (x, _, z, other_kind) = triple(one), triple(other)
+    try:
+        (a, _, c, kind), (x, _, z, other_kind) = triple(one), triple(other)
+    except NothingFits:
+        return False
     library = load_library()
     same_side = library.get(c).slots.side == library.get(z).slots.side
     return (
