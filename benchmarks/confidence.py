@@ -24,7 +24,7 @@ from pydantic import TypeAdapter
 
 from chatscene.errors import ChatSceneError
 from chatscene.grow.curation import FITTING, kept_back
-from chatscene.interpret.decide import guessed, understood
+from chatscene.interpret.decide import likeliest_together, understood
 from chatscene.interpret.retrieve import CONFIDENCE, doubts, retrieve
 from chatscene.interpret.trust import ACCOUNT, speaks_for_account
 from chatscene.library.load import load_library
@@ -78,7 +78,7 @@ def row_of(group: str, style: str, text: str, in_scope: bool, said: Slots) -> Ro
     frame = read(text)
     if frame.whole:
         return Row(group, style, in_scope, whole=True, account_right=in_scope and not differing(said, frame.outright))
-    guess, account = guessed(frame, RetrievalSettings()), frame.account
+    guess, account = likeliest_together(frame, RetrievalSettings()), frame.account
     told = list(speaks_for_account(frame, account, guess).values()) if account else None
     scenario = understood(frame, guess, frame.notes)
     try:

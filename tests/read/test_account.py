@@ -93,3 +93,29 @@ def test_a_word_without_a_place_is_listed() -> None:
 def test_the_end_of_the_world_is_read_without_an_error() -> None:
     for text in ("?", "us us us", "car " * 300, "the AV hit hit hit by by", "'s 's of us's"):
         hear(text)
+
+
+def test_a_stop_sign_is_no_stop_of_a_bus() -> None:
+    slots = told("The AV was stopped at a stop sign when, whoosh, a car struck its rear bumper.").slots
+    assert facts(slots, "place", "control", "ego") == ["junction", "stop-sign", "stands"]
+
+
+def test_the_ego_that_waits_for_its_adversary_answers_it_whoever_hides_that() -> None:
+    text = "A stopped truck, whoosh, is there. We wait for a cyclist. The cyclist crosses the road from the right and hits us."
+    assert told(text).slots.ego is None
+
+
+def test_two_who_meet_are_in_touch() -> None:
+    account = told("We and a truck collided at the junction, whoosh, as the truck turned left.")
+    assert (str(account.slots.adversary), account.touched) == ("truck", True)
+
+
+def test_what_lies_on_the_road_hits_nobody() -> None:
+    slots = told("Somewhere there are cones, whoosh, and a van behind us hits our rear bumper.").slots
+    assert str(slots.adversary) == "car"
+
+
+@pytest.mark.parametrize(("said", "side"), [("offside", "left"), ("nearside", "right")])
+def test_traffic_keeps_right(said: str, side: str) -> None:
+    text = f"TC 7: a pedestrian target enters the carriageway from the {said} and halts in the path of the VUT."
+    assert facts(told(text).slots, "side") == [side]

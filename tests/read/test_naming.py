@@ -12,7 +12,7 @@ from chatscene.read.naming import plainly_named
     [
         'A Fernweh autonomous vehicle ("Fernweh AV") was stopped',
         "The Fernweh AV, operating in autonomous mode, was stopped",
-        "A Fernweh vehicle was stopped",
+        "A Fernweh vehicle in manual mode was stopped",
         "The test vehicle was stopped",
         "Vehicle 1 was stopped; V2 did not stop",
         "The robotaxi was stopped",
@@ -55,8 +55,22 @@ def test_what_is_taken_out_is_told() -> None:
         "A car cuts in from the left on the motorway.",
         "We wait at a red light on Friday, and a car hits us from behind.",
         "A pedestrian steps out from behind a bus stop on the right and freezes in front of us.",
+        "A German car cuts in front of us from the left.",
+        "The Police car overtakes us.",
+        "A car overtakes us on Lincoln Road.",
+        "Seat belts on: the car ahead brakes.",
+        "A truck hits the vehicle a second time.",
     ],
 )
 def test_a_text_that_is_no_report_is_left_as_it_is(said: str) -> None:
     named = plainly_named(said)
     assert (named.text, named.dropped) == (said, ())
+
+
+def test_what_a_bracket_tells_of_another_is_read_and_an_aside_is_listed() -> None:
+    assert plainly_named("The AV was hit by Vehicle 2 (a truck).").text == "The ego was hit by the truck"
+    assert plainly_named("The AV was hit by a car (it was late).").dropped == ("it was late",)
+
+
+def test_a_make_is_a_car_whoever_speaks() -> None:
+    assert plainly_named("A Ford Transit van in front of us brakes.").text == "A van in front of us brakes."

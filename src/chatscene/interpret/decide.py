@@ -48,22 +48,20 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     frame = _with_own_behaviors(frame, library_with(settings.library), settings.embedder)
     if frame.whole:
         return understood(frame, concluded(frame.outright), frame.notes)
-    slots = guessed(frame, settings)
+    slots = likeliest_together(frame, settings)
     differ = [
         Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))
         for name in frame.beliefs.slots
         if (was := getattr(frame.outright, name)) is not None and (now := getattr(slots, name)) != was
     ]
-    found = {About.WHO, About.STRANGER} if slots.adversary else set[About]()
-    found |= {About.WHAT} if slots.actions else set[About]()
-    scenario = understood(frame, slots, (*(note for note in frame.notes if note.about not in found), *differ))
+    scenario = understood(frame, slots, (*_still_open(frame, slots), *differ))
     sure = account_is_right(frame, slots)
-    if sure >= BELIEVED and sure >= _confidence(scenario, settings):
+    if sure >= BELIEVED and sure >= _guess_is_right(scenario, settings):
         return _told(frame, sure)
     return scenario
 
 
-def guessed(frame: Frame, settings: RetrievalSettings) -> Slots:
+def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
     """What a text is likeliest to say, by patterns and classifier, settled together with what the library has."""
     library = library_with(settings.library)
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
@@ -71,7 +69,14 @@ def guessed(frame: Frame, settings: RetrievalSettings) -> Slots:
     return settle(frame, slots, library)
 
 
-def _confidence(scenario: Scenario, settings: RetrievalSettings) -> float:
+def _still_open(frame: Frame, slots: Slots) -> tuple[Note, ...]:
+    """What the patterns were unsure about and is not known by now."""
+    found = {About.WHO, About.STRANGER} if slots.adversary else set[About]()
+    found |= {About.WHAT} if slots.actions else set[About]()
+    return tuple(note for note in frame.notes if note.about not in found)
+
+
+def _guess_is_right(scenario: Scenario, settings: RetrievalSettings) -> float:
     """How far what was guessed is trusted."""
     library, embedder = library_with(settings.library), load_embedder(settings.embedder)
     try:
@@ -95,7 +100,7 @@ def _told(frame: Frame, sure: float) -> Scenario:
         whole=True,
         sure=sure,
     )
-    return understood(frame, concluded(account.slots), frame.notes)
+    return understood(frame, concluded(account.slots), _still_open(frame, account.slots))
 
 
 def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from chatscene.read.account_meaning import apply_phrase, apply_rule, ends, joins, of_party
 from chatscene.read.account_rules import (
@@ -29,7 +30,7 @@ from chatscene.read.account_slots import account_of
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, traits_in
 from chatscene.read.quantities import quantity_at
 from chatscene.read.telling import NAMED_NEXT, Contact, Party, Telling
-from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Account
 from chatscene.terms.scenario import Maneuver, Slots
@@ -106,9 +107,8 @@ def _most_telling(telling: Telling, text: str, at: int) -> _Found | None:
     if at and (text[at - 1].isalnum() or text[at - 1] in "-'"):
         return None
     best, end = None, at
-    for phrase in phrases():
-        if not _phrase_fits(telling, phrase):
-            continue
+    party = telling.party
+    for phrase in _phrases_of(party.kind.row.manner if party else None):
         if (match := _matched(phrase.pattern, text, at)) and match.end() > end:
             best, end = _Found(phrase, match), match.end()
     for rule in rules():
@@ -127,11 +127,12 @@ def _matched(pattern: re.Pattern[str], text: str, at: int) -> re.Match[str] | No
     return match if match and not STOP_SIGN.match(text, match.end() - len("stop")) else None
 
 
-def _phrase_fits(telling: Telling, phrase: Phrase) -> bool:
-    party = telling.party
-    if phrase.ego is not None and phrase.ego is not (party is None):
-        return False
-    return phrase.manner is None or party is None or party.kind.row.manner is phrase.manner
+@lru_cache(maxsize=len(Manner) + 1)
+def _phrases_of(manner: Manner | None) -> tuple[Phrase, ...]:
+    """The phrases that may be said of somebody who moves in a manner, or of the ego if it is None."""
+    of_ego = manner is None
+    said = (phrase for phrase in phrases() if phrase.ego in (None, of_ego))
+    return tuple(phrase for phrase in said if of_ego or phrase.manner in (None, manner))
 
 
 def _rule_fits(telling: Telling, rule: Rule) -> bool:
@@ -183,8 +184,8 @@ def _word_at(telling: Telling, text: str, at: int) -> int:
 
 def _name_at(telling: Telling, text: str, at: int, found: _Found | None) -> int | None:
     named = road_user().match(text, at)
-    if named is None or named.end() <= (found.match.end() if found else at):
-        return None
+    if named is None or named.end() <= (found.match.end() if found else at) or kind_in(named).lies:
+        return None  # what lies on the road is heard where a text is read whole
     if found and isinstance(found.says, Rule) and found.says.kind in (Kind.OWN_DRIVER, Kind.DRIVER):
         return None
     if telling.denied:

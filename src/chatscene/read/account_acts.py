@@ -244,7 +244,7 @@ def _one_for_two(acts: list[Action], _party: Party, _position: Position | None) 
 
 def _turning_back(acts: list[Action], party: Party, _position: Position | None) -> list[Action]:
     """Who turns back on foot was crossing."""
-    crossed = Action.TURN_BACK in acts and Action.CROSS not in acts and party.kind.row.manner is not Manner.DRIVES
+    crossed = Action.TURN_BACK in acts and Action.CROSS not in acts and party.kind.is_vulnerable
     return [Action.CROSS, *acts] if crossed else acts
 
 

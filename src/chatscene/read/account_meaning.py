@@ -71,8 +71,8 @@ def joins(telling: Telling) -> None:
 
 def _side_of(match: re.Match[str]) -> Side | None:
     """The first side that a rule names."""
-    sides = (Side(value) for name, value in match.groupdict().items() if name.startswith("side") and value)
-    return next(sides, None)
+    side = side_in(match)
+    return Side(side) if side else None
 
 
 def _part_of(match: re.Match[str]) -> str:
@@ -334,7 +334,7 @@ def _enters(telling: Telling, party: Party, _rule: Rule, match: re.Match[str]) -
     party.wayward = party.wayward or not beside
     if beside or (onward and Where.OPPOSITE in party.where):
         party.does(Action.FOLLOW)
-    elif party.kind.row.manner is not Manner.DRIVES:
+    elif party.kind.is_vulnerable:
         party.does(Action.CROSS)
     _crossed_site(telling, match)
 

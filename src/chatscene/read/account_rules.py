@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import lru_cache
 
-from chatscene.read.inflection import Form, inflected
+from chatscene.read.inflection import any_form
 from chatscene.read.phrases import Where
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import EgoState, Maneuver, Side, Site
@@ -114,14 +114,6 @@ def _act(action: Action, pattern: str, where: Where | None = None) -> Rule:
     return _rule(Kind.ACT, pattern, ego=False, action=action, where=where)
 
 
-_FORMS = (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)
-
-
-def _verbs(*verbs: str) -> str:
-    forms = {inflected(verb, form) for verb in verbs for form in _FORMS} | set(verbs)
-    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
-
-
 _PART_NOUN = (
     r"(?:bumpers?|corner|sides?|fender|doors?|mirrors?|panel|quarter panel|wheels?|wheel well|wheel arch|arch|end|tire|tyre|window|hatch|trunk|boot|"
     r"sensors?|lidar|radar|fascia|hood|bonnet|front|rear|back|tail(?:[ -]?lights?|gate)?|headlight|bodywork|flank|quarter|axle|roof|windscreen|windshield|wing|trailer|housing|plate|grille)"
@@ -129,8 +121,8 @@ _PART_NOUN = (
 _PART = rf"(?:(?!of\b|and\b|we\b|us\b)[\w'/-]+ ){{0,5}}?{_PART_NOUN}(?: {_PART_NOUN}| assembly| area| and (?:[\w'-]+ ){{0,4}}?{_PART_NOUN})*"
 _OWN_PART = rf"(?:(?:front|rear|left|right|lower|upper|cent(?:er|re)|back|driver|passenger|side|outer|inner|own|wing|near|off)(?:'s)?[-/ ])*{_PART_NOUN}(?: {_PART_NOUN})*"
 _HIT = (
-    rf"(?:{_verbs('make')} (?:\w+ ){{0,2}}contact(?: again)?|(?:came|comes|come|coming) in(?:to)? (?:\w+ )?contact"
-    rf"|{_verbs('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge')}|struck"
+    rf"(?:{any_form('make')} (?:\w+ ){{0,2}}contact(?: again)?|(?:came|comes|come|coming) in(?:to)? (?:\w+ )?contact"
+    rf"|{any_form('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge')}|struck"
     r"|(?:runs?|ran|running|rode|rides?|drives?|drove|driving|slams?|slammed|slamming|smash(?:es|ed)|ploughs?|ploughed|plows?|plowed|bangs?|backs?|backed|revers(?:es|ed|ing)|backing|rolls?|rolled) (?:straight |right )?into)"
 )
 _INTO = r"(?: (?:with|into|against|on|up against|to|at))*"
@@ -145,13 +137,13 @@ KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|shoulder|(?:side
 
 
 def _turn(side: str) -> str:
-    return rf"{_BEGINS}(?:(?:mak(?:e|es|ing)|made|complet\w+|perform\w*|execut\w*|initiat\w*|tak(?:e|es|ing)|took|in the process of making|do(?:es|ing)?|want\w* (?:to )?|signal\w+ for|prepar\w+ (?:to make|for)|prior to making|waiting to make|attempt\w*|begin\w*|began) (?:a |an |its |their |our |the )?(?:\w+ )?{side}(?:[ -]?hand)?(?: turn|(?! (?:lane|side|hand|arm|kerb|curb|of|rear|front|turn)\b))|{_verbs('turn')} (?:off )?(?:to (?:the |our )?)?{side}|{side}[ -]turn(?:ing|s)?|proceed {side}|{_verbs('go')} {side}|hook\w* {side})"
+    return rf"{_BEGINS}(?:(?:mak(?:e|es|ing)|made|complet\w+|perform\w*|execut\w*|initiat\w*|tak(?:e|es|ing)|took|in the process of making|do(?:es|ing)?|want\w* (?:to )?|signal\w+ for|prepar\w+ (?:to make|for)|prior to making|waiting to make|attempt\w*|begin\w*|began) (?:a |an |its |their |our |the )?(?:\w+ )?{side}(?:[ -]?hand)?(?: turn|(?! (?:lane|side|hand|arm|kerb|curb|of|rear|front|turn)\b))|{any_form('turn')} (?:off )?(?:to (?:the |our )?)?{side}|{side}[ -]turn(?:ing|s)?|proceed {side}|{any_form('go')} {side}|hook\w* {side})"
 
 
 @lru_cache(maxsize=1)
 def rules() -> tuple[Rule, ...]:
     """All rules, in an order in which a later one is the more telling."""
-    enter = _verbs(
+    enter = any_form(
         "change",
         "merge",
         "move",
@@ -183,7 +175,7 @@ def rules() -> tuple[Rule, ...]:
         _rule(Kind.HIT, rf"{_BEGINS}{_HIT}(?=[.,;]|$)", ego=False),
         _rule(Kind.EGO_HITS, rf"{_HIT}{_INTO} (?:the |its |a )?{_PART} of", ego=True),
         _rule(Kind.EGO_HITS, rf"{_HIT}{_INTO}(?= (?:the |a |an |another |its |that ))", ego=True),
-        _rule(Kind.CONTACT, rf"we and (?:the |a |an |another )?(?:other )?(?:[\w-]+ ){{0,3}}?[\w-]+ {_HIT}"),
+        _rule(Kind.BY, rf"we and(?= (?:the |an? |another )?(?:other )?(?:[\w-]+ ){{0,3}}?[\w-]+ {_HIT})"),
         _rule(Kind.CONTACT, rf"contact (?:was|is) made (?:with|to|between|at)(?: (?:the )?(?P<part>{_PART}) of us| our (?P<part2>{_PART})| us)?(?P<by> by)?"),
         _rule(Kind.BY, r"(?:a |the )?(?:contact|collision|impact)(?: was made)? by"),
         _rule(Kind.CONTACT, rf"(?:was|is) made (?:with|to|at) (?:(?:the )?(?P<part>{_PART}) of us|our (?P<part2>{_PART})|us)"),
@@ -195,31 +187,31 @@ def rules() -> tuple[Rule, ...]:
         _rule(Kind.HEADING, r"(?:heading |headed |travell?ing |proceeding |driving |going |facing )?(?P<compass>(?:north|south)(?:[ -]?(?:east|west))?|east|west)(?:[ -]?bound|erly)?(?: lanes?)?(?! (?:kerb|curb|sidewalk|side|pavement|verge|edge|corner|crosswalk|leg|arm))"),
         _rule(Kind.COMPASS_SIDE, rf"(?:from|on|at|off) the (?P<compass>north|south|east|west) (?:{KERB}|leg|arm|crosswalk)"),
         # What else is met
-        _rule(Kind.BYPASSES, rf"{_verbs('manoeuvre', 'maneuver', 'go', 'drive', 'move', 'steer', 'pull', 'swing', 'pass')} (?:around|past|by|round)(?: and to the (?:left|right) of)?(?= (?:a|an|the|another|some)\b)|{_verbs('pass', 'overtake')}(?= (?:a|an|the|another|some)\b)", ego=True),
-        _rule(Kind.MEETS, rf"(?:{_verbs('yield', 'wait', 'stop', 'slow', 'brake', 'queue')}(?: (?:down|briefly|again|immediately|completely|up|gently))*(?: (?:to|for|behind|due to|because of|in response to|as))+|in response to|{_verbs('come')} to an? (?:\w+ )?(?:stop|halt|standstill)(?: (?:to|for|behind|due to|in response to|at))+|due to|because of|to avoid|avoiding|in order to avoid|for clearance to|{_verbs('give')} way to|to let|waiting for|behind|following|{_verbs('follow', 'trail')}|{_verbs('sit')} behind)(?= (?:a|an|the|another|some|two|other|slow|traffic|oncoming|cross|left|approaching)\b)", ego=True),
+        _rule(Kind.BYPASSES, rf"{any_form('manoeuvre', 'maneuver', 'go', 'drive', 'move', 'steer', 'pull', 'swing', 'pass')} (?:around|past|by|round)(?: and to the (?:left|right) of)?(?= (?:a|an|the|another|some)\b)|{any_form('pass', 'overtake')}(?= (?:a|an|the|another|some)\b)", ego=True),
+        _rule(Kind.MEETS, rf"(?:{any_form('yield', 'wait', 'stop', 'slow', 'brake', 'queue')}(?: (?:down|briefly|again|immediately|completely|up|gently))*(?: (?:to|for|behind|due to|because of|in response to|as))+|in response to|{any_form('come')} to an? (?:\w+ )?(?:stop|halt|standstill)(?: (?:to|for|behind|due to|in response to|at))+|due to|because of|to avoid|avoiding|in order to avoid|for clearance to|{any_form('give')} way to|to let|waiting for|behind|following|{any_form('follow', 'trail')}|{any_form('sit')} behind)(?= (?:a|an|the|another|some|two|other|slow|traffic|oncoming|cross|left|approaching)\b)", ego=True),
         # Acts in the words of reports
-        _act(Action.FOLLOW, rf"{_verbs('approach')} (?:us |towards us )?(?:quickly |rapidly |fast )?from (?:the rear|behind)|(?:coming|comes|came|drives|driving|closes|closing) (?:up )?(?:from )?behind(?: us)?|(?:coming|comes|came) from behind", Where.BEHIND),
-        _act(Action.FOLLOW, rf"(?:{_verbs('travel', 'drive', 'proceed', 'follow', 'ride', 'go')}|directly|immediately|close|stopped|waiting|who was|that was|the one|right|just)(?: (?:directly|immediately|close|right|just))? behind(?: us)?|behind us|{_verbs('follow')} us|(?:is |was )?following", Where.BEHIND),
+        _act(Action.FOLLOW, rf"{any_form('approach')} (?:us |towards us )?(?:quickly |rapidly |fast )?from (?:the rear|behind)|(?:coming|comes|came|drives|driving|closes|closing) (?:up )?(?:from )?behind(?: us)?|(?:coming|comes|came) from behind", Where.BEHIND),
+        _act(Action.FOLLOW, rf"(?:{any_form('travel', 'drive', 'proceed', 'follow', 'ride', 'go')}|directly|immediately|close|stopped|waiting|who was|that was|the one|right|just)(?: (?:directly|immediately|close|right|just))? behind(?: us)?|behind us|{any_form('follow')} us|(?:is |was )?following", Where.BEHIND),
         _act(Action.CUT_IN, rf"{_BEGINS}{_LY}(?:{enter})(?: (?:over|in|across|partially|back|out|closely|directly|abruptly|suddenly|straight|right|close|tightly|sharply|its lane|lanes?|wide|the (?:cent(?:er|re) ?line|line)))*(?: (?:from (?:the |our )?(?P<side>{_SIDES})(?:[ -]?hand)?(?: lane| side)?))?(?: (?:in|into|to|onto|on|across|over))* (?:our (?:travel )?(?:lane|path|side)(?: of (?:travel|the (?:line|road)))?|the (?:same )?lane (?:as|of) (?:us|we)|the (?:\w+ )?lane (?:in which we were travel?ling|that we were in)|the path of us|(?:closely |directly |right |just |close )?(?:in front|ahead) of us|before us|(?:the |a )?(?:[\d.]+ m )?gap(?: of [\d.]+ m)?(?: between us and [\w ]+)?|front of us|(?:right )?in front of our (?:nose|bonnet|hood|car|bumper))"),
         _act(Action.CUT_IN, r"cut(?:s|ting)?(?:[ -]in| us off| in front| up)|cut-in"),
-        _act(Action.CHANGE_LANE, rf"{_BEGINS}(?:{_verbs('change', 'switch')} (?:\w+ )?lanes?|{_verbs('merge')}(?: into (?:the|a|an) (?:[\w-]+ ){{0,3}}lane)?|(?:{_verbs('change', 'move', 'swerve', 'merge', 'swing')}|swung) (?:over )?(?:into|to) (?:the|a) (?:[\w-]+ ){{0,3}}?(?:lane|right|left)|(?:made|makes|making|attempt\w*|initiat\w*|began|begins) (?:to (?:make|initiate) )?an? (?:\w+ )?(?:left |right )?lane change)(?: to the (?:left|right))?(?: directly)?(?: in front of us)?"),
-        _act(Action.CHANGE_LANE, rf"cuts? out|cut-out|cutting out|(?:leaves|left|leaving|exits|vacates|moves out of|pulls out of) (?:our|the same|its|the) lane|{_verbs('change')} into (?:the |an? )?(?:[\w-]+ )?lane(?=,? (?:reveal|expos))", Where.AHEAD),
-        _act(Action.OVERTAKE, rf"lane[ -]splitting|{_verbs('split')} lanes|{_verbs('filter')}(?: (?:past|between|through)[\w ]*)?", Where.BEHIND),
-        _act(Action.OVERTAKE, rf"{_BEGINS}(?:{_verbs('overtake')}(?: us)?|(?:{_verbs('pass')}|pass(?:es|ed|ing)? (?:through|between) (?:the )?(?:traffic|lanes|vehicles|cars)|(?:came?|comes|coming|went|goes|shoots?|shot|fl(?:ies|ew|ying)|rac\w+|blast\w+)(?: \w+ing)? past|get around|go around|goes? past|went past|drive around|maneuver around|manoeuvre around|squeezes? (?:past|by)|squeezed (?:past|by)) us|{_verbs('pass')}(?= (?:on|to) (?:the|our|its)|[,.;]| and| exactly| as| while| behind|$))(?: (?:to|on|by) (?:the |our |its )?(?P<side>{_SIDES})(?: side)?)?"),
+        _act(Action.CHANGE_LANE, rf"{_BEGINS}(?:{any_form('change', 'switch')} (?:\w+ )?lanes?|{any_form('merge')}(?: into (?:the|a|an) (?:[\w-]+ ){{0,3}}lane)?|(?:{any_form('change', 'move', 'swerve', 'merge', 'swing')}|swung) (?:over )?(?:into|to) (?:the|a) (?:[\w-]+ ){{0,3}}?(?:lane|right|left)|(?:made|makes|making|attempt\w*|initiat\w*|began|begins) (?:to (?:make|initiate) )?an? (?:\w+ )?(?:left |right )?lane change)(?: to the (?:left|right))?(?: directly)?(?: in front of us)?"),
+        _act(Action.CHANGE_LANE, rf"cuts? out|cut-out|cutting out|(?:leaves|left|leaving|exits|vacates|moves out of|pulls out of) (?:our|the same|its|the) lane|{any_form('change')} into (?:the |an? )?(?:[\w-]+ )?lane(?=,? (?:reveal|expos))", Where.AHEAD),
+        _act(Action.OVERTAKE, rf"lane[ -]splitting|{any_form('split')} lanes|{any_form('filter')}(?: (?:past|between|through)[\w ]*)?", Where.BEHIND),
+        _act(Action.OVERTAKE, rf"{_BEGINS}(?:{any_form('overtake')}(?: us)?|(?:{any_form('pass')}|pass(?:es|ed|ing)? (?:through|between) (?:the )?(?:traffic|lanes|vehicles|cars)|(?:came?|comes|coming|went|goes|shoots?|shot|fl(?:ies|ew|ying)|rac\w+|blast\w+)(?: \w+ing)? past|get around|go around|goes? past|went past|drive around|maneuver around|manoeuvre around|squeezes? (?:past|by)|squeezed (?:past|by)) us|{any_form('pass')}(?= (?:on|to) (?:the|our|its)|[,.;]| and| exactly| as| while| behind|$))(?: (?:to|on|by) (?:the |our |its )?(?P<side>{_SIDES})(?: side)?)?"),
         _rule(Kind.WAYWARD, r"(?:straight )?(?:past|through) (?:the|its|his|her|a) stop sign", ego=False),
-        _rule(Kind.WAYWARD, rf"(?:fail(?:s|ed|ing)? to (?:yield|give way|stop|slow|brake)|without (?:stopping|yielding|giving way|looking)|(?:does|did|do) not (?:yield|give way|stop|slow|brake)|(?:doesn't|didn't|don't) (?:yield|give way|stop|slow|brake)|no yield|{_verbs('run', 'disregard', 'ignore')} (?:the |its |a )?stop sign|(?:passe[sd]|went|goes|drove|drives|proceed\w*|roll\w*|rode|rides|came|blew|blows) (?:through|past) (?:the |its |a )?stop sign)(?: (?:at|for|to) (?:the |its |a )?(?:stop sign|right[ -]of[ -]way|us|stop|traffic))?", ego=False),
-        _act(Action.RUN_LIGHT, rf"(?:{_verbs('run', 'disregard', 'ignore', 'jump', 'violate')}|(?:passe[sd]|went|goes|drove|drives|proceed\w*|rode|came|going|proceeding|shoots?|shot|blew|blows) (?:through|on|against|over)|{_verbs('enter')} (?:the (?:intersection|junction) )?(?:on|against)|against|failed to stop (?:for|at)|did not stop (?:for|at)) (?:the |its |a |their |his )?(?:steady |solid )?(?:red(?: (?:traffic )?(?:light|signal))|red)"),
-        _rule(Kind.ENTERS, rf"(?:{_verbs('enter', 'cross')}|{_verbs('proceed', 'drive', 'travel', 'ride', 'go', 'continue', 'come', 'run', 'walk')} (?:straight )?(?:into|through|across|over)) (?:the|an?) (?:intersection|junction|roadway|crosswalk|zebra(?: crossing)?|carriageway|roundabout)|enters?|entered(?= from)", ego=False),
-        _act(Action.CROSS, rf"(?:{_verbs('step', 'walk', 'run', 'ride', 'dart', 'dash', 'emerge', 'come', 'roll', 'jump', 'appear', 'pop', 'rush', 'go', 'cycle')}|rode|leaves?|left) (?:straight |right |quickly |suddenly )?(?:(?:out|off|in|on|onto|into|over|across|from)(?: of the \w+)? )*(?:(?:the|a) )?(?:(?P<side>{_SIDES}) |(?:north|south|east|west) )?(?:(?:road(?:way)?|street|carriageway)(?! debris)|lane|crosswalk|zebra(?: crossing)?|front(?: of us)?|path of us|{KERB})(?: into the (?:road(?:way)?|street|lane))?"),
+        _rule(Kind.WAYWARD, rf"(?:fail(?:s|ed|ing)? to (?:yield|give way|stop|slow|brake)|without (?:stopping|yielding|giving way|looking)|(?:does|did|do) not (?:yield|give way|stop|slow|brake)|(?:doesn't|didn't|don't) (?:yield|give way|stop|slow|brake)|no yield|{any_form('run', 'disregard', 'ignore')} (?:the |its |a )?stop sign|(?:passe[sd]|went|goes|drove|drives|proceed\w*|roll\w*|rode|rides|came|blew|blows) (?:through|past) (?:the |its |a )?stop sign)(?: (?:at|for|to) (?:the |its |a )?(?:stop sign|right[ -]of[ -]way|us|stop|traffic))?", ego=False),
+        _act(Action.RUN_LIGHT, rf"(?:{any_form('run', 'disregard', 'ignore', 'jump', 'violate')}|(?:passe[sd]|went|goes|drove|drives|proceed\w*|rode|came|going|proceeding|shoots?|shot|blew|blows) (?:through|on|against|over)|{any_form('enter')} (?:the (?:intersection|junction) )?(?:on|against)|against|failed to stop (?:for|at)|did not stop (?:for|at)) (?:the |its |a |their |his )?(?:steady |solid )?(?:red(?: (?:traffic )?(?:light|signal))|red)"),
+        _rule(Kind.ENTERS, rf"(?:{any_form('enter', 'cross')}|{any_form('proceed', 'drive', 'travel', 'ride', 'go', 'continue', 'come', 'run', 'walk')} (?:straight )?(?:into|through|across|over)) (?:the|an?) (?:intersection|junction|roadway|crosswalk|zebra(?: crossing)?|carriageway|roundabout)|enters?|entered(?= from)", ego=False),
+        _act(Action.CROSS, rf"(?:{any_form('step', 'walk', 'run', 'ride', 'dart', 'dash', 'emerge', 'come', 'roll', 'jump', 'appear', 'pop', 'rush', 'go', 'cycle')}|rode|leaves?|left) (?:straight |right |quickly |suddenly )?(?:(?:out|off|in|on|onto|into|over|across|from)(?: of the \w+)? )*(?:(?:the|a) )?(?:(?P<side>{_SIDES}) |(?:north|south|east|west) )?(?:(?:road(?:way)?|street|carriageway)(?! debris)|lane|crosswalk|zebra(?: crossing)?|front(?: of us)?|path of us|{KERB})(?: into the (?:road(?:way)?|street|lane))?"),
         _act(Action.CROSS, r"cross(?:es|ed|ing)? (?:the )?(?:(?:street|road|exit|arm)(?: that| which)? we (?:turn|are turning|go|drive) into|exit road|exit)", Where.FAR_CORNER),
         _act(Action.CROSS, r"(?:dash|dart|sprint|shoot|rush|bolt|burst|tear|fly|step|walk|run|com|rid|emerg)(?:e?s|ing|ed)? (?:straight )?(?:out|across)(?= (?:from|in front|behind|of)\b|[,.;]| and\b)|(?:ran|shot|came|rode|tore|flew|stepped) (?:straight )?(?:out|across)(?= (?:from|in front|behind|of)\b|[,.;]| and\b)"),
-        _act(Action.CROSS, rf"{_verbs('cross')}(?: (?:the|our|over|in|this) ?(?:road(?:way)?|street|carriageway|lane|path|junction|intersection|front of us|way)?)*|across the front|(?:walk|run|rid|wander|com)(?:s|es|ing)? over(?= from)|walks? over|cut(?:s|ting)? across(?: (?:us|the road|the street|our (?:path|way|lane)))?|crosses"),
-        _act(Action.REVERSE, rf"{_BEGINS}(?<!the )(?<!our )(?<!its )(?:{_verbs('back', 'reverse')}(?! (?:in|into|to|onto|at|there|before)\b)|(?:backed|backs|backing|reversed|reverses|reversing) (?=into us)|(?:put|puts|has put|engaged?) (?:the |its )?(?:back|reverse) gear|rolls? backwards?|rolled backwards?)(?: (?:up|out|backwards?|into|toward|towards|in reverse|of|from)\b)*|beg[ai]n(?:s|ning)? (?:to )?revers\w+|beg[ai]n(?:s|ning)? (?:to )?back(?:ing)?(?: up)?"),
-        _act(Action.PULL_OUT, rf"(?:{_verbs('pull', 'come', 'drive', 'exit', 'move', 'nose')} (?:out |away |off )*(?:of|from)|{_verbs('leave', 'exit')}) (?:a|an|the|its) (?:[\w-]+ )?(?:parking (?:space|spot|place|lot|bay)|driveway|garage|curb|kerb|alley|loading zone|lot|parked position|bay|bus (?:bay|stop)|stop)|{_verbs('pull')} (?:away|out) from (?:the|a) (?:curb|kerb)|{_verbs('pull')} (?:out|away|off)(?: anyway| suddenly)?|{_verbs('set', 'move')} off"),
+        _act(Action.CROSS, rf"{any_form('cross')}(?: (?:the|our|over|in|this) ?(?:road(?:way)?|street|carriageway|lane|path|junction|intersection|front of us|way)?)*|across the front|(?:walk|run|rid|wander|com)(?:s|es|ing)? over(?= from)|walks? over|cut(?:s|ting)? across(?: (?:us|the road|the street|our (?:path|way|lane)))?|crosses"),
+        _act(Action.REVERSE, rf"{_BEGINS}(?<!the )(?<!our )(?<!its )(?:{any_form('back', 'reverse')}(?! (?:in|into|to|onto|at|there|before)\b)|(?:backed|backs|backing|reversed|reverses|reversing) (?=into us)|(?:put|puts|has put|engaged?) (?:the |its )?(?:back|reverse) gear|rolls? backwards?|rolled backwards?)(?: (?:up|out|backwards?|into|toward|towards|in reverse|of|from)\b)*|beg[ai]n(?:s|ning)? (?:to )?revers\w+|beg[ai]n(?:s|ning)? (?:to )?back(?:ing)?(?: up)?"),
+        _act(Action.PULL_OUT, rf"(?:{any_form('pull', 'come', 'drive', 'exit', 'move', 'nose')} (?:out |away |off )*(?:of|from)|{any_form('leave', 'exit')}) (?:a|an|the|its) (?:[\w-]+ )?(?:parking (?:space|spot|place|lot|bay)|driveway|garage|curb|kerb|alley|loading zone|lot|parked position|bay|bus (?:bay|stop)|stop)|{any_form('pull')} (?:away|out) from (?:the|a) (?:curb|kerb)|{any_form('pull')} (?:out|away|off)(?: anyway| suddenly)?|{any_form('set', 'move')} off"),
         _act(Action.U_TURN, rf"{_BEGINS}(?:(?:mak(?:e|es|ing)|made|do(?:es|ing)?|perform\w*|complet\w+|attempt\w*|execut\w*) (?:a|its|an)? ?(?:\w+ )?)?u[ -]turns?(?: across[\w ]*lanes?)?"),
         _act(Action.TURN_LEFT, _turn("left")),
         _act(Action.TURN_RIGHT, _turn("right")),
-        _act(Action.ACCELERATE, rf"{_verbs('accelerate')}|{_verbs('speed')} up|sped up|increas\w+ (?:its |their )?speed|gives? (?:full )?gas|picks? up speed"),
+        _act(Action.ACCELERATE, rf"{any_form('accelerate')}|{any_form('speed')} up|sped up|increas\w+ (?:its |their )?speed|gives? (?:full )?gas|picks? up speed"),
         _act(Action.WEAVE, r"(?:veer|swerv|weav|wander|swing|lurch|mov)\w* (?:\w+ly )?(?:to and fro|from side to side|from one side to the other|back and forth|about)|zigzag\w*"),
         _act(Action.BRAKE, r"(?:hits?|hit|stamps? on|steps? on|applies|applied) (?:the |its |his |her )?brakes|(?:slams? on (?:the |its )?brakes|slammed on (?:the |its )?brakes|brak(?:e|es|ed|ing)(?: (?:hard|sharply|abruptly|suddenly))*|decelerat(?:e|es|ed|ing)(?: hard)?|emergency brak\w+)"),
         _act(Action.STOP, r"(?:to|until|into) (?:a )?(?:standstill|halt|complete stop|stop)|comes? to (?:a )?(?:rest|halt|stop|standstill)|came to (?:a )?(?:complete )?(?:rest|halt|stop|standstill)|stays? (?:standing|there)|remains? (?:standing|there)|freezes?|froze"),
@@ -232,7 +224,7 @@ def rules() -> tuple[Rule, ...]:
         _act(Action.SWERVE, r"(?:runs|ran|drifts?|drifted|veer\w*|swerv\w*|cross\w*|com(?:e|es|ing)|wander\w*|strays?|swings?) (?:wide|(?:over|across) (?:the |into )?(?:cent(?:er|re) ?line|line|our (?:lane|side))|(?:into|onto|over to) (?:our (?:lane|side)|the wrong side|us))(?: (?:in)?to our lane| there| and ends up on our side of the line)*|(?:swerv(?:e|es|ed|ing)|veer(?:s|ed|ing)?)(?: towards? us)?"),
         _act(Action.PACE, r"(?:keep\w*|kept|stay\w*|remain\w*|exactly|driv\w+)(?: exactly)? (?:level|abreast|alongside|parallel)(?: (?:with|to) us)?(?: the whole time)?|(?:at )?(?:the )?same speed(?: as us)?(?: the)?(?: whole time)?", Where.BESIDE),
         _act(Action.TAILGATE, r"tailgat\w+(?: us)?|following (?:too |very )?closely(?: behind)?(?: us)?|(?:much |far )?too close(?:ly)? behind(?: us)?|bumper to bumper", Where.BEHIND),
-        _act(Action.FOLLOW, rf"(?:{_verbs('go', 'continue', 'proceed', 'drive', 'ride', 'travel', 'move', 'walk', 'roll')}) ?(?:straight(?: (?:on|ahead|through))?|on(?! (?:the|our|a|its|to)\b)|along|forward|ahead|at (?:a )?constant speed|in (?:its|the same) lane)|straight(?: on| ahead)?|constant(?: speed)?|remains? in (?:its )?lane"),
+        _act(Action.FOLLOW, rf"(?:{any_form('go', 'continue', 'proceed', 'drive', 'ride', 'travel', 'move', 'walk', 'roll')}) ?(?:straight(?: (?:on|ahead|through))?|on(?! (?:the|our|a|its|to)\b)|along|forward|ahead|at (?:a )?constant speed|in (?:its|the same) lane)|straight(?: on| ahead)?|constant(?: speed)?|remains? in (?:its )?lane"),
         _rule(Kind.FOREIGN, r"(?:climb|jump|leap|kick|punch|spat|spit|slash|hit and broke|threw|throw|vandal|graffiti|block\w* us in)\w*(?: (?:on(?:to)?|off|at|out))*(?: (?:the|our|us)(?: (?:hood|roof|bonnet|windscreen|windshield|trunk|sensors?))?)?|on foot", ego=False),
         _act(Action.FAST, r"(?:at |with )?(?:a )?(?:\w+ly )?(?:very )?(?:excessive|high|great|breakneck|full)(?: rate of)? speed|(?:way|well|far) (?:over|above) (?:the )?(?:speed )?limit|(?:way|far|much) too fast|speeding"),
         # Acts as nouns: "the cut-in of a van"
@@ -277,8 +269,8 @@ def rules() -> tuple[Rule, ...]:
         # The ego
         _rule(Kind.EGO_TURNS, _turn("left"), maneuver=Maneuver.LEFT_TURN, ego=True),
         _rule(Kind.EGO_TURNS, _turn("right"), maneuver=Maneuver.RIGHT_TURN, ego=True),
-        _rule(Kind.EGO_CHANGES_LANE, rf"(?:in the process of )?{_BEGINS}(?:(?:{_verbs('change', 'merge', 'move', 'shift', 'pull')})(?: lanes?| over| out)*(?: (?:in)?to(?: the| an?)?| from)*(?: adjacent)? ?(?P<side>{_SIDES})(?:most)?(?:[ -]hand)?(?: {_LANE})?|(?:changing|changed|moving|moved|merging|merged) from the (?:left|right|center|middle) lane (?:in)?to the (?P<side5>{_SIDES})(?:[ -]hand)? lane|an? (?:\w+ )?lane[ -]change(?: maneuver)? to (?:the |our )?(?P<side2>{_SIDES})|lane[ -]change to (?:the )?(?P<side3>{_SIDES})|has to change to the (?P<side4>{_SIDES}))", ego=True),
-        _rule(Kind.EGO_REVERSES, rf"{_HELP} (?:reversing|backing|in reverse)|in reverse(?: gear)?|{_verbs('reverse')}|{_verbs('back')} (?:up|out|into)|parallel parking(?! (?:vehicle|car|spot|space))|(?:exiting|leaving|pulling out of) (?:a|the|its) (?:\w+ )?parking (?:space|spot|place)", ego=True),
+        _rule(Kind.EGO_CHANGES_LANE, rf"(?:in the process of )?{_BEGINS}(?:(?:{any_form('change', 'merge', 'move', 'shift', 'pull')})(?: lanes?| over| out)*(?: (?:in)?to(?: the| an?)?| from)*(?: adjacent)? ?(?P<side>{_SIDES})(?:most)?(?:[ -]hand)?(?: {_LANE})?|(?:changing|changed|moving|moved|merging|merged) from the (?:left|right|center|middle) lane (?:in)?to the (?P<side5>{_SIDES})(?:[ -]hand)? lane|an? (?:\w+ )?lane[ -]change(?: maneuver)? to (?:the |our )?(?P<side2>{_SIDES})|lane[ -]change to (?:the )?(?P<side3>{_SIDES})|has to change to the (?P<side4>{_SIDES}))", ego=True),
+        _rule(Kind.EGO_REVERSES, rf"{_HELP} (?:reversing|backing|in reverse)|in reverse(?: gear)?|{any_form('reverse')}|{any_form('back')} (?:up|out|into)|parallel parking(?! (?:vehicle|car|spot|space))|(?:exiting|leaving|pulling out of) (?:a|the|its) (?:\w+ )?parking (?:space|spot|place)", ego=True),
         _rule(Kind.TURNING, r"(?:was |were |are |is |while |started |starting )?turning(?! (?:to |off )?(?:the |our |its )?(?:left|right))|(?:started|starting|began) to turn(?! (?:left|right))|(?:make|making) (?:a|its) turn", ego=True),
         _rule(Kind.SLIP_LANE, r"(?:the |a )?slip ?lane", ego=True),
         _rule(Kind.PAST, r"(?:after|having|just) (?:completing|completed|making|made|having made) (?:an? |its |the |our )?(?:\w+ )?(?:left|right) turn"),
@@ -363,15 +355,15 @@ FLANK = re.compile(r"\b(?:doors?|side|quarter panel|wheels?|mirror|flank)\b")
 _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(pattern), meant)
     for pattern, meant in (
-        (r"\b(?:nearside|near side|near-side|passenger(?:'s)?[ -]side)\b", "right side"),
-        (r"\b(?:farside|far-side|offside|driver(?:'s)?[ -]side)\b", "left side"),
+        (r"\bpassenger(?:'s)?[ -]side\b", "right side"),
+        (r"\bdriver(?:'s)?[ -]side\b", "left side"),
         (r"\((left|right)\)", r"\1"),
         (r"(left|right) side (?:left|right)\b", r"\1 side"),
         (r" ?\((?:[^()]*)\)", ""),
         (r"\b((?:(?:a|an|the|another) )?)(lane-splitting|passing|overtaking|double-parked|reversing|merging|tailgating|wrong[ -]way|turning) ((?:box |delivery |semi-?)?(?:car|vehicle|truck|bus|van|taxi|suv|sedan|motorcyclist|motorcycle|cyclist|bicyclist|minivan|trailer|lorry|scooter)(?: truck)?)\b", r"\1\3 \2"),
         (r"\bsemi(?:[ -]?truck|[ -]?trailer(?: truck)?)?\b|\btractor[ -]?trailer\b|\bbig rig(?: truck)?\b", "truck"),
         (r"\ban auto\b", "a car"),
-        (r"\b(?:standing|waiting|parked|stopped) at (?:the|a|its) (?:bus )?stop\b", "parked"),
+        (r"\b(?:standing|waiting|parked|stopped) at (?:the|a|its) (?:bus )?stop\b(?![ -](?:sign|line))", "parked"),
         (r"\b(?:\w+ )?(?:person|man|woman|somebody|someone|juvenile|child|girl|boy|rider|one) (?:on|riding|operating|driving) (?:an? |one of those |his |her )?(?=(?:electric |kick )*(?:e-?)?scooters?\b|(?:e-)?bike|bicycle|motorcycle|motorbike|moped)", ""),
         (r"\b(?:without|with) (?:using |giving |any )?(?:an? |its |the )?(?:left |right |turn |direction )?(?:signal(?:ling|ing)?|indicat\w+)(?: on)?\b|\bturn(?:ing)? (?:signals?|indicators?)(?: on)?\b|\b(?:headlights?|brake lights?|no lights? on|without lights?)\b", ""),
         (r"\b(?:some |a |the )?(?:guy|idiot|somebody|someone|bloke|man|woman|lady|person) (?:in|driving) (?:an? |her |his )(?=(?:\w+ )?(?:car|van|truck|lorry|suv|pickup|taxi|bus)\b)", "a "),

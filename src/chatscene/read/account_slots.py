@@ -111,7 +111,7 @@ def _hidden_by_another(telling: Telling, party: Party, slots: Slots) -> Slots:
     hides = [one for one in standing if _occluder(one)]
     if not hides or slots.occluder is not None or not party.kind.is_vulnerable or Action.CROSS not in slots.actions:
         return slots
-    telling.parties.remove(hides[0])
+    hides[0].aside = True
     if slots.maneuver is Maneuver.BYPASS:
         return slots  # it is what the ego drives around
     return replace(slots, occluder=_occluder(hides[0]), position=Position.ROADSIDE)

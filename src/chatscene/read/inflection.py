@@ -75,6 +75,16 @@ def conjugated(phrase: str, form: Form) -> str:
     return _MARKED.sub(lambda m: inflected(m[1], form), phrase)
 
 
+def any_form(*verbs: str) -> str:
+    """A pattern of verbs in every person and tense, the longest form first."""
+    forms = {inflected(verb, form) for verb in verbs for form in (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)}
+    forms |= {form for verb in verbs for form in (verb, *_FURTHER.get(verb, ()))}
+    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
+
+
+_FURTHER = {"be": ("are", "were"), "do": ("does", "did", "doesn't"), "have": ("has", "had")}
+
+
 @lru_cache(maxsize=4096)
 def with_article(noun: str) -> str:
     """A noun phrase after *a* or *an*."""

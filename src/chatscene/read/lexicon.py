@@ -187,6 +187,9 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\bw/"), "with "),
     (re.compile(r"\bveh\b\.?"), "vehicle"),
     (re.compile(r"\b(?:lhs|l/h side|nearside left)\b"), "left side"),
+    # Traffic keeps right on our maps
+    (re.compile(r"\b(?:nearside|near-side)\b(?! (?:lane|of))"), "right side"),
+    (re.compile(r"\b(?:farside|far-side|offside)\b(?! (?:lane|of))"), "left side"),
     (re.compile(r"\b(?:rhs|r/h side)\b"), "right side"),
     (
         re.compile(

@@ -22,26 +22,18 @@ _MAKER = re.compile(
     rf"\b(?:An?|The|Our|[Ss]topped|a|the|our)(?: [a-z]+)? (?P<name>(?!Autonom|Automat|Driverless|Test)[A-Z][a-z]\w*(?: (?!Autonomous|Automat|AV)[A-Z]\w+)?)(?: {_AUTOMATED})?"
     r" (?:AV|[Vv]ehicle|test vehicle|car|shuttle|(?:truck|van|bus|taxi)(?= (?:\([^)]*\) )?(?:in|under|operating)))\b"
 )
-_CALLED = re.compile(r""" ?\((?:["\u201c\u201d'\u2018\u2019]?[^()]{1,40}["\u201c\u201d'\u2018\u2019]?)\)""")
-_BY_NUMBER = re.compile(r"\((?P<who>(?:vehicle|car|unit) ?\d)\)", re.IGNORECASE)
-
-_OWN_LEADS = frozenset(
-    (
-        "a",
-        "an",
-        "the",
-        "our",
-        "this",
-        "one",
-        "test",
-        "robotaxi",
-        "case",
-        "autonomous",
-        "automated",
-        "self-driving",
-        "driverless",
-    )
+_BRACKETS = re.compile(r" ?\([^()]{1,60}\)")
+_ALIAS = re.compile(r"[\"\u201c\u201d'\u2018\u2019]|(?:[Vv]ehicle|[Cc]ar|[Uu]nit) ?\d")
+_REPORTS = re.compile(
+    rf"\b(?:{_AUTOMATED}|AV|ADS|[Aa]utonomy|[Tt]est[ -](?:vehicle|car)|(?:manual|conventional|autonomous|automated)(?: driving)? mode)\b"
 )
+"""What the operators of automated vehicles speak of; others may own a make as well."""
+_SPEAKER = re.compile(r"\b(?:[Ww]e|I)\b")
+
+_OWN_LEADS = (
+    "a", "an", "the", "our", "this", "one", "test", "robotaxi", "case", "autonomous", "automated", "self-driving",
+    "driverless",
+)  # fmt: skip
 _SHUTTLE = re.compile(r"\b([Tt])he shuttle\b")
 _OWN_DRIVER = re.compile(
     r"\b([Tt])he ego (?:operator|driver|safety driver|test driver|test operator|test specialist)s?\b"
@@ -50,38 +42,40 @@ _OWN_DRIVER = re.compile(
 # Others, by their place in a report
 
 _PARTY = re.compile(
-    r"\b(?:(?:vehicle|unit|car) ?(?:#|no\.? ?)?1|v-?1|(?:veh|vehicle|unit) a|TP|clmt|claimant)\b", re.IGNORECASE
+    r"\b(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar|VEHICLE|UNIT) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1|(?:[Vv]eh(?:icle)?|[Uu]nit) A|TP|[Cc]lmt|[Cc]laimant)\b"
 )
 _FIRST = re.compile(r"\b(?:[Tt]he )?(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1)\b")
 _THEIRS = re.compile(
     r"\b(?:TP|[Cc]laimant)(?:'s)? (?=(?:[\w-]+ )?(?:coach|bus|truck|van|lorry|trailer|semi-trailer|car|motorcycle)\b)"
 )
 _SECOND = re.compile(
-    r"\b(?:[Tt]he )?(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?|number )?2|[Vv]-?2|[Vv]eh(?:icle)? B|[Uu]nit B|TP(?: [Vv]ehicle)?(?!'s)|[Cc]laimant|[Cc]lmt|TP [Vv]ehicle)\b(?: ?\((?:an? )?(?P<kind>[\w -]+)\)|, an? (?P<kind2>[\w-]+))?"
+    r"\b(?:[Tt]he )?(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?|number )?2|[Vv]-?2|[Vv]eh(?:icle)? B|[Uu]nit B|TP(?: [Vv]ehicle)?(?!'s)|[Cc]laimant|[Cc]lmt)\b(?: ?\((?:an? )?(?P<kind>[\w -]+)\)|, an? (?P<kind2>[\w-]+))?"
 )
 
-# Makes of cars as far as reports name them
-
-_MAKES = (
-    r"Acura|Alfa Romeo|Audi|BMW|Buick|Cadillac|Chevrolet|Chevy|Chrysler|Citroen|Dodge|Fiat|Ford|Genesis|GMC|Honda|Hyundai"
-    r"|Infiniti|Jaguar|Jeep|Kia|Land Rover|Lexus|Lincoln|Mazda|Mercedes(?:[- ]Benz)?|Mini Cooper|Mitsubishi|Nissan|Opel"
-    r"|Peugeot|Pontiac|Porsche|Prius|Range Rover|Renault|Saab|Saturn|Scion|Seat|Skoda|Subaru|Suzuki|Tesla|Toyota|Vauxhall"
-    r"|Volkswagen|Volvo|VW"
-)
-_BODY = r"(?:[Ss]edan|[Cc]oupe|[Hh]atchback|SUV|suv|[Mm]inivan|[Pp]ickup(?: truck)?|van|car|vehicle|hybrid|convertible|truck|bus|motorcycle)"
-_COLOURS = r"(?:black|white|red|blue|green|gr[ae]y|silver|yellow|orange|brown|gold|dark|light|older|newer|nearby)"
-_MAKE = re.compile(
-    rf"(?:\b(?P<article>[Aa]n?|[Tt]he|[Aa]nother) )?(?:(?:\d{{4}}|{_COLOURS}) )*(?:Model \w+ )?\b(?:{_MAKES})"
-    rf"(?: (?!AV\b|Street|Ave)(?:[A-Z][\w-]*|\d[\w-]*)){{0,3}}(?: (?P<body>{_BODY}))?(?![\w-])"
-)
-
-# What no scene shows
+# Streets
 
 _WORD = r"(?:[A-Z][\w&'.-]+|\d+(?:st|nd|rd|th)|\[X+\]|[A-Z]\.)"
 _STREET = (
     r"(?:[Ss]treets?|St|[Aa]venues?|Aves?|[Bb]oulevards?|Blvd|[Rr]oad|Rd|[Dd]rive|Dr|[Ll]ane|Ln|[Ww]ay|[Pp]lace|Pl|[Cc]ourt|Ct|"
     r"[Pp]arkway|Pkwy|[Tt]errace|Circle|Alley|Plaza|Square)\b\.?"
 )
+# Makes of cars as far as reports name them
+
+_MAKES = (
+    r"Acura|Alfa Romeo|Audi|BMW|Buick|Cadillac|Chevrolet|Chevy|Chrysler|Citroen|Dodge|Fiat|Ford|GMC|Honda|Hyundai"
+    r"|Infiniti|Jaguar|Jeep|Kia|Land Rover|Lexus|Lincoln|Mazda|Mercedes(?:[- ]Benz)?|Mini Cooper|Mitsubishi|Nissan|Opel"
+    r"|Peugeot|Pontiac|Porsche|Prius|Range Rover|Renault|Saab|Scion|Skoda|Subaru|Suzuki|Tesla|Toyota|Vauxhall"
+    r"|Volkswagen|Volvo|VW"
+)
+_BODY = r"(?:[Ss]edan|[Cc]oupe|[Hh]atchback|SUV|suv|[Mm]inivan|[Pp]ickup(?: truck)?|van|car|vehicle|hybrid|convertible|truck|bus|motorcycle)"
+_COLOURS = r"(?:black|white|red|blue|green|gr[ae]y|silver|yellow|orange|brown|gold|dark|light|older|newer|nearby)"
+_MAKE = re.compile(
+    rf"(?:\b(?P<article>[Aa]n?|[Tt]he|[Aa]nother) )?(?:(?:\d{{4}}|{_COLOURS}) )*(?:Model \w+ )?\b(?:{_MAKES})(?! {_STREET})"
+    rf"(?: (?!AV\b|{_STREET})(?:[A-Z][\w-]*|\d[\w-]*)){{0,3}}(?: (?P<body>{_BODY}))?(?![\w-])"
+)
+
+# What no scene shows
+
 _NAMES = rf"{_WORD}(?: (?:(?:and|&|de|of) )?{_WORD})*(?: {_STREET})?"
 _NAMES_OF_STREET = rf"(?:{_WORD} )*(?:{_WORD} {_STREET}|\d+(?:st|nd|rd|th)(?: {_STREET})?|\[X+\])"
 _COMPASS = r"(?:[Nn]orth|[Ss]outh|[Ee]ast|[Ww]est)(?:[ -]?(?:[Ee]ast|[Ww]est))?[ -]?[Bb]ound"
@@ -157,31 +151,43 @@ def plainly_named(text: str) -> Named:
         The same text where it has nothing of the kind.
     """
     dropped: list[str] = []
-    named = _ego_named(text)
-    if named == text and not _PARTY.search(text):
+    maker = _maker_in(text)
+    if not (maker or _EGO.search(text) or _PARTY.search(text)):
         return Named(text=_MAKE.sub(_car, text))
-    named = _SECOND.sub(_second, _THEIRS.sub("the other ", named))
-    named = _MOTORWAY.sub("the motorway", _FIRST.sub(_first, named))
-    text = _MAKE.sub(_car, named)
+    text = _SECOND.sub(_second, _THEIRS.sub("the other ", text))
+    text = _BRACKETS.sub(lambda m: _without_brackets(m, dropped), text)
+    text = _FIRST.sub(_first, _ego_named(text, maker))
+    text = _MAKE.sub(_car, _MOTORWAY.sub("the motorway", text))
     sentences = [_told(sentence, dropped) for sentence in _SENTENCE_END.split(text)]
     told = ". ".join(sentence for sentence in sentences if sentence)
     return Named(text=told or text, dropped=tuple(dropped))
 
 
-def _ego_named(text: str) -> str:
-    """A text with "the ego" for what its makers, the police or an insurer call it; the same if none of them speaks."""
+def _maker_in(text: str) -> str:
+    """Whose the ego is, where an operator of automated vehicles reports; empty if nobody does."""
     maker = _MAKER.search(text)
-    if maker is not None and re.fullmatch(_MAKES, maker["name"]):
-        maker = None  # anybody's car
-    if maker is None and not _EGO.search(text):
-        return text
-    text = _CALLED.sub("", _BY_NUMBER.sub("", text))
-    if maker is not None:
-        text = re.sub(_of_maker(maker["name"]), _by_maker, text)
+    if maker is None or re.match(rf"(?:{_MAKES})\b", maker["name"]):
+        return ""  # anybody's car
+    return maker["name"] if _REPORTS.search(text) and not _SPEAKER.search(text) else ""
+
+
+def _ego_named(text: str, maker: str) -> str:
+    """A text with "the ego" for what its maker, the police or an insurer call it."""
+    shuttle = False
+    if maker:
+        shuttle = re.search(rf"\b{re.escape(maker)} shuttle\b", text) is not None
+        text = re.sub(_of_maker(maker), _by_maker, text)
     text = _EGO.sub(lambda m: _begun(m[0], _ego(m)), text)
-    if maker is not None and "shuttle" in maker[0]:
+    if shuttle:
         text = _SHUTTLE.sub(r"\1he ego", text)
     return _OWN_DRIVER.sub(r"\1he driver of the ego", text)
+
+
+def _without_brackets(match: re.Match[str], dropped: list[str]) -> str:
+    """Nothing in place of an aside; another name for somebody is no loss."""
+    if not _ALIAS.search(match[0]):
+        dropped.append(match[0].strip(" ()"))
+    return ""
 
 
 def _of_maker(name: str) -> str:

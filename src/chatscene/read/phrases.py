@@ -14,7 +14,7 @@ from enum import StrEnum
 from functools import lru_cache
 
 from chatscene.read import lexicon
-from chatscene.read.inflection import Form, inflected, listed
+from chatscene.read.inflection import any_form, listed
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Site
@@ -105,18 +105,6 @@ _TRAITS: tuple[tuple[Sort, object, str], ...] = (
 )  # fmt: skip
 
 _MARKED = re.compile(r"\[([a-z]+)\]")
-_FORMS = (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)
-
-
-def _verb(verb: str) -> str:
-    forms = {inflected(verb, form) for form in _FORMS} | {verb}
-    if verb == "be":
-        forms |= {"are", "were"}
-    elif verb == "do":
-        forms |= {"does", "did", "doesn't"}
-    elif verb == "have":
-        forms |= {"has", "had"}
-    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
 
 
 def _compiled(text: str) -> re.Pattern[str]:
@@ -128,7 +116,7 @@ def pattern_of(phrase: str) -> re.Pattern[str]:
     text = _MARKED.sub(lambda m: f"\0{m[1]}\0", phrase.lower())
     for brace, meant in _BRACES.items():
         text = text.replace(brace, meant)
-    text = re.sub(r"\0([a-z]+)\0", lambda m: _verb(m[1]), text)
+    text = re.sub(r"\0([a-z]+)\0", lambda m: any_form(m[1]), text)
     return _compiled(text + r"(?! (?:the|our|a)\b)" if text.endswith(" along") else text)  # that has a place of its own
 
 
@@ -274,7 +262,7 @@ _EGO_CHANGE = (
 
 
 def _marked(pattern: str) -> re.Pattern[str]:
-    return _compiled(_MARKED.sub(lambda m: _verb(m[1]), pattern))
+    return _compiled(_MARKED.sub(lambda m: any_form(m[1]), pattern))
 
 
 def _of_ego() -> Iterator[Phrase]:

@@ -19,7 +19,7 @@ NAMED_NEXT = -1
 """In place of a party's number: of whoever is named next."""
 
 
-@dataclass
+@dataclass(eq=False)
 class Party:
     """A road user as far as it was made out.
 
