@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter, defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -208,18 +208,26 @@ def drive(
         seen.failures.append(f"{asked.snippet_id}: {str(error).rpartition(': ')[2]}")
         return
     seen.climbed += 1
+    for ego in egos:
+        for failures in missing(program, slots_of(asked), simulator, ego, scenes, seed):
+            seen.scenes += 1
+            seen.shown += not failures
+            seen.missed.update(f"{failure} ({asked.snippet_id})" for failure in failures)
+
+
+def missing(
+    program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, scenes: int, seed: int
+) -> Iterator[tuple[str, ...]]:
+    """What each drawn scene that an ego drives does not show of what must be."""
     route = simulator.route(program, 0)
-    for ego, number in itertools.product(egos, range(scenes)):
+    for number in range(scenes):
         name = f"{program.scenario_id}/{number}"
         own = scene_seed(seed, name)
         values = draw(program.parameters, seed=own)
         scene = Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=own, values=values)
         episode = simulate(simulator, program, scene, ego)
         if isinstance(episode, Episode):
-            seen.scenes += 1
-            failures = check_meaning(slots_of(asked), episode, route)
-            seen.shown += not failures
-            seen.missed.update(f"{failure} ({asked.snippet_id})" for failure in failures)
+            yield check_meaning(slots, episode, route)
 
 
 @click.command()

@@ -12,7 +12,6 @@ set are served rightly and wrongly at some thresholds, how well right is told fr
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from pathlib import Path
 
 import click
 import numpy as np
-from pydantic import TypeAdapter
+from labelled import auc, labelled
 
 from chatscene.errors import ChatSceneError
 from chatscene.grow.curation import FITTING, kept_back
@@ -35,9 +34,8 @@ from chatscene.studies.facts import differing
 from chatscene.studies.reading import load_sentences
 from chatscene.terms.scenario import Slots
 
-TEXTS = Path(__file__).parent / "texts"
 FOLDS, RIDGE, BINS = 8, 1.0, 5
-THRESHOLDS = (0.4, 0.5, 0.6, 0.7)
+THRESHOLDS = (0.5, 0.6, 0.7)
 
 
 @dataclass(frozen=True)
@@ -54,18 +52,11 @@ class Row:
     guess_right: bool = False
 
 
-def labelled(narratives: Path | None) -> Iterator[tuple[str, str, str, bool, Slots]]:
+def known(narratives: Path | None) -> Iterator[tuple[str, str, str, bool, Slots]]:
     """Group, style, text, whether it is in scope, and its facts."""
-    slots = TypeAdapter(Slots)
-    texts = {}
-    if narratives:
-        texts = {row["id"]: row["text"] for row in map(json.loads, narratives.read_text().splitlines())}
     for name in ("first", "second", "narratives"):
-        for line in (TEXTS / f"{name}.jsonl").read_text().splitlines():
-            row = json.loads(line)
-            if text := row.get("text") or texts.get(row["id"]):
-                facts = slots.validate_python(row.get("slots") or {})
-                yield name, row.get("style", name), text, row["in_scope"], facts
+        for one in labelled(name, narratives):
+            yield name, *one
     packaged = {name: load_sentences(name) for name in ("held-out", "out-of-scope")}
     packaged["kept back"] = tuple(one for one in load_sentences(FITTING) if kept_back(one))
     for name, sentences in packaged.items():
@@ -127,15 +118,10 @@ def cross_validated(x: np.ndarray, y: np.ndarray, styles: list[tuple[str, str]])
     return p
 
 
-def auc(p: np.ndarray, y: np.ndarray) -> float:
-    right, wrong = p[y > 0], p[y == 0]
-    return float(np.mean((right[:, None] > wrong) + 0.5 * (right[:, None] == wrong)))
-
-
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 def main(narratives: Path | None) -> None:
-    rows = [row_of(*one) for one in labelled(narratives)]
+    rows = [row_of(*one) for one in known(narratives)]
     sure: dict[int, tuple[float, bool]] = {}
     weights = {}
     for what, names in (("guess", CONFIDENCE), ("account", ACCOUNT)):
@@ -153,7 +139,7 @@ def main(narratives: Path | None) -> None:
     error = sum(
         abs(p[bins == b].mean() - y[bins == b].mean()) * np.mean(bins == b) for b in range(BINS) if any(bins == b)
     )
-    print(f"cross-validated: AUC {auc(p, y):.2f}, calibration error {error:.3f}")
+    print(f"cross-validated: AUC {auc(list(sure.values())):.2f}, calibration error {error:.3f}")
     for threshold in THRESHOLDS:
         told = []
         for group in dict.fromkeys(row.group for row in rows):

@@ -10,55 +10,40 @@ how well the confidence tells right from wrong among the served.
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
-import numpy as np
-from pydantic import TypeAdapter
+from labelled import auc, labelled
 
 from chatscene.errors import NothingFits
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.studies.facts import differing
-from chatscene.terms.scenario import Slots
-
-TEXTS = Path(__file__).parent / "texts"
 
 
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 def main(narratives: Path | None) -> None:
-    texts = {}
-    if narratives:
-        texts = {row["id"]: row["text"] for row in map(json.loads, narratives.read_text().splitlines())}
-    slots, generator, settings = TypeAdapter(Slots), Retrieved(), RetrievalSettings()
+    generator, settings = Retrieved(), RetrievalSettings()
     for name in ("kept", "narratives-kept"):
         counts = dict.fromkeys(("right", "wrong", "refused", "out of scope", "of them refused"), 0)
         sure: list[tuple[float, bool]] = []
-        for row in map(json.loads, (TEXTS / f"{name}.jsonl").read_text().splitlines()):
-            if not (text := row.get("text") or texts.get(row["id"])):
-                continue
+        for _, text, in_scope, said in labelled(name, narratives):
             scenario = generator.read(text, settings)
             try:
                 confidence = generator.write(scenario, settings).retrieval.confidence
             except NothingFits:
                 confidence = None
-            if not row["in_scope"]:
+            if not in_scope:
                 counts["out of scope"] += 1
                 counts["of them refused"] += confidence is None
             elif confidence is None:
                 counts["refused"] += 1
             else:
-                right = not differing(slots.validate_python(row["slots"]), scenario.slots)
+                right = not differing(said, scenario.slots)
                 counts["right" if right else "wrong"] += 1
                 sure.append((confidence, right))
         print(name, counts, f"AUC {auc(sure):.2f}" if {r for _, r in sure} == {True, False} else "")
-
-
-def auc(sure: list[tuple[float, bool]]) -> float:
-    right, wrong = (np.array([p for p, r in sure if r is which]) for which in (True, False))
-    return float(np.mean((right[:, None] > wrong) + 0.5 * (right[:, None] == wrong)))
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from fnmatch import fnmatch
 
 import click
 import numpy as np
+from composed import missing
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError
@@ -24,14 +25,11 @@ from chatscene.library.compatibility import compatibility
 from chatscene.library.load import library_with
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
-from chatscene.program.meaning import check_meaning
-from chatscene.program.sample import draw, scene_seed
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Maneuver, Place, Position, Scenario, Slots, SubDescriptions
-from chatscene.terms.scene import Scene, ScenicProgram
+from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
@@ -86,18 +84,10 @@ def program_of(triple: Triple) -> tuple[ScenicProgram, Slots]:
 
 def fared(program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, scenes: int, seed: int) -> Fared:
     """Drive scenes of a program and look at what they show."""
-    route = simulator.route(program, 0)
     ran, shown, missed = 0, 0, Counter[str]()
-    for number in range(scenes):
-        name = f"{program.scenario_id}/{number}"
-        own = scene_seed(seed, name)
-        values = draw(program.parameters, seed=own)
-        scene = Scene(id=name, scenario_id=program.scenario_id, route=0, block=0, seed=own, values=values)
-        episode = simulate(simulator, program, scene, ego)
-        if isinstance(episode, Episode):
-            failures = check_meaning(slots, episode, route)
-            ran, shown = ran + 1, shown + (not failures)
-            missed.update(failures)
+    for failures in missing(program, slots, simulator, ego, scenes, seed):
+        ran, shown = ran + 1, shown + (not failures)
+        missed.update(failures)
     return Fared(ran, shown, missed)
 
 

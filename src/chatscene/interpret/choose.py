@@ -139,9 +139,8 @@ def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -
         raise _none_for(found, f"no place where both can start ({who})")
     first = pairs[0][1]
     in_way = said.position is Position.AHEAD and all(action.row.stands for action in said.actions)
-    told = set(composed.provides) - {
-        "AdvBehavior"
-    }  # a place that asks for what only this behavior tells is made for it
+    # A place that asks for what only this behavior tells is made for it.
+    told = set(composed.provides) - {"AdvBehavior"}
     behind = said.position is slots.position or in_way  # the other is the farther one
     place = min(
         (place for place, geometry in pairs if geometry is first),

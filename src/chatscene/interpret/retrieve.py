@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.trust import FEW
 from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
@@ -53,14 +54,13 @@ UNASKED_SURELY = 0.02  # … where every phrase of the text has its place, so th
 UNASKED_VALUE = 0.8  # … and of a value nobody asked for, such as a side
 UNLIKELY = 1e-3  # least likelihood of a fact, so that one surprise does not decide everything
 CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its program would not mean what was said
-# Log-odds that a sentence can be served, beside those of its scope: fitted by likelihood on sentences that the
-# classifier had not seen, those that can be and those that cannot weighing the same (benchmarks/confidence.py).
+# Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
+# by several people, each of whom weighs the same (benchmarks/confidence.py).
 CONFIDENCE = {
     "base": -5.04, "scope": 0.39, "beyond": 0.58, "outright": 0.45, "wording": 2.05, "meant": 0.67,
     "same acts": 1.29, "same kind": 0.80, "same place": 0.11, "no account": 0.62, "touched": -2.30,
     "unused": -1.00, "words": -0.14,
 }  # fmt: skip
-FEW = 5  # words of which a share says little
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
 UNSAID = 0.5  # agreement of a fact that the snippet leaves open, or does less exactly than it was said …
@@ -556,7 +556,7 @@ def guessed(slots: Slots, frame: Frame) -> list[str]:
 def _confidence(
     scenario: Scenario, frame: Frame, triple: tuple[Match, ...], library: Library, embedder: Embedder
 ) -> float:
-    """The probability that the library can serve a sentence, less for every fact that the triple contradicts.
+    """The probability that every fact of a sentence was read rightly, less for every fact that the triple contradicts.
 
     Nothing is left of it by another language, by weather and by light.
     """

@@ -21,6 +21,7 @@ ACCOUNT = {
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 BELIEVED = 0.5  # an account more likely right than this stands
+FEW = 5  # words of which a share says little
 _FAINT = 1e-3
 
 
@@ -38,7 +39,7 @@ def speaks_for_account(frame: Frame, account: Account, guessed: Slots) -> dict[s
     return {
         "base": 1.0,
         "unread": math.log1p(len(account.unread)),
-        "share": len(account.unread) / max(words, 5),
+        "share": len(account.unread) / max(words, FEW),
         "words": math.log(max(words, 1)),
         "same acts": float(does == did),
         "some acts": float(bool(does & did) and does != did),

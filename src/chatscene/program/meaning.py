@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING
-from chatscene.program.watching import Seen, in_frame, moved_over, watch
+from chatscene.program.watching import Seen, headings, in_frame, moved_over, watch
 from chatscene.terms.actors import Manner, manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import OTHER, Array, Episode, Role, Track
@@ -112,8 +112,7 @@ def maneuver_of(route: Route) -> Maneuver:
     """What a route does, from its shape; at ramps and roundabouts what it was found for, which no shape tells."""
     if route.site in TOLD_BY_SITE:
         return route.maneuver
-    step = np.diff(route.line.points, axis=0)
-    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    heading = headings(route.line)
     turned = float(heading[-1] - heading[0])
     if route.junction is not None and abs(turned) > math.radians(45):
         return Maneuver.LEFT_TURN if turned > 0 else Maneuver.RIGHT_TURN
@@ -141,8 +140,7 @@ def _route_failures(slots: Slots, route: Route) -> list[str]:
 
 def _is_place(said: Place, route: Route) -> bool:
     if route.place is Place.CURVE and said in (Place.LEFT_CURVE, Place.RIGHT_CURVE):
-        step = np.diff(route.line.points, axis=0)
-        heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+        heading = headings(route.line)
         return (said is Place.LEFT_CURVE) == (heading[-1] > heading[0])
     return includes(said, route.place)
 

@@ -13,7 +13,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 
 MOST = 0.9  # of the turn at a junction: after it, a road user is seen to be in the street that is turned into
-TURNS = math.radians(30)
+IS_TURN = math.radians(30)
 CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is before it
 
 
@@ -89,11 +89,16 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
     )
 
 
+def headings(line: Polyline) -> Array:
+    """(N - 1,) [rad], where each piece of a line leads, without jumps."""
+    step = np.diff(line.points, axis=0)
+    return np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+
+
 def moved_over(line: Polyline) -> Array:
     """(N - 1,) [m], how far a line is to the left of one that bends evenly from its first to its last direction."""
-    step = np.diff(line.points, axis=0)
-    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
-    along = np.hypot(step[:, 0], step[:, 1])
+    heading = headings(line)
+    along = np.hypot(*np.diff(line.points, axis=0).T)
     even = heading[0] + (heading[-1] - heading[0]) * np.cumsum(along) / along.sum()
     return np.cumsum(np.sin(heading - even) * along)
 
@@ -110,10 +115,9 @@ def _turned_at(route: Route) -> float:
     """Arc length [m] at which a route has done most of its turn at a junction."""
     if route.junction is None:
         return route.event_at
-    step = np.diff(route.line.points, axis=0)
-    heading = np.unwrap(np.arctan2(step[:, 1], step[:, 0]))
+    heading = headings(route.line)
     turned = np.abs(heading - heading[0])
-    done = int(np.argmax(turned > MOST * turned.max())) if turned.max() > TURNS else 0
+    done = int(np.argmax(turned > MOST * turned.max())) if turned.max() > IS_TURN else 0
     return max(route.event_at + CROSSED, float(done) * route.length / len(heading))
 
 

@@ -27,6 +27,7 @@ from chatscene.read.account_rules import (
     rules,
 )
 from chatscene.read.account_slots import account_of
+from chatscene.read.parse import SEVERAL
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, traits_in
 from chatscene.read.quantities import quantity_at
 from chatscene.read.telling import NAMED_NEXT, Contact, Party, Telling
@@ -35,7 +36,6 @@ from chatscene.terms.acts import Action
 from chatscene.terms.frame import Account
 from chatscene.terms.scenario import Maneuver, Slots
 
-_SEVERAL = ("two", "three", "several", "a group of", "a pack of")
 _NEW = ("another", "a second", "a third", "a", "an", "one", "some", "two", "three", "several")
 _DENIABLE_RULES = frozenset(
     (
@@ -261,7 +261,7 @@ def _describe(party: Party, match: re.Match[str]) -> None:
             party.where.add(value)
         elif sort is Sort.ACT and isinstance(value, Action):
             party.does(value)
-    if match["article"] in _SEVERAL:
+    if match["article"] in SEVERAL:
         party.group = True
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from chatscene.read.account_rules import FLANK, REAR
+from chatscene.read.parse import IN_THE_WAY
 from chatscene.read.phrases import Where
 from chatscene.read.telling import Contact, Party
 from chatscene.terms.actors import Manner
@@ -235,7 +236,7 @@ def _stopping(acts: list[Action], _party: Party, _position: Position | None) -> 
 
 def _one_for_two(acts: list[Action], _party: Party, _position: Position | None) -> list[Action]:
     """One act where another is a part of it: who brakes is in the way by that."""
-    if {Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN} & set(acts):
+    if IN_THE_WAY & set(acts):
         acts = _without(acts, Action.BLOCK)
     if Action.CUT_IN in acts:
         acts = _without(acts, Action.CHANGE_LANE, Action.SWERVE)

@@ -38,11 +38,12 @@ _LEAD_ASIDE = _TO_A_SIDE | {
     Action.TURN_BACK,
 }  # behind these, "in front of us" says where they lead
 # Who does one of these is in the way by it.
-_IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
+IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
 _QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK, Action.NARROW))
 _OF_LANE = frozenset((Action.BLOCK, Action.NARROW))  # who stands so stands in the ego's lane
 _OF_MOTORWAYS = (Site.ON_RAMP, Site.OFF_RAMP, Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP)
 MOST_ACTORS = 2
+SEVERAL = ("two", "three", "several", "a group of", "a pack of")  # before several of a kind
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -161,7 +162,7 @@ def _name(told: _Told, match: re.Match[str]) -> None:
     else:
         raise _UnreadError(match[0])
     one = told.actors[told.subject]
-    if article in ("two", "three", "several", "a group of", "a pack of") or (kind.lies and is_plural(match, kind)):
+    if article in SEVERAL or (kind.lies and is_plural(match, kind)):
         one.group = True
     for sort, value in traits_in(match):
         if sort is Sort.WHERE and isinstance(value, Where):
@@ -396,7 +397,7 @@ def _acts_of(one: _Actor, position: Position | None) -> tuple[Action, ...]:
         acts.remove(Action.STAND)
     if Action.STOP in acts and Action.FOLLOW in acts[acts.index(Action.STOP) :]:
         acts[acts.index(Action.FOLLOW)] = Action.HESITATE  # it goes on again
-    if Action.BLOCK in acts and _IN_THE_WAY.intersection(acts):
+    if Action.BLOCK in acts and IN_THE_WAY.intersection(acts):
         acts.remove(Action.BLOCK)
     if position is Position.ONCOMING and acts == [Action.FOLLOW]:
         return (Action.ONCOMING,)
