@@ -27,9 +27,10 @@ import numpy as np
 
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import ChatSceneError
+from chatscene.library.act_steps import AT_JUNCTION, STARTS
 from chatscene.library.bind import narrowed
 from chatscene.library.compatibility import compatibility
-from chatscene.library.compose import AT_JUNCTION, STARTS, Asked, compose
+from chatscene.library.compose import Asked, compose
 from chatscene.library.load import library_with
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble

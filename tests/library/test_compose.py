@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SnippetError
-from chatscene.library.compose import STARTS, Asked, compose, composed_again, goes_without_saying
+from chatscene.library.act_steps import STARTS
+from chatscene.library.compose import Asked, compose, composed_again, goes_without_saying
 from chatscene.library.load import library_with
 from chatscene.library.plan import parse_plan, print_plan
 from chatscene.library.plan_check import check_plan

@@ -20,7 +20,8 @@ from places import ROOT
 
 SOURCE = ROOT / "src" / "chatscene"
 ELSEWHERE = {
-    "library/compose.py": "how each is done, and which is a part of which",
+    "library/act_steps.py": "how each is done",
+    "library/compose.py": "which is a part of which, and which go together",
     "program/deeds.py": "a test on tracks for each",
     "library/plan_check.py": "acts that a plan shows before it is driven",
     "read/parse.py": "which say where somebody starts, or where they lead",
