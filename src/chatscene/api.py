@@ -70,8 +70,7 @@ class Run:
         )
         self._workspace = runs.open_run(self.folder, runs.RunRecord)
         self._record = runs.read_record(self._workspace)
-        if self._record.status is not runs.Status.DONE:
-            raise RunError(f"{folder} is {self._record.status}, not done; finish it with: chatscene resume {folder}")
+        runs.require_done(self._workspace, self._record)
 
     @property
     def summary(self) -> Summary:

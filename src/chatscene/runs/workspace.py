@@ -234,6 +234,21 @@ def _require(run: Workspace, record: Record, of: type[Record]) -> None:
         raise RunError(f"{run.path} holds {record.kind.in_words()}, and this takes the folder of {wanted.in_words()}")
 
 
+def require_done(run: Workspace, record: Record) -> None:
+    """Hold a run to its end, for whoever needs its scenes.
+
+    Raises:
+        RunError: It is not done; a run that was refused never will be.
+    """
+    if record.status is Status.REFUSED:
+        raise RunError(
+            f"{run.path} was refused and has no scenes: {record.reason}; say it in other words, or take one of the "
+            "readings that chatscene explain names, and run it again"
+        )
+    if record.status is not Status.DONE:
+        raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+
+
 def note(run: Workspace, *drawn: Path) -> None:
     """Keep the digests of files that were drawn from a finished run; of an unfinished one, none are kept."""
     if files := read_record(run, Record).files:

@@ -112,8 +112,7 @@ def evaluate(
     follow(repeated, simulators_of=() if simulator else found, joining_of=found)
     records = [runs.read_record(run) for run in found]
     for run, record in zip(found, records, strict=True):
-        if record.status is not runs.Status.DONE:
-            raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        runs.require_done(run, record)
         if _where(record, simulator, physics) != _where(records[0], simulator, physics):
             raise RunError(
                 f"{run.path} and {found[0].path} differ in map, step, simulator or physics; evaluate them one by one"

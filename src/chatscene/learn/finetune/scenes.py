@@ -98,8 +98,7 @@ def kept_scenes(sources: Sequence[Path], *, simulator: str = "", physics: str = 
     simulation = _simulation(first, simulator, physics)
     scenes: list[KeptScene] = []
     for run, record in zip(found, records, strict=True):
-        if record.status is not runs.Status.DONE:
-            raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        runs.require_done(run, record)
         settings = runs.settings_of(record)
         where = (record.map_name, record.map_digest, _simulation(record, simulator, physics))
         if where != (first.map_name, first.map_digest, simulation):
