@@ -29,6 +29,7 @@ def simulator() -> Simulator:
         ("A cyclist from the right stops in front of us, then turns back.", "bicycle.roadside.stop.turn-back"),
         ("A motorcycle from behind overtakes us and brakes.", "motorcycle.behind.overtake.brake"),
         ("A truck ahead weaves, then reverses.", "truck.ahead.weave.reverse"),
+        ("We are stopped and the car ahead of us reverses.", "car.ahead-of-standing-ego.reverse"),
     ],
 )
 def test_what_words_say_and_no_snippet_does_is_composed_and_shown(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -14,8 +16,8 @@ from chatscene.library.plan import parse_plan, print_plan
 from chatscene.library.plan_check import check_plan
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.plan import Plan
-from chatscene.terms.scenario import Position
+from chatscene.terms.plan import Plan, waits_for_ego
+from chatscene.terms.scenario import Position, Side
 
 
 def asked_of(said: str) -> Asked:
@@ -33,12 +35,14 @@ def plan(said: str) -> Plan:
     kind=st.sampled_from(AdversaryKind),
     position=st.sampled_from(sorted(STARTS)),
     actions=st.lists(st.sampled_from(Action), min_size=1, max_size=4, unique=True),
+    junction=st.booleans(),
+    held=st.booleans(),
 )
 @settings(max_examples=300, deadline=None)
 def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
-    kind: AdversaryKind, position: Position, actions: list[Action]
+    kind: AdversaryKind, position: Position, actions: list[Action], junction: bool, held: bool
 ) -> None:
-    asked = Asked(kind=kind, position=position, actions=tuple(actions))
+    asked = Asked(kind=kind, position=position, actions=tuple(actions), junction=junction, ego_stands=held)
     made = compose(asked)
     if made is None:
         with pytest.raises(SnippetError, match="no step of a plan does that"):
@@ -50,6 +54,7 @@ def test_what_is_composed_is_a_plan_without_faults_and_follows_from_its_id(
     assert not list(check_plan(parsed, made.parameters))
     assert {p.name: (p.low, p.high) for p in made.parameters} == {p.name: (p.low, p.high) for p in parsed.parameters}
     assert (made.slots.actions, made.slots.position, made.adversaries) == (asked.actions, position, (kind,))
+    assert not (held and waits_for_ego(parsed))
 
 
 @pytest.mark.parametrize(
@@ -101,6 +106,36 @@ def test_acts_are_done_one_after_the_other(said: str, primitives: list[str]) -> 
 )
 def test_what_has_no_steps_or_not_in_that_order_is_not_composed(said: str) -> None:
     assert compose(asked_of(said)) is None
+
+
+@pytest.mark.parametrize(
+    ("said", "primitives"),
+    [
+        ("car ahead reverse", ["BrakeOnPath", "ReverseStraight", "Halt"]),  # it stands already
+        ("car ahead brake", ["BrakeOnPath", "DrivePath", "BrakeOnPath"]),  # it drives off first
+        ("truck beside swerve", ["BrakeOnPath", "SwerveOnPath", "DrivePath"]),
+        ("pedestrian roadside cross", ["Halt", "MoveAhead"]),
+        ("car kerb pull-out", ["Park", "DrivePath", "DrivePath", "DrivePath"]),
+        ("bus behind overtake", ["KeepStation", "DrivePath", "DrivePath", "DrivePath"]),  # the ego is not gone
+    ],
+)
+def test_nobody_waits_for_an_ego_that_stands(said: str, primitives: list[str]) -> None:
+    made = compose(replace(asked_of(said), ego_stands=True))
+    assert made is not None
+    assert [phase.primitive for phase in parse_plan(made.source).phases] == primitives
+
+
+@pytest.mark.parametrize("said", ["car beside pace", "car behind tailgate"])
+def test_nobody_keeps_level_with_an_ego_that_stands_or_close_behind_it(said: str) -> None:
+    assert compose(replace(asked_of(said), ego_stands=True)) is None
+
+
+@pytest.mark.parametrize(("act", "side"), [("turn-right", Side.LEFT), ("turn-left", Side.RIGHT)])
+def test_who_turns_across_the_ego_at_a_junction_comes_from_the_lane_on_its_other_side(act: str, side: Side) -> None:
+    made = compose(replace(asked_of(f"car ahead-beside {act}"), junction=True))
+    assert made is not None
+    assert made.slots.side is side
+    assert compose(asked_of(f"car ahead-beside {act}")) is None  # away from junctions there is nowhere to turn to
 
 
 def test_more_acts_begin_sooner() -> None:

@@ -42,6 +42,18 @@ def read(text: str) -> Parsed:
         ("A parked van on the right sticks out into our lane.", "ahead", ["narrow"]),
         ("We turn right at a junction, and a car stands in our lane behind the corner.", "beyond", ["stand"]),
         ("A box lies on the road in our lane ahead.", "ahead", ["stand"]),
+        ("We turn right, and a cyclist beside us on the right rides straight on.", "beside", ["follow"]),
+        ("We turn right, and a cyclist rides alongside us on the right.", "beside", ["follow"]),
+        ("A car from the left drives straight across a junction in front of us.", "crossing", ["follow"]),
+        ("At a junction, a car in the lane to our left turns right across our lane.", "ahead-beside", ["turn-right"]),
+        ("We change lanes to the left to pass a slow car.", "ahead", ["slow"]),
+        ("We drive behind a slow truck.", "ahead", ["slow"]),
+        (
+            "We change lanes to the left, and the car ahead of us in that lane leaves it.",
+            "ahead-beside",
+            ["change-lane"],
+        ),
+        ("We change lanes to the left, and a car cuts into that lane ahead of us.", "ahead-beside", ["cut-in"]),
     ],
 )
 def test_who_does_what_from_where(text: str, position: str, actions: list[str]) -> None:
@@ -71,6 +83,16 @@ def test_the_way_to_an_exit_leaves_the_motorway() -> None:
     slots = read("We change lanes to the right toward the motorway exit while a car drives in that lane.").slots
     assert (slots.site, slots.maneuver) == (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT)
     assert (slots.position, slots.actions) == (Position.AHEAD_BESIDE, (Action.FOLLOW,))
+
+
+def test_who_takes_the_exit_changes_lanes_where_there_is_one() -> None:
+    slots = read("On the motorway, the car ahead of us takes the exit.").slots
+    assert (slots.site, slots.actions, slots.maneuver) == (Site.PAST_OFF_RAMP, (Action.CHANGE_LANE,), Maneuver.STRAIGHT)
+
+
+def test_a_slow_vehicle_is_the_adversary_where_nobody_else_is_there() -> None:
+    slots = read("We merge from the on-ramp behind a slow truck.").slots
+    assert (slots.adversary, slots.actions, slots.leader) == (AdversaryKind.TRUCK, (Action.SLOW,), None)
 
 
 def test_what_hides_somebody_and_on_which_side_is_read() -> None:

@@ -13,10 +13,12 @@ from chatscene.library.bind import Triple, bound, narrowed, settable
 from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import Library, library_with
+from chatscene.library.plan import plan_of
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conclusions import CURVES, JUNCTIONS
-from chatscene.terms.scenario import Component, Distance, Maneuver, Position, Scenario, Slots
+from chatscene.terms.plan import Plan, waits_for_ego
+from chatscene.terms.scenario import Component, Distance, EgoState, Maneuver, Position, Scenario, Slots
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Retrieval, Snippet, Tried
 
@@ -62,16 +64,29 @@ def _composed(scenario: Scenario, found: Retrieval | NothingFits, tried: Sequenc
     if position is None:
         return None
     junction = slots.place in JUNCTIONS
-    asked = Asked(kind=slots.adversary.acts_as, position=position, actions=slots.actions, junction=junction)
+    held = slots.ego is EgoState.STANDS
+    asked = Asked(
+        kind=slots.adversary.acts_as,
+        position=position,
+        actions=slots.actions,
+        junction=junction,
+        ego_stands=held,
+    )
     unsaid = goes_without_saying(asked)
     if (
         isinstance(found, Retrieval)
         and does_just(found.behavior.snippet, slots.actions, unsaid)
         and all(settable(one, found.snippets, slots.adversary) for one in scenario.frame.quantities)
+        and not (held and _waits_for_ego(found.behavior.snippet))
     ):
         return None
     made = compose(asked)
     return None if made is None or any(made.id in one.snippet_ids for one in tried) else made
+
+
+def _waits_for_ego(behavior: Snippet) -> bool:
+    plan = plan_of(behavior)
+    return isinstance(plan, Plan) and waits_for_ego(plan)
 
 
 def _refuse_another(scenario: Scenario, found: Retrieval) -> None:
@@ -105,7 +120,11 @@ def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -
     if said.adversary is None or said.position is None:
         raise _none_for(found, f"where another road user starts was not said ({who})")
     asked = Asked(
-        kind=said.adversary.acts_as, position=said.position, actions=said.actions, junction=slots.place in JUNCTIONS
+        kind=said.adversary.acts_as,
+        position=said.position,
+        actions=said.actions,
+        junction=slots.place in JUNCTIONS,
+        ego_stands=slots.ego is EgoState.STANDS,
     )
     composed = compose(asked)
     if composed is None:

@@ -161,6 +161,7 @@ class Start:
         first: The act without which there is no other; None if there is none.
         constants: What the plan tells its partners.
         in_way: Whether who stops there is in the ego's way.
+        waiting: The opening where the ego stands, and nobody can wait for it to come; empty for the same.
     """
 
     path: str
@@ -172,6 +173,7 @@ class Start:
     first: Action | None = None
     constants: tuple[str, ...] = ()
     in_way: bool = False
+    waiting: tuple[str, ...] = ()
 
 
 ADV_TURNS = {Action.CROSS: "straight", Action.TURN_LEFT: "left-turn"}
@@ -190,12 +192,14 @@ SETS_OFF_TO_CREEP = (
 COMES_UP = "DrivePath(advTrajectory, $ADV_SPEED) until distanceLeft(advTrajectory, self, advMeeting) < "
 _TO_IT = "how far the ego still has to go when it starts to move"
 _TURN = Step(does=(COMES_UP + "-4",), last=("DrivePath(advTrajectory, $ADV_SPEED)",), takes=3.0)
+WAITS = "Halt() for $WAIT seconds"
 _NEXT_LANE = Start(
     path="advLane",
     opening=(f"KeepStation(advLane, ego) until {BEFORE_EVENT}",),
     steps=_BESIDE,
     at=(-15, 20, _BEFORE),
     closing=8,
+    waiting=("BrakeOnPath(advLane, 1) for $WAIT seconds",),
 )
 STARTS: dict[Position, Start] = {
     Position.AHEAD: Start(
@@ -211,6 +215,7 @@ STARTS: dict[Position, Start] = {
         at=(-15, 20, _BEFORE),
         closing=2,
         in_way=True,
+        waiting=("BrakeOnPath(advTrajectory, 1) for $WAIT seconds",),
     ),
     Position.AHEAD_BESIDE: replace(_NEXT_LANE, steps=_without(_BESIDE, Action.PACE)),  # it is not level
     Position.BESIDE: replace(_NEXT_LANE, at=(-25, 5, _BEFORE)),
@@ -268,6 +273,7 @@ STARTS: dict[Position, Start] = {
         at=(16, 36, "how far the ego still has to go to it when it moves off"),
         closing=6,
         first=Action.PULL_OUT,
+        waiting=("Park() for $WAIT seconds",),
     ),
     Position.CROSSING: Start(
         path="advTrajectory",
@@ -285,6 +291,7 @@ STARTS: dict[Position, Start] = {
         closing=8,
         constants=('advTurn = ("straight", "left-turn", "right-turn")',),
         in_way=True,
+        waiting=(WAITS, COMES_UP + "$ACT_DISTANCE"),
     ),
     Position.BEYOND: Start(path="egoRoute", opening=(), steps={}),
     Position.ROADSIDE: Start(
@@ -297,6 +304,7 @@ STARTS: dict[Position, Start] = {
         at=(15, 45, _TO_IT),
         closing=7,
         in_way=True,
+        waiting=(WAITS,),
     ),
 }
 
@@ -308,18 +316,31 @@ ON_FOOT: dict[Position, Start] = {
         steps={Action.STOP: ACROSS[Action.STOP], Action.ACCELERATE: ACROSS[Action.ACCELERATE]},
         at=(12, 30, _TO_IT),
         constants=("advAlong = 0",),
+        waiting=(f"{COMES} for $WAIT seconds",),
     ),
     Position.BEYOND: STARTS[Position.BEYOND],
 }
 """The same for somebody on foot: where else one starts, there are no steps."""
 
 
+_OFF = "TurnOff(-1.3 if offsetFrom(egoRoute, self) > 0 else 1.3, $TURN_SPEED, 7)"
+_ACROSS_EGO = Step(does=(_OFF, "MoveAhead($TURN_SPEED) for 1.5 seconds"), last=(_OFF, "MoveAhead($TURN_SPEED)"))
+_NEXT_LANE_AT_JUNCTION = Start(
+    path="advLane",
+    opening=(f"PaceOnPath(advLane, ego, $LEAD, 16, $LEAST) until {BEFORE_EVENT}",),
+    steps={**_BESIDE, Action.TURN_LEFT: _ACROSS_EGO, Action.TURN_RIGHT: _ACROSS_EGO},
+    at=(5, 16, _BEFORE),
+    closing=8,
+    waiting=("BrakeOnPath(advLane, 1) for $WAIT seconds",),
+)
 AT_JUNCTION: dict[Position, Start] = {
     Position.ONCOMING: replace(
         STARTS[Position.CROSSING],
         steps=_without(STARTS[Position.CROSSING].steps, Action.CROSS),
         given=frozenset((Action.ONCOMING,)),
     ),
+    Position.BESIDE: _NEXT_LANE_AT_JUNCTION,
+    Position.AHEAD_BESIDE: replace(_NEXT_LANE_AT_JUNCTION, steps=_without(_NEXT_LANE_AT_JUNCTION.steps, Action.PACE)),
 }
 """The same at a junction, where it is another."""
 
@@ -343,9 +364,12 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "ADV_GAP": (-0.4, 2.5, "m", "how much room it means to leave; below 0 it will touch"),
     "OVERTAKING": (11.5, 15, "m/s", "how fast it overtakes at most"),
     "ADV_SPRINT": (4, 6.5, "m/s", "how fast it goes then"),
+    "TURN_SPEED": (4, 6, "m/s", "how fast it turns across the ego's lane"),
+    "WAIT": (0.3, 3, "s", "how long it waits before it moves, or acts"),
     "ACT_DISTANCE": (0, 12, "m", "how far before the place where their ways meet it acts"),
 }
 """The parameters of steps but for speed and trigger: range, unit, meaning."""
 PAST = 6.5, 10.0  # [m], how far ahead somebody is who has overtaken and then does something else
+BACKING_UP_TO_EGO = 3.0, 8.0  # [s], for how long somebody backs up before an ego that stands
 BACKING = 1.0, 1.8  # [s], for how long somebody backs up who then does something else
 PAUSE = 0.4, 1.2  # [s], how long somebody stands who comes from beside the road: the ego is near

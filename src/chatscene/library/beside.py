@@ -76,9 +76,9 @@ def placed_again(snippet_id: str, get: Callable[[str], Snippet]) -> Snippet:
 
 
 def reveals(spawn: Snippet, asked: Asked) -> bool:
-    """Whether an adversary ahead of the ego has somebody before it who stands, whom it may reveal."""
+    """Whether an adversary ahead of the ego has somebody before it who stands or just drives on, whom it may reveal."""
     ahead = spawn.slots.position is asked.position is Position.AHEAD
-    return ahead and all(action.row.stands for action in asked.actions)
+    return ahead and all(action.row.all_along for action in asked.actions)
 
 
 def _fixed(part: Snippet, instead: Mapping[str, str] | None = None) -> str:

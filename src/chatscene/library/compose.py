@@ -21,6 +21,7 @@ from chatscene.library.act_steps import (
     ADV_TURNS,
     AT_JUNCTION,
     BACKING,
+    BACKING_UP_TO_EGO,
     BEFORE_EVENT,
     BRAKES_TO_STAND,
     BRISKLY,
@@ -36,6 +37,7 @@ from chatscene.library.act_steps import (
     SETS_OFF_TO_CREEP,
     STARTS,
     STOP,
+    WAITS,
     Start,
     Step,
 )
@@ -48,7 +50,7 @@ from chatscene.terms.snippet import ParameterRange, Snippet
 
 COMPOSED = "behavior/composed."
 
-_THERE = "-at-junction"
+_THERE, _HELD = "-at-junction", "-of-standing-ego"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,18 +62,21 @@ class Asked:
         position: Where it starts.
         actions: What it does, in order.
         junction: Whether it is at a junction, where that makes another start of the position.
+        ego_stands: Whether the ego stands all the time, so that nothing can be due when it comes near.
     """
 
     kind: AdversaryKind
     position: Position
     actions: tuple[Action, ...]
     junction: bool = False
+    ego_stands: bool = False
 
     @property
     def snippet_id(self) -> str:
         """The id of the behavior."""
         there = _THERE if self.junction and self.position in AT_JUNCTION else ""
-        return COMPOSED + ".".join((self.kind, self.position + there, *self.actions))
+        held = _HELD if self.ego_stands else ""
+        return COMPOSED + ".".join((self.kind, self.position + there + held, *self.actions))
 
 
 def _start(asked: Asked) -> Start | None:
@@ -124,14 +129,18 @@ def _go_together(asked: Asked, start: Start, acts: Sequence[Action], lasting: se
     """Whether somebody who starts there does all of this, in whatever order."""
     if any(_AGAINST.get(action, frozenset()).intersection(asked.actions) for action in asked.actions):
         return False
+    if asked.ego_stands and _WITH_EGO.intersection(acts):
+        return False
     behind = asked.position in (Position.BEHIND, Position.BEHIND_BESIDE)
     if Action.BLOCK in lasting and (behind or not (start.in_way or _ENTERS.intersection(acts))):
         return False
     blocks = Action.BLOCK in lasting and acts[:1] == [Action.ACCELERATE]
-    if _meets(asked, start) and (blocks or (_AWAY.intersection(acts) and {*asked.actions} - start.given - {acts[0]})):
+    if _meets(start) and (blocks or (_AWAY.intersection(acts) and {*asked.actions} - start.given - {acts[0]})):
         return False  # across a junction there is no room for more
     sluggish = asked.kind.row.limits.throttle < _SLUGGISH
-    late = sluggish and (Action.OVERTAKE in acts or (Action.TAILGATE in acts and len(acts) > 1))
+    late = (
+        sluggish and not asked.ego_stands and (Action.OVERTAKE in acts or (Action.TAILGATE in acts and len(acts) > 1))
+    )
     return not (late or (Action.TAILGATE in acts and not asked.kind.row.motorised))
 
 
@@ -152,8 +161,8 @@ def _too_late(
     stood = itertools.accumulate((steps[action].halts for action in acts), operator.or_, initial=False)
     if any(steps[action].moving and before for action, before in zip(acts, stood, strict=False)):
         return True
-    slow_there = _meets(asked, start) and asked.kind.row.limits.throttle < _SLUGGISH
-    hurries = _meets(asked, start) and Action.FAST in lasting  # it sets off there, and is not fast in time
+    slow_there = _meets(start) and asked.kind.row.limits.throttle < _SLUGGISH
+    hurries = _meets(start) and Action.FAST in lasting  # it sets off there, and is not fast in time
     return hurries or (slow_there and bool(Action.REVERSE in acts or Action.BLOCK in lasting))
 
 
@@ -172,14 +181,22 @@ def asked_in(snippet_id: str) -> Asked:
     """
     try:
         kind, position, *actions = snippet_id.removeprefix(COMPOSED).split(".")
+        place, there, held = _parted(position)
         return Asked(
             kind=AdversaryKind(kind),
-            position=Position(position.removesuffix(_THERE)),
+            position=Position(place),
             actions=tuple(map(Action, actions)),
-            junction=position.endswith(_THERE),
+            junction=there,
+            ego_stands=held,
         )
     except ValueError as error:
         raise SnippetError(f"there is no snippet {snippet_id!r}: {error}") from error
+
+
+def _parted(position: str) -> tuple[str, bool, bool]:
+    held = position.endswith(_HELD)
+    position = position.removesuffix(_HELD)
+    return position.removesuffix(_THERE), position.endswith(_THERE), held
 
 
 def composed_again(snippet_id: str) -> Snippet:
@@ -194,6 +211,8 @@ def composed_again(snippet_id: str) -> Snippet:
 
 
 _LEADS = (Position.AHEAD, Position.BESIDE, Position.AHEAD_BESIDE)  # from there one gets ahead before one acts
+_BESIDE_EGO = (Position.BESIDE, Position.AHEAD_BESIDE)
+_FROM_OTHER_SIDE = {Action.TURN_LEFT: Side.RIGHT, Action.TURN_RIGHT: Side.LEFT}  # or the turn leads away from the ego
 _IN_LANE = (Position.AHEAD, Position.BEYOND)  # who stands there is in the ego's way
 _PART_OF_HALTING = (Action.BRAKE, Action.CROSS)  # what need not be done before somebody halts
 _IMPLIED = {
@@ -223,8 +242,10 @@ _NEVER = frozenset(
 # What comes first or not at all: it was level, or close, from the beginning on, or swings too long for what is left
 _AT_FIRST = frozenset((Action.PACE, Action.TAILGATE, Action.CROSS, Action.WEAVE))
 _AFTER_BACKING = (Action.STOP, Action.ACCELERATE)
+_FROM_REST = (Action.REVERSE, Action.ACCELERATE)  # what somebody does from where he stands
 _ENTERS = frozenset((Action.CUT_IN, Action.PULL_OUT, Action.CROSS))
 _AWAY = frozenset((Action.SWERVE, Action.WEAVE))
+_WITH_EGO = frozenset((Action.PACE, Action.TAILGATE))  # which nobody does with an ego that stands
 _SLUGGISH = 2.5  # [m/s²] at full throttle: of whoever has less, the ego is sooner where they are to be
 _PACES = {Action.FOLLOW, Action.SLOW, Action.FAST}  # what lasts is a speed
 
@@ -241,9 +262,9 @@ def _never_moves(asked: Asked) -> bool:
     return asked.kind.lies or asked.position is Position.BEYOND
 
 
-def _meets(asked: Asked, start: Start) -> bool:
+def _meets(start: Start) -> bool:
     """Whether its way and the ego's meet in a junction."""
-    return asked.position is Position.CROSSING or start is AT_JUNCTION.get(asked.position)
+    return start.opening[:1] == (SETS_OFF,)
 
 
 def _on_foot_ahead(start: Start) -> bool:
@@ -262,7 +283,7 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
     elif not acts:
         yield from _on_its_way(asked, start)
     elif _on_foot_ahead(start):
-        yield from (*start.opening, *steps[acts[0]].last)
+        yield from (*_begins(asked, start), *steps[acts[0]].last)
     else:
         yield from _acting(asked, start, steps, acts)
 
@@ -270,7 +291,8 @@ def _phases(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
 def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequence[Action]) -> Iterator[str]:
     """The phases of acts, with what leads to the first and from each to the next."""
     yield from _opening(asked, start, acts, steps)
-    path, stands, across = start.path, False, start.steps is ACROSS
+    path, across = start.path, start.steps is ACROSS
+    stands = asked.ego_stands and len(start.waiting) == 1 and not across
     for before, action, after in zip((None, *acts), acts, (*acts[1:], None), strict=False):
         step, following = steps[action], steps[after] if after else None
         hesitates = action is Action.STOP and after is Action.HESITATE
@@ -285,7 +307,7 @@ def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
             yield f"{COMES} until abs(offsetFrom(egoRoute, self)) < 2.5"
         elif not across and not stands and action is Action.REVERSE:
             yield from (BRAKES_TO_STAND.format(path=path), "Halt() for 0.5 seconds")
-        elif not across and stands and action not in (Action.REVERSE, Action.ACCELERATE):
+        elif not across and stands and action not in _FROM_REST and (before is not None or _slows(action, step)):
             yield f"DrivePath({path}, $ADV_SPEED) for 2.5 seconds"
         path = step.path or path
         does = step.does if after is Action.CUT_IN else (*step.does, *step.back)
@@ -295,13 +317,26 @@ def _acting(asked: Asked, start: Start, steps: dict[Action, Step], acts: Sequenc
         stands = step.stands
 
 
+def _sets_off(asked: Asked) -> str:
+    """The phase before somebody comes whose way and the ego's meet in a junction."""
+    return WAITS if asked.ego_stands else SETS_OFF
+
+
+def _slows(action: Action, step: Step) -> bool:
+    return step.halts or action is Action.BRAKE
+
+
 def _on_its_way(asked: Asked, start: Start) -> Iterator[str]:
     """What somebody does of whom no act was said: goes on."""
-    if Action.SLOW in asked.actions and _meets(asked, start):
-        yield from SETS_OFF_TO_CREEP
-    elif start.steps is ACROSS or _meets(asked, start):
-        yield start.opening[0]
+    if Action.SLOW in asked.actions and _meets(start):
+        yield from (WAITS if asked.ego_stands else SETS_OFF_TO_CREEP[0], *SETS_OFF_TO_CREEP[1:])
+    elif start.steps is ACROSS or _meets(start):
+        yield _begins(asked, start)[0]
     yield COMES if _walks(asked) or start.steps is ACROSS else f"DrivePath({start.path}, $ADV_SPEED)"
+
+
+def _begins(asked: Asked, start: Start) -> tuple[str, ...]:
+    return start.waiting if asked.ego_stands and start.waiting else start.opening
 
 
 def _opening(asked: Asked, start: Start, acts: Sequence[Action], steps: dict[Action, Step]) -> Iterator[str]:
@@ -312,15 +347,15 @@ def _opening(asked: Asked, start: Start, acts: Sequence[Action], steps: dict[Act
     if steps[first].long and len(acts) == 1:
         yield f"{along} for 0.5 seconds"
     elif _HASTE.intersection(asked.actions) and start.steps is not ACROSS and start.first is None:
-        if _meets(asked, start):
-            yield SETS_OFF
+        if _meets(start):
+            yield _sets_off(asked)
         yield f"{along} for {4 if Action.FAST in asked.actions else 2} seconds"
-    elif {Action.CROSS, Action.ONCOMING, Action.BLOCK}.intersection(asked.actions) and _meets(asked, start) and halts:
-        yield from (SETS_OFF, f"{COMES_UP} brakingDistance(self) / $BRAKE - $REST_DISTANCE")
-    elif asked.position in _LEADS and _meanwhile(steps, acts) and first is not Action.PACE:
+    elif {Action.CROSS, Action.ONCOMING, Action.BLOCK}.intersection(asked.actions) and _meets(start) and halts:
+        yield from (_sets_off(asked), f"{COMES_UP} brakingDistance(self) / $BRAKE - $REST_DISTANCE")
+    elif not asked.ego_stands and asked.position in _LEADS and _meanwhile(steps, acts) and first is not Action.PACE:
         yield f"PaceOnPath({start.path}, ego, $LEAD, 16, $LEAST) until {BEFORE_EVENT}"
     else:
-        yield from start.opening
+        yield from _begins(asked, start)
 
 
 def _snippet(asked: Asked, start: Start, meanwhile: float, phases: Sequence[str]) -> Snippet:
@@ -359,11 +394,14 @@ def _constants(asked: Asked, start: Start) -> tuple[str, ...]:
         aside = ("advAside = 0",) if Action.NARROW in asked.actions else ()
         return ("advStill = 0", *aside)
     turns = [ADV_TURNS[action] for action in asked.actions if action in ADV_TURNS]
-    return (f'advTurn = "{turns[0]}"',) if turns and _meets(asked, start) else start.constants
+    return (f'advTurn = "{turns[0]}"',) if turns and _meets(start) else start.constants
 
 
 def _side(asked: Asked) -> Side | None:
     """From which side it must come, so that a turn leads across the ego's way."""
+    if asked.position in _BESIDE_EGO:
+        turn = next((one for one in asked.actions if one in _FROM_OTHER_SIDE), None)
+        return None if turn is None else _FROM_OTHER_SIDE[turn]
     return Side.RIGHT if Action.TURN_LEFT in asked.actions and asked.position is Position.CROSSING else None
 
 
@@ -387,7 +425,9 @@ def _range(asked: Asked, start: Start, meanwhile: float, name: str) -> Parameter
     low, high, unit, meaning = RANGES[name]
     if name == "STOP_TIME" and (start.steps is ACROSS or meanwhile):
         low, high = PAUSE
-    if name == "BACK_TIME" and meanwhile > STOP.takes:
+    if name == "BACK_TIME" and asked.ego_stands:
+        low, high = BACKING_UP_TO_EGO
+    elif name == "BACK_TIME" and meanwhile > STOP.takes:
         low, high = BACKING
     if name == "ADV_AHEAD" and meanwhile and Action.OVERTAKE in asked.actions:
         low, high = PAST

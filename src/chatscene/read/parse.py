@@ -84,9 +84,11 @@ class _Told:
     order: list[tuple[int, Action]] = field(default_factory=list[tuple[int, Action]])
     facts: dict[str, Any] = field(default_factory=dict[str, Any])
     subject: int | None = None  # an actor, or None for the ego
+    leads: AdversaryKind | None = None  # who leads the ego slowly
     looks: list[str] = field(default_factory=list[str])  # how somebody looks, which no scene shows
     begun: bool = False  # whether anybody was named
     open: bool = True  # whether somebody may be named here
+    met: object = None  # where, by the words before, whoever is named next
 
 
 class _UnreadError(Exception):
@@ -164,6 +166,8 @@ def _name(told: _Told, match: re.Match[str]) -> None:
     one = told.actors[told.subject]
     if article in SEVERAL or (kind.lies and is_plural(match, kind)):
         one.group = True
+    if isinstance(told.met, Where):
+        one.where.add(told.met)
     for sort, value in traits_in(match):
         if sort is Sort.WHERE and isinstance(value, Where):
             one.where.add(value)
@@ -203,7 +207,7 @@ def _fact(told: _Told, name: str, value: object) -> None:
 def _take(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
     """Take in what a phrase says."""
     if phrase.sort in (Sort.JOINT, Sort.THEN, Sort.END, Sort.SEES):
-        told.open = True
+        told.open, told.met = True, phrase.value
     elif phrase.sort in (Sort.EGO, Sort.SAME):
         _speak_of(told, phrase, match)
     elif phrase.sort is Sort.PLACE:
@@ -211,8 +215,9 @@ def _take(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
     elif phrase.sort is Sort.SITE:
         _sited(told, *phrase.value)  # type: ignore[misc]
     elif phrase.sort in _FACTS:
-        for name in _FACTS[phrase.sort]:
-            _fact(told, name, phrase.value)
+        _fact(told, _FACTS[phrase.sort], phrase.value)
+        if phrase.sort is Sort.LEADER:
+            told.leads = AdversaryKind.TRUCK if "truck" in match[0] else AdversaryKind.CAR
     elif told.subject is not None:
         _of_actor(told, told.actors[told.subject], phrase, match)
     elif phrase.sort is not Sort.FILLER:
@@ -222,13 +227,13 @@ def _take(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
 
 
 _FACTS = {
-    Sort.MANEUVER: ("maneuver",),
-    Sort.STATE: ("ego",),
-    Sort.LEADER: ("leader",),
-    Sort.BYPASS: ("maneuver",),
-    Sort.LANES: ("lanes",),
-    Sort.TWO_WAY: ("two_way",),
-}  # which slots they fill
+    Sort.MANEUVER: "maneuver",
+    Sort.STATE: "ego",
+    Sort.LEADER: "leader",
+    Sort.BYPASS: "maneuver",
+    Sort.LANES: "lanes",
+    Sort.TWO_WAY: "two_way",
+}  # which slot they fill
 
 
 def _speak_of(told: _Told, phrase: Phrase, match: re.Match[str]) -> None:
@@ -247,6 +252,8 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
     """What a phrase says of a road user."""
     value: Any = phrase.value
     if phrase.sort is Sort.ACT:
+        if phrase.exit and told.facts.get("site") is not Site.OFF_RAMP:
+            _sited(told, Site.PAST_OFF_RAMP)
         _act(told, value)
     elif phrase.sort is Sort.ROW and not actor.group:
         raise _UnreadError(match[0])
@@ -301,6 +308,10 @@ def _sited(told: _Told, site: Site, maneuver: Maneuver | None = None) -> None:
 
 
 def _parsed(told: _Told) -> Parsed:
+    if not told.actors and told.leads is not None:  # nobody else is there to be met
+        told.actors.append(_Actor(kind=told.leads, acts=[Action.SLOW], where={Where.AHEAD}))
+        told.order.append((0, Action.SLOW))
+        del told.facts["leader"]
     acting = [one for one in told.actors if one.acts]
     if not told.actors or len(acting) != len(told.actors):
         raise _UnreadError("nobody does anything")
@@ -365,6 +376,8 @@ def _with_place_of_site(facts: dict[str, Any]) -> dict[str, Any]:
 
 def _slots(one: _Actor, facts: dict[str, Any]) -> Slots:
     facts = dict(facts)
+    if _rides_on_beside(one, facts) and Action.PACE in one.acts:
+        one = replace(one, acts=[Action.FOLLOW])  # nobody keeps level with who turns away
     position = _position(one, facts)
     acts = _acts_of(one, position)
     if position is Position.CROSSING and facts.get("place") not in JUNCTIONS:
@@ -449,6 +462,20 @@ def _on_foot(one: _Actor) -> Position | None:
     return Position.AHEAD if {Where.AHEAD, Where.OWN_LANE} & one.where else None
 
 
+def _rides_on_beside(one: _Actor, facts: dict[str, Any]) -> bool:
+    """Whether it rides straight on along the kerb where the ego turns across it."""
+    rides = one.kind.row.manner is Manner.RIDES
+    inner = rides and facts.get("maneuver") is Maneuver.RIGHT_TURN and one.side is Side.RIGHT
+    quiet = {*_QUIET, Action.PACE}.issuperset(one.acts)
+    return inner and quiet and one.where <= {Where.BESIDE, Where.AHEAD, Where.EDGE}
+
+
+def _from(one: _Actor) -> set[Where]:
+    """Where somebody may be said to be who comes from an arm: behind where it comes from, "ahead" is where it leads."""
+    comes = Where.FROM_SIDE in one.where and Action.CUT_IN not in one.acts
+    return {Where.FROM_SIDE, Where.AHEAD} if comes else {Where.FROM_SIDE}
+
+
 def _on_wheels(one: _Actor, facts: dict[str, Any]) -> Position | None:
     junction, rides = facts.get("place") in JUNCTIONS, one.kind.row.manner is Manner.RIDES
     turns = facts.get("maneuver") in TURNS
@@ -456,10 +483,11 @@ def _on_wheels(one: _Actor, facts: dict[str, Any]) -> Position | None:
     if comes and rides and (turns or not junction):
         return Position.ROADSIDE
     arm = Where.ARM in one.where or {Action.RUN_LIGHT, Action.CROSS}.intersection(one.acts)
-    if arm or (junction and one.side is not None and one.where <= {Where.FROM_SIDE}):
+    beside = _rides_on_beside(one, facts)
+    if not beside and (arm or (junction and one.side is not None and one.where <= _from(one))):
         return Position.CROSSING
-    if Where.BESIDE in one.where:
-        return Position.BESIDE
+    if beside or Where.BESIDE in one.where:
+        return Position.AHEAD_BESIDE if Where.AHEAD in one.where else Position.BESIDE
     in_way = Action.NARROW in one.acts or (Action.STAND in one.acts and one.side is None)  # or where else is said
     if in_way or {Where.NEXT_LANE, Where.AHEAD, Where.OWN_LANE} & one.where:
         aside = Where.NEXT_LANE in one.where or (one.side is not None and not rides and Action.NARROW not in one.acts)

@@ -74,6 +74,7 @@ class Phrase:
         pattern: How they are written.
         manner: Of whom alone they are said; None for anybody.
         ego: Whether they are said of the ego alone (True), of others alone (False), or of either (None).
+        exit: Whether they are of the exit of a motorway.
     """
 
     sort: Sort
@@ -81,6 +82,7 @@ class Phrase:
     pattern: re.Pattern[str]
     manner: Manner | None = None
     ego: bool | None = None
+    exit: bool = False
 
 
 _US = r"(?:us|the ego)"
@@ -202,6 +204,8 @@ def _sites() -> Iterator[Phrase]:
         yield Phrase(sort=Sort.SITE, value=(site, None), pattern=_compiled(said))
     joins = rf"[merge] (?:on|in)to {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[join] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[merge] from {_THE} {_ON_RAMP}"
     leaves = rf"[leave] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_OFF_RAMP})?|[exit] {_THE} {_MOTORWAY}|[take] {_THE} {_OFF_RAMP}{of}|(?:towards?|to|onto|into) {_THE} {_OFF_RAMP}{of}"
+    back = rf"[move] back (?:on|in)?to {_THE} {_MOTORWAY}"
+    yield Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, pattern=_marked(rf"{leaves}|{back}"), ego=False, exit=True)
     for site, maneuver, said in (
         (Site.ON_RAMP, Maneuver.LANE_CHANGE_LEFT, joins),
         (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT, leaves),
@@ -310,7 +314,12 @@ _FILLERS = (
     r"|in (?:our|the same|its own|its|their) direction|in (?:its|his|her|their) (?:own )?lane|along with traffic|in the same direction"
 )
 _ROW = r"one (?:behind|after) (?:the other|another)|(?:behind|after) (?:each other|one another)|in a (?:row|queue|line)"
-_SEES = r"we (?:meet|see|encounter|come up (?:to|on|behind)|come upon|face|approach|follow|drive behind|come up behind|drive towards)(?= (?:a|an|the|another|some|two) )"
+_SEES = r"we (?:meet|see|encounter|face|drive towards)(?= (?:a|an|the|another|some|two) )"
+_COMES_UP = (
+    r"we (?:come up (?:to|on|behind)|come upon|approach|follow|drive behind)(?= (?:a|an|the|another|some|two) )"
+    r"|to (?:pass|overtake|get past|go past)(?= (?:a|an|the) )"
+)
+_LEAVES_IT = r"[leave] (?:it|that lane)"
 
 
 @lru_cache(maxsize=1)
@@ -319,6 +328,9 @@ def phrases() -> tuple[Phrase, ...]:
     found: list[Phrase] = [
         Phrase(sort=Sort.EGO, value=None, pattern=_compiled(r"we|the ego(?: vehicle)?|our (?:own )?(?:car|vehicle)")),
         Phrase(sort=Sort.SEES, value=None, pattern=_compiled(_SEES)),
+        Phrase(sort=Sort.SEES, value=Where.AHEAD, pattern=_compiled(_COMES_UP)),
+        Phrase(sort=Sort.ACT, value=Action.CUT_IN, pattern=_marked(r"[cut] into that lane"), ego=False),
+        Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, pattern=_marked(_LEAVES_IT), ego=False),
         Phrase(sort=Sort.SAME, value=None, pattern=_compiled(r"it|he|she|they|who|which|that")),
         Phrase(sort=Sort.JOINT, value=None, pattern=re.compile(rf"(?:{_JOINTS})(?!\w)")),
         Phrase(sort=Sort.THEN, value=None, pattern=re.compile(rf"(?:{_THEN})(?!\w)")),

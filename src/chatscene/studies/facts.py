@@ -7,7 +7,7 @@ reading wrong. Lanes, distances, groups and numbers are not compared, and of oth
 from __future__ import annotations
 
 from chatscene.terms.acts import BRINGS, Action
-from chatscene.terms.conclusions import JUNCTIONS, TURNS
+from chatscene.terms.conclusions import JUNCTIONS, TURNS, leaving_first
 from chatscene.terms.scenario import EgoState, Maneuver, Place, Position, Site, Slots, includes
 
 _BESIDE = {Position.BESIDE, Position.AHEAD_BESIDE}
@@ -26,12 +26,14 @@ def differing(said: Slots, read: Slots) -> tuple[str, ...]:
 
     What goes without saying may be read or not: an ego that drives straight on, a road that is none but a road, who
     drives on while doing something else. A place may be read as one of its kinds, a lane change beside the ego as a
-    cut-in. A side that nobody said is no fault, since somebody has to be on one.
+    cut-in. Of two of whom one leaves the lane before the other, either may be called the adversary. A side that nobody
+    said is no fault, since somebody has to be on one.
 
     Args:
         said: The facts written down.
         read: Those that were read.
     """
+    said, read = leaving_first(said), leaving_first(read)
     wrong = {
         "adversary": said.adversary not in (None, read.adversary),
         "actions": _deeds(said) != _deeds(read),

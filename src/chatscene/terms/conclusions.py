@@ -51,5 +51,28 @@ def concluded(slots: Slots) -> Slots:
     if occluder is not None and position is None:
         position = Position.ROADSIDE
     return replace(
-        slots, place=place, control=control, maneuver=maneuver, position=position, blocker=blocker, occluder=occluder
+        leaving_first(slots),
+        place=place,
+        control=control,
+        maneuver=maneuver,
+        position=position,
+        blocker=blocker,
+        occluder=occluder,
     )
+
+
+def leaving_first(slots: Slots) -> Slots:
+    """Of two ahead of the ego of whom one leaves the lane and the other stands or drives on, the one who leaves first.
+
+    It is the adversary: when it leaves is what a test varies, and whom it hid is beside it.
+    """
+    if len(slots.others) != 1 or slots.occluder is not None:
+        return slots
+    other = slots.others[0]
+    ahead = slots.position is Position.AHEAD and other.position in (None, Position.AHEAD)
+    leaves, stays = Action.CHANGE_LANE in other.actions, all(action.row.all_along for action in slots.actions)
+    if not (ahead and leaves and stays):
+        return slots
+    first = replace(slots, adversary=other.adversary, actions=other.actions, side=other.side, position=Position.AHEAD)
+    behind = Slots(adversary=slots.adversary, actions=slots.actions, side=slots.side, position=Position.AHEAD)
+    return replace(first, others=(behind,))

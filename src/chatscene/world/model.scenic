@@ -19,7 +19,7 @@ from chatscene.world.actors import Driven, Lying, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, maximum, neighbourPath,
-    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, trafficFrom,
+    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, straightOn, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.order import Order

@@ -290,6 +290,14 @@ def extended(path: Any, back: float) -> Polyline:
     return Polyline([line.point_at(-back), *line.points])
 
 
+def straightOn(route: EgoRoute) -> Polyline:  # noqa: N802
+    """The way of somebody who rides beside the ego up to its junction and, where the ego turns, goes straight on."""
+    line, begin = route.line, route.eventAt
+    (x, y), heading = line.point_at(begin), line.heading_at(begin)
+    ahead = headingLine(x, y, heading, 45.0)
+    return Polyline.join(line.between(0.0, begin), ahead)
+
+
 def against(path: Any) -> Polyline:
     """A path in the opposite direction: the way of somebody who drives on it the wrong way."""
     return Polyline(line_of(path).points[::-1])
