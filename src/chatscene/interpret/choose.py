@@ -165,6 +165,7 @@ def _with_other(found: Retrieval, said: Slots, slots: Slots, library: Library) -
         (place for place, geometry in pairs if geometry is first),
         key=lambda place: (
             not told & set(place.requires),
+            said.side is not None and place.slots.side is None,
             (place.slots.distance is Distance.FAR) is not behind,
             len(place.slots.said()),
             place.id,

@@ -6,18 +6,23 @@ reading wrong. Lanes, distances, groups and numbers are not compared, and of oth
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from chatscene.terms.acts import BRINGS, Action
 from chatscene.terms.conclusions import JUNCTIONS, TURNS, leaving_first
-from chatscene.terms.scenario import EgoState, Maneuver, Place, Position, Site, Slots, includes
+from chatscene.terms.scenario import EgoState, Maneuver, Place, Position, Side, Site, Slots, includes
 
 _BESIDE = {Position.BESIDE, Position.AHEAD_BESIDE}
 _ALIKE = (
     _BESIDE,  # "in the next lane" leaves open how far on
     {Position.ROADSIDE, Position.FAR_CORNER},
 )
-_IN_NEXT_LANE = (*_BESIDE, Position.BEHIND_BESIDE, Position.BEHIND)
+_NEXT_LANE = (*_BESIDE, Position.BEHIND_BESIDE)
+_IN_NEXT_LANE = (*_NEXT_LANE, Position.BEHIND)
+_TOWARDS = {Maneuver.LANE_CHANGE_LEFT: Side.LEFT, Maneuver.LANE_CHANGE_RIGHT: Side.RIGHT}
 _SLOWER = {EgoState.SLOWS_DOWN, EgoState.BRAKES, EgoState.STOPS}  # people seldom say how far
 _STANDING = {EgoState.STANDS, EgoState.STOPS}  # nor when it stopped
+_PAST = {Site.PAST_ON_RAMP: Site.ON_RAMP, Site.PAST_OFF_RAMP: Site.OFF_RAMP}  # the ego's way says which
 _SHOWN = (Site.ROUNDABOUT, Site.MOTORWAY, Site.ON_RAMP, Site.OFF_RAMP, Site.CROSSWALK)
 
 
@@ -33,7 +38,7 @@ def differing(said: Slots, read: Slots) -> tuple[str, ...]:
         said: The facts written down.
         read: Those that were read.
     """
-    said, read = leaving_first(said), leaving_first(read)
+    said, read = _in_target_lane(leaving_first(said)), _in_target_lane(leaving_first(read))
     wrong = {
         "adversary": said.adversary not in (None, read.adversary),
         "actions": _deeds(said) != _deeds(read),
@@ -45,10 +50,24 @@ def differing(said: Slots, read: Slots) -> tuple[str, ...]:
         "ego": not any({said.ego, read.ego} <= alike for alike in ({said.ego}, _SLOWER, _STANDING)),
         "occluder": said.occluder is not read.occluder,
         "leader": said.leader != read.leader,
-        "site": said.site in _SHOWN and said.site is not read.site,
+        "site": said.site in _SHOWN and _main_site(read.site) is not said.site,
         "others": len(said.others) != len(read.others),
     }
     return tuple(name for name, is_wrong in wrong.items() if is_wrong)
+
+
+def _in_target_lane(slots: Slots) -> Slots:
+    """Whoever is in the lane that the ego changes to is on that side, said or not."""
+    side = (
+        _TOWARDS.get(slots.maneuver or Maneuver.STRAIGHT)
+        if slots.position in _NEXT_LANE and slots.side is None
+        else None
+    )
+    return slots if side is None else replace(slots, side=side)
+
+
+def _main_site(site: Site | None) -> Site | None:
+    return None if site is None else _PAST.get(site, site)
 
 
 def _deeds(slots: Slots) -> frozenset[Action]:
