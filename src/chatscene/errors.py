@@ -6,6 +6,7 @@
     ├ SettingsError            a setting or argument is out of range, or names nothing
     ├ MissingExtra             something needs an optional package that is not installed
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
+    ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
     ├ SnippetError             a library file is malformed, or breaks its own contract
     ├ ProgramError
@@ -68,6 +69,18 @@ class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothin
         self.reasons = reasons or (message,)
         self.confidence = confidence
         self.nearest = dict(nearest or {})
+
+
+class EditRefused(ChatSceneError):  # noqa: N818 - reads as what it says
+    """An edit has words that were not understood, contradicts itself or what stays, or changes nothing.
+
+    Attributes:
+        words: The words that were not understood; none where all were.
+    """
+
+    def __init__(self, message: str, *, words: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.words = words
 
 
 class MapError(ChatSceneError):

@@ -56,7 +56,7 @@ def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     ]
     scenario = understood(frame, slots, (*_still_open(frame, slots), *differ))
     sure = account_is_right(frame, slots)
-    if sure >= BELIEVED and sure >= _guess_is_right(scenario, settings):
+    if sure >= BELIEVED and sure >= trusted(scenario, settings):
         return _told(frame, sure)
     return scenario
 
@@ -76,8 +76,8 @@ def _still_open(frame: Frame, slots: Slots) -> tuple[Note, ...]:
     return tuple(note for note in frame.notes if note.about not in found)
 
 
-def _guess_is_right(scenario: Scenario, settings: RetrievalSettings) -> float:
-    """How far what was guessed is trusted."""
+def trusted(scenario: Scenario, settings: RetrievalSettings) -> float:
+    """How likely it is that what was read is right, as far as nothing contradicts it."""
     library, embedder = library_with(settings.library), load_embedder(settings.embedder)
     try:
         return retrieve(scenario, library, embedder, replace(settings, refuse_below=0.0)).confidence

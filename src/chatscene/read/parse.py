@@ -304,6 +304,45 @@ def _sited(told: _Told, site: Site, maneuver: Maneuver | None = None) -> None:
         _fact(told, "maneuver", maneuver)
 
 
+# From facts to what follows from them
+
+
+def start_of(slots: Slots, where: frozenset[Where] = frozenset()) -> Position | None:
+    """Where a road user starts whose facts are known, and of whom some words say where it is; None if nothing says it.
+
+    Args:
+        slots: All facts but its position.
+        where: What words say of that.
+    """
+    try:
+        return _position(*_again(slots, where))
+    except _UnreadError:
+        return None
+
+
+def in_order(slots: Slots) -> tuple[Action, ...] | None:
+    """What somebody does, in order, without what goes without saying; None if nobody does it all."""
+    one, _ = _again(slots, frozenset())
+    try:
+        return _acts_of(one, slots.position)
+    except _UnreadError:
+        return None
+
+
+def _again(slots: Slots, where: frozenset[Where]) -> tuple[_Actor, dict[str, Any]]:
+    """Somebody as if the facts were read just now, with the facts of the ego and the place."""
+    assert slots.adversary is not None  # whoever asks knows who it is
+    one = _Actor(
+        kind=slots.adversary,
+        acts=list(slots.actions),
+        where=set(where),
+        side=slots.side,
+        occluder=slots.occluder,
+        group=bool(slots.group),
+    )
+    return one, slots.said()
+
+
 # From phrases to slots
 
 

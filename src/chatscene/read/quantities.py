@@ -101,6 +101,31 @@ def quantity_at(text: str, start: int) -> tuple[Quantity, int] | None:
     return _quantity(measure, match), match.end()
 
 
+_BARE: tuple[tuple[Measure, re.Pattern[str]], ...] = (
+    (Measure.TRIGGER, _PATTERNS[0][1]),
+    *(
+        (measure, re.compile(rf"(?:(?:at|with|by|to|of|for|about|some|roughly|around|only|just|from|exactly) )*{_NUMBER}[ -]?{unit}(?!\w)"))
+        for measure, unit in (
+            (Measure.SPEED, _SPEED), (Measure.DECELERATION, _DECELERATION),
+            (Measure.TIME, _TIME), (Measure.DISTANCE, _LENGTH),
+        )
+    ),
+)  # fmt: skip
+
+
+def number_at(text: str, start: int) -> tuple[Quantity, int] | None:
+    """The number with a unit at a place in a text, whatever stands about it, and where it ends; None if there is none.
+
+    Args:
+        text: Lower case, mended.
+        start: Where it must begin.
+    """
+    for measure, pattern in _BARE:
+        if match := pattern.match(text, start):
+            return _quantity(measure, match), match.end()
+    return None
+
+
 def _quantity(measure: Measure, match: re.Match[str]) -> Quantity:
     number = _NUMBERS.get(match["number"])
     value = (_number(match["number"]) if number is None else number) * _UNITS[_SQUARED.sub("²", match["unit"])]

@@ -12,7 +12,7 @@ from typing import Any
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Quantity, Slots, Unused
+from chatscene.terms.scenario import Quantity, Shift, Slots, Unused
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Surroundings
 
@@ -163,6 +163,7 @@ class Frame:
         outright: The facts that words say outright.
         beliefs: How sure every fact is.
         quantities: The numbers that can be set.
+        shifts: The numbers that are other than they were, as edits say it, in their order.
         unused: What is in no slot and no quantity, whatever the slots are.
         mentions: The road users that it names.
         notes: What was unsure.
@@ -180,6 +181,7 @@ class Frame:
     outright: Slots = field(default_factory=Slots)
     beliefs: Beliefs = field(default_factory=Beliefs)
     quantities: tuple[Quantity, ...] = ()
+    shifts: tuple[Shift, ...] = ()
     unused: tuple[Unused, ...] = ()
     mentions: tuple[Mention, ...] = ()
     notes: tuple[Note, ...] = ()

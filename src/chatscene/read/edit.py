@@ -1,0 +1,517 @@
+"""An edit in words, read against the facts at hand: "make it a truck, from the left, and faster".
+
+An edit is scanned from its first word to its last, the longest words that mean something at a time
+(`chatscene.read.edit_words`); words that mean nothing refuse it. What the rest names is collected, each fact once, and
+then put into the facts (`chatscene.read.edited_facts`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from chatscene.errors import EditRefused
+from chatscene.read import lexicon
+from chatscene.read.canonical import canonical
+from chatscene.read.edit_words import Mark, Named, Word, words_at
+from chatscene.read.edited_facts import OF_EGO, ActWish, Wishes, edited
+from chatscene.read.parse import parse
+from chatscene.read.phrases import Sort, Where
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.edit import Edit, Facts
+from chatscene.terms.scenario import EgoState, Maneuver, Measure, Occluder, Quantity, Shift, Side, Slots
+
+LONGEST = 500  # characters
+
+_WORD = re.compile(r"\S+")
+_HALFWAY = re.compile(r"half|midway|middle|in mid|moment|briefly|on its way")
+_NOT = re.compile(r"\bnot\b|n't\b|\bwithout\b|\bfails?\b")
+_IT = re.compile(r"\b(?:it|him|her|them|this|that)\b")
+_GOES_ON = ("and", "or", "that", "which", "who")  # what is named to go may be followed by more of it
+_ANOTHER = ("another", "a second", "a third")
+_DEFINITE = "the"
+_STANDING = {
+    AdversaryKind.CAR: Occluder.PARKED_CAR,
+    AdversaryKind.TRUCK: Occluder.PARKED_TRUCK,
+    AdversaryKind.BUS: Occluder.PARKED_BUS,
+}  # what hides somebody where it is parked
+
+
+def hear_edit(text: str, facts: Facts) -> Edit:
+    """What an edit makes of facts.
+
+    Args:
+        text: English.
+        facts: Those at hand.
+
+    Raises:
+        EditRefused: It has words that mean nothing here, contradicts itself or what stays, or changes nothing.
+    """
+    plain = canonical(text.replace("cut-in", "cut in").replace("Cut-in", "cut in")).removesuffix(".")
+    if not plain or len(plain) > LONGEST:
+        raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
+    words, unread = scanned(plain)
+    if unread:
+        mended = re.sub(r"[a-z]+", lambda m: lexicon.mended(m[0]), plain)
+        again, still = scanned(mended)
+        if len(still) < len(unread):
+            plain, words, unread = mended, again, still
+    if unread:
+        said = ", ".join(repr(one) for one in unread)
+        raise EditRefused(f"not understood: {said}; say it otherwise, nothing was changed", words=tuple(unread))
+    wishes = _Hearing(plain, words, facts.slots).wishes()
+    after = edited(facts, wishes)
+    if after == facts:
+        raise EditRefused(f"nothing to change: this is so already ({', '.join(wishes.named()) or 'no fact is named'})")
+    return Edit(text=" ".join(text.split()), facts=after, named=wishes.named())
+
+
+def scanned(text: str) -> tuple[list[Word], list[str]]:
+    """The words of an edit that mean something, and those that mean nothing, in order.
+
+    Args:
+        text: Lower case.
+    """
+    found: list[Word] = []
+    unread: list[str] = []
+    ego, at, gap = False, 0, True
+    while at < len(text):
+        if text[at] == " ":
+            at += 1
+            continue
+        end, best = at, None
+        for until, word in words_at(text, at):
+            if until > end and (ego or word.mark not in OF_EGO) and not (ego and word.mark is Mark.ACT):
+                end, best = until, word
+        if best is None:
+            match = _WORD.match(text, at)
+            assert match is not None  # a space was skipped
+            if gap or not unread:
+                unread.append(match[0])
+            else:
+                unread[-1] += f" {match[0]}"
+            at, gap = match.end(), False
+            continue
+        found.append(best)
+        at, gap = end, True
+        if best.mark is Mark.EGO:
+            ego = True
+        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER, Mark.SET):
+            ego = False
+    return found, unread
+
+
+@dataclass
+class _Hearing:
+    """The words of an edit, taken in one after the other.
+
+    Attributes:
+        text: All of it.
+        words: Its words.
+        slots: The facts at hand.
+        found: What was named so far.
+        old: Whether what is named is what was, and is to go.
+        told: The kind of what was named as old last; what follows only describes it.
+        changing: Whether a word such as "replace" still waits for its "with".
+        whose: Of whom is spoken: 0 for the adversary, 1 for the other, None for the ego.
+        order: Where acts go beside those that stay.
+    """
+
+    text: str
+    words: Sequence[Word]
+    slots: Slots
+    found: Wishes = field(default_factory=Wishes)
+    old: bool = False
+    told: Mark | None = None
+    changing: bool = False
+    whose: int | None = 0
+    order: Mark | None = None
+
+    def wishes(self) -> Wishes:
+        """Everything that is named."""
+        at = 0
+        while at < len(self.words):
+            at = self._take(at)
+        return self.found
+
+    def _take(self, at: int) -> int:
+        """Take in the words at an index; the index of the next."""
+        word = self.words[at]
+        if word.mark is Mark.FILLER:
+            return at + 1
+        if word.mark in _MODES:
+            self._mode(word, at)
+            return at + 1
+        if word.mark is Mark.USER and (end := self._adds(word, at)):
+            return end
+        if self.old and self.told is not None and not self._of_the_same(word, at):
+            self.old, self.told = self.changing, None
+        self._content(word, at)
+        if self.old:
+            self.told = word.mark
+        return at + 1
+
+    def _of_the_same(self, word: Word, at: int) -> bool:
+        """Whether words go on to describe what is to go, or name another that is."""
+        if self.told in (Mark.USER, Mark.ACT) and word.mark in (Mark.ACT, Mark.SIDED, Mark.WHERE):
+            return True
+        return at > 0 and self.words[at - 1].said in ("and", "or", "nor")
+
+    def _mode(self, word: Word, at: int) -> None:
+        """Take in words that name no fact, but say what is to be done with one."""
+        mark = word.mark
+        if mark in (Mark.OLD, Mark.DROP, Mark.CHANGE):
+            self.old, self.told, self.changing = True, None, mark is Mark.CHANGE
+        elif mark in (Mark.NEW, Mark.SET):
+            self._new(word)
+        elif mark is Mark.JOINT and word.said not in _GOES_ON and not self.changing:
+            self.old, self.told = False, None
+        elif mark in (Mark.THEN, Mark.FIRST, Mark.BEFORE, Mark.AFTER):
+            self.order, self.old = mark, False
+        elif mark is Mark.EGO:
+            self.whose, self.old = None, self.old and self.changing
+        elif mark is Mark.IT:
+            self.whose = self.whose or 0
+        elif mark is Mark.OTHER:
+            self._of_the_other(word)
+        elif mark is Mark.ONLY:
+            self._only(at)
+
+    def _new(self, word: Word) -> None:
+        """What follows is new."""
+        if word.mark is Mark.SET or self.changing:
+            self.old, self.changing, self.told = False, False, None
+        if word.mark is Mark.SET and _IT.search(word.said):
+            self.whose = self.whose or 0
+
+    def _of_the_other(self, word: Word) -> None:
+        if self.slots.others:
+            self.whose = 1
+            if self.old:
+                self.found.drop_other(word.said)
+                self.whose = 0
+        elif self.old or "other" not in word.said:
+            raise EditRefused(f"{word.said!r}: there is nobody but the {_called(self.slots)}")
+        else:
+            self.whose = 0
+
+    def _only(self, at: int) -> None:
+        """One where several were, or nobody beside the adversary."""
+        if self.slots.group:
+            self.found.wish("group", None, self.words[at].said)
+        elif self.slots.others:
+            self.found.drop_other(self.words[at].said)
+        elif any(word.mark in (Mark.LANES, Mark.NUMBER) for word in self.words[at:]):
+            return
+        else:
+            raise EditRefused(f"{self.words[at].said!r}: there is nobody but the {_called(self.slots)}")
+
+    def _clause(self, at: int) -> list[Word]:
+        """The words about an index, between commas and the like."""
+        first, last = at, at
+        while first > 0 and self.words[first - 1].mark is not Mark.JOINT:
+            first -= 1
+        while last < len(self.words) and self.words[last].mark is not Mark.JOINT:
+            last += 1
+        return list(self.words[first:last])
+
+    # Road users
+
+    def _adds(self, word: Word, at: int) -> int:
+        """Take in somebody who joins the others, if that is what is said; the index of what follows, else 0."""
+        named: Named = word.value
+        marks = [one.mark for one in self._clause(at)]
+        hides = self._hides(word)
+        joins = named.article in _ANOTHER or Mark.ADD in marks[: marks.index(Mark.USER)] or Mark.ALSO in marks
+        joins |= at > 0 and self.words[at - 1].said == "with" and not self.changing
+        replaces = any(one.mark in (Mark.OLD, Mark.INSTEAD, Mark.CHANGE) for one in self.words)
+        if self.old or hides or not joins or replaces or named.article == _DEFINITE:
+            return 0
+        if self.slots.others:
+            raise EditRefused(
+                f"{word.said!r}: two road users besides the ego are the most; remove the second one first"
+            )
+        end = next((i for i in range(at, len(self.words)) if self.words[i].said in (".", ";")), len(self.words))
+        until = self.words[end].at if end < len(self.words) else len(self.text)
+        rest = re.sub(r"\b(?:also|too|as well|in addition|additionally)\b ?", "", self.text[word.at : until]).strip(
+            " ,"
+        )
+        rest = rest if named.article else f"a {rest}"
+        after = rest[len(word.said) + (0 if named.article else 2) :]
+        for said in (rest, f"{rest[: len(rest) - len(after)]} stands{after}"):
+            parsed = parse(f"{said}.")
+            if parsed is not None and not parsed.slots.others and not parsed.quantities:
+                one = parsed.slots
+                self.found.add_other(
+                    Slots(adversary=one.adversary, actions=one.actions, side=one.side, position=one.position), rest
+                )
+                return end
+        raise EditRefused(
+            f"not understood: {rest!r}; say who is added, where and what it does, such as 'add a truck that stands "
+            "ahead of us'",
+            words=(rest,),
+        )
+
+    def _hides(self, word: Word) -> Occluder | None:
+        """What a road user is that only stands in the way of sight; None if it does more."""
+        named: Named = word.value
+        parked = (Sort.WHERE, Where.EDGE) in named.traits
+        marks = [one.mark for one in self._clause(self.words.index(word))]
+        occluded = self.slots.occluder is not None and self.slots.occluder in _STANDING.values()
+        if Mark.HIDDEN in marks or (parked and self.slots.occluder is not None):
+            return _STANDING.get(named.kind)
+        if occluded and _STANDING.get(named.kind) is self.slots.occluder and named.kind is not self.slots.adversary:
+            return self.slots.occluder
+        return None
+
+    def _named(self, word: Word, at: int) -> None:
+        """Somebody is named: the adversary, the other, or somebody in the adversary's place."""
+        named: Named = word.value
+        if occluder := self._hides(word):
+            self._occluder(occluder, word)
+            return
+        if self.old:
+            self._goes(named, word)
+            return
+        known = [self.slots.adversary, *(one.adversary for one in self.slots.others)]
+        if named.article == _DEFINITE and named.kind in known:
+            self.whose = known.index(named.kind)
+        elif named.article == _DEFINITE and not self._stated(at):
+            raise self._nobody(word)
+        elif self.whose == 1:
+            self.found.wish("other adversary", named.kind, word.said)
+        else:
+            self.whose = 0
+            self.found.wish("adversary", named.kind, word.said)
+            if named.several or (named.article == "one" and self.slots.group):
+                self.found.wish("group", named.several or None, word.said)
+        for sort, value in named.traits:
+            if sort is Sort.WHERE:
+                self.found.place(Where(str(value)), word.said)
+            elif sort is Sort.ACT and isinstance(value, Action):
+                self.found.acts.append(ActWish(action=value, said=word.said, order=Mark.ALSO))
+
+    def _goes(self, named: Named, word: Word) -> None:
+        """Somebody is to go."""
+        others = [one.adversary for one in self.slots.others]
+        if named.kind is self.slots.adversary and not (named.kind in others and named.article != _DEFINITE):
+            self.found.old("adversary", named.kind, word.said)
+        elif named.kind in others:
+            self.found.drop_other(word.said)
+        elif self.slots.leader and (Sort.ACT, Action.SLOW) in named.traits:
+            self.found.old("leader", True, word.said)
+        else:
+            raise self._nobody(word)
+
+    def _nobody(self, word: Word) -> EditRefused:
+        return EditRefused(f"{word.said!r}: there is none; the adversary is a {_called(self.slots)}")
+
+    def _stated(self, at: int) -> bool:
+        """Whether words before or after say that somebody is in another's place."""
+        return any(
+            one.mark in (Mark.SET, Mark.NEW, Mark.INSTEAD, Mark.OLD, Mark.CHANGE) for one in self.words[:at]
+        ) or any(one.mark in (Mark.INSTEAD, Mark.OLD) for one in self.words[at:])
+
+    # Everything else
+
+    def _content(self, word: Word, at: int) -> None:
+        """Take in words that name a fact."""
+        value, said = word.value, word.said
+        if word.mark in _FACTS:
+            self._fact(_FACTS[word.mark], value, word)
+        elif word.mark in _NONE:
+            self.found.wish(_NONE[word.mark], None, said)
+        elif word.mark in (Mark.PLACE, Mark.SITE):
+            self._site(word)
+        elif word.mark in (Mark.SIDED, Mark.SIDE, Mark.OTHER_SIDE):
+            self._sided(word)
+        elif word.mark in (Mark.NUMBER, Mark.SHIFT):
+            self._number(value, said)
+        elif word.mark is Mark.ANY:
+            self.found.number(value, None, said)
+        elif word.mark is Mark.MIRROR:
+            self.found.mirror(said)
+        else:
+            self._of_somebody(word, at)
+
+    def _of_somebody(self, word: Word, at: int) -> None:
+        if word.mark is Mark.USER:
+            self._named(word, at)
+        elif word.mark is Mark.ACT:
+            self._act(word, at)
+        elif word.mark is Mark.WHERE:
+            self._where(word.value, word)
+        elif word.mark is Mark.HIDDEN:
+            self._hidden(word, at)
+        elif word.value is None:
+            self._some_occluder(word)
+        else:
+            self._occluder(word.value, word)
+
+    def _site(self, word: Word) -> None:
+        """A place with how it is controlled, or a site with what the ego does there."""
+        value, besides = word.value if isinstance(word.value, tuple) else (word.value, None)
+        self._fact(str(word.mark), value, word)
+        if besides is not None:
+            self._fact("control" if word.mark is Mark.PLACE else "maneuver", besides, word)
+
+    def _sided(self, word: Word) -> None:
+        if word.mark is Mark.SIDE:
+            self._bare_side(Side(word.value), word)
+        elif word.mark is Mark.OTHER_SIDE:
+            self._other_side(word)
+        else:
+            side, where = word.value
+            self._side(Side(side), word.said)
+            if where is not None and not self.old:
+                self.found.place(where, word.said)
+
+    def _fact(self, name: str, value: Any, word: Word) -> None:
+        if self.old:
+            self.found.old(name, value, word.said)
+        else:
+            self.found.wish(name, value, word.said)
+
+    def _act(self, word: Word, at: int) -> None:
+        if self.whose is None:
+            raise EditRefused(f"not understood of the ego: {word.said!r}", words=(word.said,))
+        clause, order, action = self._clause(at), self.order, word.value
+        marks = {one.mark for one in clause}
+        if _NOT.search(word.said) and action is Action.FOLLOW:
+            self.found.dont(self.slots, word.said, of=self.whose)
+            return
+        if self.whose == 0 and action in _TURNS and self._ego_turns():
+            self._fact("maneuver", _TURNS[action], word)
+            return
+        halfway = Mark.ON_THE_WAY in marks or _HALFWAY.search(word.said) is not None
+        if action is Action.STAND and halfway:
+            action = Action.HESITATE
+        if self.old:
+            order = Mark.OLD
+        elif order is None and marks & {Mark.ALSO, Mark.ADD}:
+            order = Mark.ALSO
+        elif order is None and any(one.mark is Mark.INSTEAD for one in self.words):
+            order = Mark.INSTEAD
+        elif order is None and halfway:
+            order = Mark.ON_THE_WAY
+        self.found.acts.append(ActWish(action=action, said=word.said, order=order, of=self.whose))
+        if order in (Mark.BEFORE, Mark.AFTER):
+            self.order = None
+
+    def _ego_turns(self) -> bool:
+        """Whether a turn of which nobody is said to make it is the ego's: it turns, and the adversary does not."""
+        named = any(one.mark in (Mark.IT, Mark.USER, Mark.OTHER) for one in self.words)
+        its = {Action.TURN_LEFT, Action.TURN_RIGHT}.intersection(self.slots.actions)
+        return self.slots.maneuver in _TURNS.values() and not named and not its
+
+    def _where(self, where: Where, word: Word) -> None:
+        if self.whose is None:
+            raise EditRefused(f"not understood of the ego: {word.said!r}", words=(word.said,))
+        if not self.old:
+            self.found.place(where, word.said, of=self.whose)
+
+    def _side(self, side: Side, said: str) -> None:
+        if self.whose is None:
+            raise EditRefused(f"not understood of the ego: {said!r}", words=(said,))
+        name = "other side" if self.whose == 1 else "side"
+        if self.old:
+            self.found.old(name, side, said)
+        else:
+            self.found.wish(name, side, said)
+
+    def _bare_side(self, side: Side, word: Word) -> None:
+        """A side alone is that of whoever is spoken of, or the one to which the ego turns."""
+        turn = self.slots.maneuver is not None and ("left" in self.slots.maneuver or "right" in self.slots.maneuver)
+        if turn and (self.whose is None or self.slots.side is None or "maneuver" in self.found.facts):
+            assert self.slots.maneuver is not None  # or it is no turn
+            other = {"left": "right", "right": "left"}[side]
+            self._fact("maneuver", type(self.slots.maneuver)(self.slots.maneuver.replace(other, side)), word)
+        else:
+            self._side(side, word.said)
+
+    def _other_side(self, word: Word) -> None:
+        whose = self.slots if self.whose != 1 else self.slots.others[0]
+        if whose.side is None:
+            raise EditRefused(f"{word.said!r}: no side was said so far; say left or right")
+        self._side(Side.LEFT if whose.side is Side.RIGHT else Side.RIGHT, word.said)
+
+    def _hidden(self, word: Word, at: int) -> None:
+        """What hides somebody is named beside it, or it is none any more."""
+        if self.old:
+            self.found.wish("occluder", None, word.said)
+            self.told = Mark.HIDDEN
+            return
+        rest = self._clause(at)
+        if not any(one.mark is Mark.OCCLUDER or (one.mark is Mark.USER and self._hides(one)) for one in rest):
+            known = ", ".join(str(one).replace("-", " ") for one in Occluder)
+            raise EditRefused(f"{word.said!r}: say by what: {known}")
+
+    def _occluder(self, occluder: Occluder, word: Word) -> None:
+        """What hides somebody; "the bus stop" may be the one at hand, of which something is to be said."""
+        if self.old or occluder is not self.slots.occluder or not word.said.startswith("the "):
+            self._fact("occluder", occluder, word)
+
+    def _some_occluder(self, word: Word) -> None:
+        if not self.old:
+            return  # what it is to be is named as well
+        if self.slots.occluder is None:
+            raise EditRefused(f"{word.said!r}: nothing hides anybody")
+        self.found.old("occluder", self.slots.occluder, word.said)
+
+    def _number(self, number: Quantity | Shift, said: str) -> None:
+        if self.whose is None and number.measure is not Measure.TRIGGER:
+            if isinstance(number, Shift) and number.measure is Measure.SPEED and not number.more:
+                self.found.wish("ego", EgoState.SLOW, said)
+                return
+            raise EditRefused(
+                f"not understood of the ego: {said!r}; how fast it drives is its own affair", words=(said,)
+            )
+        if self.whose == 1:
+            raise EditRefused(f"{said!r}: numbers can be set of the adversary alone")
+        self.found.number(number.measure, None if self.old else number, said)
+
+
+_TURNS = {Action.TURN_LEFT: Maneuver.LEFT_TURN, Action.TURN_RIGHT: Maneuver.RIGHT_TURN}
+
+
+def _called(slots: Slots) -> str:
+    return str(slots.adversary).replace("-", " ")
+
+
+_MODES = (
+    Mark.SET,
+    Mark.OLD,
+    Mark.CHANGE,
+    Mark.NEW,
+    Mark.INSTEAD,
+    Mark.DROP,
+    Mark.ADD,
+    Mark.ALSO,
+    Mark.THEN,
+    Mark.FIRST,
+    Mark.BEFORE,
+    Mark.AFTER,
+    Mark.ON_THE_WAY,
+    Mark.ONLY,
+    Mark.JOINT,
+    Mark.EGO,
+    Mark.IT,
+    Mark.OTHER,
+)
+_NONE = {Mark.MOVES: "ego", Mark.SEEN: "occluder"}
+_FACTS = {
+    Mark.CONTROL: "control",
+    Mark.MANEUVER: "maneuver",
+    Mark.STATE: "ego",
+    Mark.LEADER: "leader",
+    Mark.LANES: "lanes",
+    Mark.TWO_WAY: "two_way",
+    Mark.GROUP: "group",
+    Mark.FAR: "distance",
+    Mark.LIGHT: "light",
+    Mark.WEATHER: "weather",
+    Mark.SURFACE: "surface",
+}

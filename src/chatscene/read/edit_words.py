@@ -1,0 +1,347 @@
+"""The words of edits: what they say beyond the phrases in which situations are told.
+
+An edit is made of the phrases of `chatscene.read.phrases`, of the wider words of `chatscene.read.lexicon`, and of the
+marks below, which say what is to be done with a fact: set it, drop it, put it beside others, in place of another.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+from typing import Any
+
+from chatscene.read import lexicon
+from chatscene.read.inflection import any_form
+from chatscene.read.parse import SEVERAL
+from chatscene.read.phrases import Phrase, Sort, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.quantities import number_at, quantity_at
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.scenario import (
+    Control,
+    Distance,
+    EgoState,
+    Maneuver,
+    Measure,
+    Place,
+    Quantity,
+    Shift,
+    Site,
+)
+from chatscene.terms.surroundings import Light, Surface, Weather
+
+
+class Mark(StrEnum):
+    """What words of an edit do, or which fact they name."""
+
+    SET = "set"  # make it, use
+    OLD = "old"  # instead of, rather than: what follows is what was
+    CHANGE = "change"  # replace, turn: what follows is what was, up to NEW
+    NEW = "new"  # with, by, into
+    INSTEAD = "instead"
+    DROP = "drop"
+    ADD = "add"
+    ALSO = "also"
+    THEN = "then"
+    FIRST = "first"
+    BEFORE = "before"
+    AFTER = "after"
+    ON_THE_WAY = "on-the-way"  # halfway
+    ONLY = "only"
+    JOINT = "joint"
+    EGO = "ego"
+    IT = "it"  # the adversary
+    OTHER = "other"  # the second road user
+    SIDE = "side"  # a bare one
+    OTHER_SIDE = "other-side"
+    MIRROR = "mirror"
+    USER = "user"  # a road user: kind, article, traits
+    ACT = "act"
+    WHERE = "where"
+    SIDED = "sided"  # a side, with a `Where` or None
+    PLACE = "place"
+    CONTROL = "control"
+    SITE = "site"
+    MANEUVER = "maneuver"
+    STATE = "state"
+    MOVES = "moves"  # the ego is under no orders
+    OCCLUDER = "occluder"
+    HIDDEN = "hidden"  # nothing tells by what
+    SEEN = "seen"  # nothing hides it
+    LEADER = "leader"
+    LANES = "lanes"
+    TWO_WAY = "two-way"
+    GROUP = "group"
+    FAR = "far"  # near or far
+    LIGHT = "light"
+    WEATHER = "weather"
+    SURFACE = "surface"
+    NUMBER = "number"
+    SHIFT = "shift"
+    ANY = "any"  # number of a measure
+    FILLER = "filler"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Word:
+    """Words of an edit that mean one thing.
+
+    Attributes:
+        mark: What they do or name.
+        value: The fact that they name, if any.
+        said: The words.
+        at: Where they begin in the text.
+    """
+
+    mark: Mark
+    value: Any = None
+    said: str
+    at: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Named:
+    """A road user as words name it.
+
+    Attributes:
+        kind: What it is.
+        article: The word before it; empty if there is none.
+        traits: What is said before the noun.
+        several: Whether there are several of it.
+    """
+
+    kind: AdversaryKind
+    article: str
+    traits: tuple[tuple[Sort, object], ...]
+    several: bool
+
+
+_PRONOUN = r"(?:it|him|her|them|that|this|he|she|they)"
+_CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
+
+_MARKS: tuple[tuple[Mark, Any, str], ...] = (
+    (Mark.SET, None, rf"{_CAUSE} {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
+    (Mark.OLD, None, r"instead of|rather than|in place of|not|as opposed to|in lieu of"),
+    (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|turn(?= the )|substitute"),
+    (Mark.NEW, None, r"(?:with|by|for|to|into|become|becomes)(?= |$)"),
+    (Mark.INSTEAD, None, r"instead|rather|in its place|in stead|this time|for a change|after all"),
+    (Mark.DROP, None, r"no|without(?: any)?|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|should|must|shall|is|are|was)(?: not|n't)(?: be| have)?|don't|never|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|not (?=at|in|on|by|from|any|the|a|an|hidden)|nor|neither|stops?(?= the (?:rain|snow|fog))"),
+    (Mark.ADD, None, r"add(?: in)?|include|introduce|bring in|there (?:is|should be|shall be) also|plus|throw in|put in"),
+    (Mark.ALSO, None, r"also|too|as well|additionally|in addition|on top(?: of that)?|besides"),
+    (Mark.THEN, None, r"(?:and )?(?:then|after that|afterwards?|after which|next|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
+    (Mark.FIRST, None, r"first(?: of all)?|at first|initially|to begin with|beforehand"),
+    (Mark.BEFORE, None, rf"before(?: {_PRONOUN})?(?= \w)"),
+    (Mark.AFTER, None, rf"(?:after|once|when|having)(?: {_PRONOUN})?(?: has)?(?= \w+(?:ing|s|ed)\b)"),
+    (Mark.ON_THE_WAY, None, r"halfway(?: across| over| through)?|half-way|midway|mid-way|half way|in the middle(?: of the (?:road|street|lane|crossing|junction))?|on (?:its|his|her|the) way|in between|for a moment|briefly|part-?way"),
+    (Mark.ONLY, None, r"only|just(?: the)? one|alone|a single|single|by (?:it|him|her)self|on (?:its|his|her) own"),
+    (Mark.JOINT, None, r",|;|\.|:|and|but|or|so that|while|as|that|who|which|where"),
+    (Mark.EGO, None, rf"(?:{_CAUSE} )?(?:us|we|our (?:own )?(?:car|vehicle)|the (?:av|vut|sut|host(?: vehicle)?|tested (?:car|vehicle)|test vehicle|subject vehicle))(?! (?:want|would like)\b)"),
+    (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|other (?:road users?|traffic)|the others?"),
+    (Mark.IT, None, rf"{_PRONOUN}|(?:the|that|this|our) (?:adversary|opponent|other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|guy|one|vehicle|attacker|actor)"),
+    (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:other|opposite|opposing) (?:side|direction|hand)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other"),
+    (Mark.MIRROR, None, r"(?:mirror|flip|reverse)(?: (?:it|everything|(?:the )?(?:(?:whole|entire) )?(?:scene|scenario|situation|thing)|that|this|left and right))?(?: left to right)?|swap left and right|mirrored|mirror image|the same (?:thing )?mirrored|left and right swapped"),
+    (Mark.SIDE, None, r"(?:the |our )?(?P<side>left|right)(?:-hand)?(?: side)?"),
+    (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
+    (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
+    (Mark.MANEUVER, Maneuver.STRAIGHT, r"[go] straight(?: (?:on|ahead|through|over))?|straight (?:on|ahead|through)|[drive] straight(?: (?:on|ahead|through))?|[keep] straight(?: on)?|[stay] in (?:our|the|its) lane"),
+    (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
+    (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
+    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) )|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking) (?:the|our) (?:view|sight)|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?"),
+    (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
+    (Mark.OCCLUDER, None, r"(?:the |an? |any )?(?:occluder|occlusion|cover|view blocker|obstruction)"),
+    (Mark.LEADER, True, r"(?:with|behind|following|add|we follow) (?:an?|the|another) slow(?:er)?(?:[- ]moving)? (?:car|vehicle|truck|lorry|van|bus)(?: (?:ahead|in front)(?: of us)?)?(?: that we follow)?|(?:the |an? |any )?(?:slow )?(?:lead(?:ing)? (?:car|vehicle)|leader)(?: (?:ahead|in front)(?: of us)?)?"),
+    (Mark.LANES, 1, r"(?:only |just )?(?:one|a single|1) lane(?: (?:each|per|in each|in our|in either) (?:way|direction))?|(?:on an? )?(?:single|one)[- ]lane(?: (?:road|street))?"),
+    (Mark.LANES, 2, r"(?:two|2) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:two|2)[- ]lane (?:road|street|carriageway)"),
+    (Mark.LANES, 3, r"(?:three|3) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:three|3)[- ]lane (?:road|street|carriageway)"),
+    (Mark.TWO_WAY, True, r"(?:on a )?two[- ]way(?: (?:road|street))?|with (?:an )?oncoming (?:traffic|lane)"),
+    (Mark.TWO_WAY, False, r"(?:on a )?one[- ]way(?: (?:road|street))?"),
+    (Mark.GROUP, True, r"(?:in )?(?:a |the )?(?:whole )?(?:group|crowd|bunch|pack)(?: of(?: them)?)?|several(?: of them)?|two of them|three of them|more than one|with (?:others|friends|company)|together with others|multiple"),
+    (Mark.FAR, Distance.FAR, r"(?:(?:very|quite|from|start|starts|starting) )?far (?:away|off|ahead|behind)(?: (?:from|of) us)?|in the distance|a long way (?:off|away|ahead|behind)|at (?:a )?(?:long|great|large) (?:distance|range)"),
+    (Mark.FAR, Distance.NEAR, r"(?:(?:very|quite|start|starts|starting|right) )?(?:close by|nearby|close to us|near us|close up|close at hand)|a short (?:way|distance) (?:off|away|ahead)|at (?:a )?(?:short|close) (?:distance|range)"),
+    (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
+    (Mark.CONTROL, Control.STOP_SIGN, r"(?:with )?(?:a |the |any )?stop[- ]signs?(?: controlled)?|(?:all|four|two)[- ]way stop"),
+    (Mark.CONTROL, Control.NONE, r"un-?signali(?:s|z)ed|uncontrolled|unregulated|without (?:any )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|no (?:traffic )?(?:lights?|signals?)(?: or signs?)?|without any control|no control"),
+    (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|three[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|four[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
+    (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
+    (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
+    (Mark.PLACE, Place.CURVE, r"(?:in |on |around |round |through |into )?(?:a |the )?(?:sweeping )?(?:bend|curve)|curv(?:ed|ing|y)(?: road)?|winding(?: road)?"),
+    (Mark.PLACE, Place.ROAD, r"(?:on |along )?(?:a |an |the )?(?:(?:straight|open|normal|plain|ordinary|regular) )+(?:piece of |stretch of |stretch|section of )?(?:road|street)?|between (?:the )?(?:junctions|intersections)|mid-?block|away from (?:any|the) (?:junction|intersection)"),
+    (Mark.SITE, Site.ROUNDABOUT, r"(?:an?|the|any)? ?(?:roundabout|traffic circle|rotary)"),
+    (Mark.SITE, Site.MOTORWAY, r"(?:an?|the|any)? ?(?:motorway|highway|freeway|expressway|autobahn)"),
+    (Mark.SITE, Site.RURAL, r"(?:out )?(?:in|into|to) the country(?:side)?|rural(?: (?:road|area))?|(?:an?|the|any)? ?country (?:road|lane)"),
+    (Mark.SITE, Site.CROSSWALK, r"(?:an?|the|any)? ?(?:crosswalk|zebra(?: crossing)?|pedestrian crossing)"),
+    (Mark.LIGHT, Light.DAY, r"(?:by|in the|during the|at) (?:day(?:time|light)?|noon|midday)|in (?:broad )?daylight|daylight|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
+    (Mark.LIGHT, Light.NIGHT, r"(?:when it is |it is |in the )?dark(?:ness)?|(?:in|at|by|during) the night(?:time)?|nocturnal"),
+    (Mark.LIGHT, Light.DUSK, r"in the twilight|at (?:dusk|dawn|twilight|sunset|sunrise)|in the (?:late )?evening"),
+    (Mark.WEATHER, Weather.CLEAR, r"(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
+    (Mark.WEATHER, Weather.RAIN, r"(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining"),
+    (Mark.WEATHER, Weather.SNOW, r"(?:in |during )?(?:the )?snow(?:fall|y|ing|s)?(?: weather)?|it is snowing"),
+    (Mark.WEATHER, Weather.FOG, r"(?:in |during )?(?:the )?fog(?:gy)?(?: weather)?"),
+    (Mark.SURFACE, Surface.DRY, r"(?:on )?(?:a |the )?dry(?: (?:road|street|surface|asphalt|conditions?))?|in the dry"),
+    (Mark.SURFACE, Surface.WET, r"(?:on )?(?:a |the )?wet(?: (?:road|street|surface|asphalt|conditions?))?|in the wet"),
+    (Mark.SURFACE, Surface.ICE, r"(?:on )?(?:a |an |the )?(?:icy|frozen)(?: (?:road|street|surface))?|(?:on |with )?(?:black )?ice(?: on the (?:road|street))?"),
+    (Mark.SURFACE, Surface.SNOW, r"(?:on )?(?:a |the )?(?:snowy|snow-?covered) (?:road|street|surface)|(?:with )?snow on the (?:road|street|ground)"),
+    (Mark.ANY, Measure.SPEED, r"(?:at )?(?:any|whatever) speed|no matter how fast"),
+    (Mark.ANY, Measure.DISTANCE, r"(?:at )?any distance|anywhere"),
+    (Mark.FILLER, None, r"please|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|another|few|more|even|itself|himself|herself"),
+)  # fmt: skip
+
+_DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
+_ADVERB = r"(?: (?:than (?:that|before|now|it is|it was)|to us|from us|behind us|ahead of us|in front of us|ahead|behind|at us))?"
+_SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
+    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her) speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
+    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her) speed"),
+    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|closer|nearer|less far)"),
+    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
+    (Measure.TRIGGER, False, r"later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
+    (Measure.TRIGGER, True, r"earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
+    (Measure.DECELERATION, True, r"harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
+    (Measure.DECELERATION, False, r"softer|gentler|more (?:gently|softly|smoothly)|less (?:hard|sharply|abruptly|strongly|violently|heavily)|not (?:so|as) hard|weaker|smoother"),
+    (Measure.TIME, True, r"(?:for )?longer|for a longer time|not (?:so|as) short"),
+    (Measure.TIME, False, r"(?:for )?shorter|for a shorter time|less long|more briefly|not (?:so|as) long"),
+)  # fmt: skip
+_TIMES: tuple[tuple[float, str], ...] = (
+    (2.0, r"(?:twice|double|two times)(?: (?:as|the))?"),
+    (3.0, r"(?:three times|triple)(?: (?:as|the))?"),
+    (0.5, r"half(?: (?:as|the))?|halve (?:the|its|his|her)"),
+    (1.5, r"one and a half times(?: (?:as|the))?|half again as"),
+)
+_OF: tuple[tuple[Measure, str], ...] = (
+    (Measure.SPEED, r"fast(?: as (?:before|now|that))?|speed|quick"),
+    (Measure.DISTANCE, r"far(?: (?:away|off))?(?: as (?:before|now|that))?|distance"),
+    (Measure.DECELERATION, r"hard(?: as (?:before|now|that))?"),
+    (Measure.TIME, r"long(?: as (?:before|now|that))?"),
+)
+
+
+_MARKED = re.compile(r"\[([a-z]+)\]")
+
+
+def _compiled(text: str) -> re.Pattern[str]:
+    marked = _MARKED.sub(lambda verb: any_form(verb[1]), text)
+    return re.compile(rf"(?:{marked})(?![\w'])")
+
+
+@lru_cache(maxsize=1)
+def _marks() -> tuple[tuple[Mark, Any, re.Pattern[str]], ...]:
+    return tuple((mark, value, _compiled(said)) for mark, value, said in _MARKS)
+
+
+@lru_cache(maxsize=1)
+def _shifts() -> tuple[tuple[Measure, bool, re.Pattern[str]], ...]:
+    return tuple((measure, more, _compiled(rf"{_DEGREE}(?:{said}){_ADVERB}")) for measure, more, said in _SHIFTS)
+
+
+@lru_cache(maxsize=1)
+def _times() -> tuple[tuple[Measure, float, re.Pattern[str]], ...]:
+    return tuple(
+        (measure, times, _compiled(rf"(?:at )?(?:{many}) (?:its |his |her )?(?:{said})"))
+        for times, many in _TIMES
+        for measure, said in _OF
+    )
+
+
+_SORTS = {
+    Sort.ACT: Mark.ACT,
+    Sort.WHERE: Mark.WHERE,
+    Sort.SIDE: Mark.SIDED,
+    Sort.SITE: Mark.SITE,
+    Sort.MANEUVER: Mark.MANEUVER,
+    Sort.BYPASS: Mark.MANEUVER,
+    Sort.STATE: Mark.STATE,
+    Sort.LEADER: Mark.LEADER,
+    Sort.OCCLUDER: Mark.OCCLUDER,
+    Sort.LANES: Mark.LANES,
+    Sort.TWO_WAY: Mark.TWO_WAY,
+    Sort.PLACE: Mark.PLACE,
+    Sort.TARGET: Mark.FILLER,
+    Sort.FILLER: Mark.FILLER,
+}
+"""What phrases of whole texts are in an edit; the others mark clauses, which edits have their own way of."""
+
+
+def words_at(text: str, at: int) -> Iterator[tuple[int, Word]]:
+    """Everything that the words at a place may be, with where it ends; what is meant rather comes first.
+
+    Args:
+        text: Lower case.
+        at: Where they begin.
+    """
+    for readers in (_numbers_at, _marks_at, _phrases_at):
+        for end, mark, value in readers(text, at):
+            yield end, Word(mark=mark, value=value, said=text[at:end].strip(), at=at)
+
+
+def _numbers_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
+    if (number := _number(text, at)) is not None:
+        yield number[1], Mark.SHIFT if isinstance(number[0], Shift) else Mark.NUMBER, number[0]
+    for measure, more, pattern in _shifts():
+        if match := pattern.match(text, at):
+            yield match.end(), Mark.SHIFT, Shift(measure=measure, more=more, said=match[0])
+    for measure, times, pattern in _times():
+        if match := pattern.match(text, at):
+            yield match.end(), Mark.SHIFT, Shift(measure=measure, more=times > 1.0, times=times, said=match[0])
+
+
+def _marks_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
+    for mark, value, pattern in _marks():
+        if (match := pattern.match(text, at)) and match.end() > at:
+            yield match.end(), mark, match["side"] if mark is Mark.SIDE else value
+
+
+def _phrases_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
+    for phrase in phrases():
+        if phrase.sort in _SORTS and (match := phrase.pattern.match(text, at)):
+            yield match.end(), _SORTS[phrase.sort], _value(phrase, match)
+    if match := road_user().match(text, at):
+        article = match["article"] or ""
+        traits = tuple(traits_in(match))
+        named = Named(kind=kind_in(match), article=article, traits=traits, several=article in SEVERAL)
+        yield match.end(), Mark.USER, named
+    for mark, value, pattern in _LEXICON:
+        if (match := pattern.match(text, at)) and match.end() > at:
+            yield match.end(), mark, value
+
+
+_SOME = r"(?:(?:an?|the|some) )?(?:(?:tall|high|large|big) )?"
+_LEXICON: tuple[tuple[Mark, Any, re.Pattern[str]], ...] = (
+    *((Mark.OCCLUDER, one, re.compile(f"{_SOME}(?:{said.pattern})")) for one, said in lexicon.OCCLUDERS.items()),
+    *((Mark.LIGHT, one, said) for one, said in lexicon.LIGHTS.items()),
+    *((Mark.WEATHER, one, said) for one, said in lexicon.WEATHERS.items()),
+    *((Mark.SURFACE, one, said) for one, said in lexicon.SURFACES.items()),
+    *((Mark.ACT, one, said) for one, said in lexicon.ACTIONS.items()),
+    (Mark.ACT, Action.TURN_LEFT, lexicon.LEFT_TURN),
+    (Mark.ACT, Action.TURN_RIGHT, lexicon.RIGHT_TURN),
+)
+"""Wider words than those of phrases, as many people write."""
+
+
+def _value(phrase: Phrase, match: re.Match[str]) -> Any:
+    return (side_in(match), phrase.value) if phrase.sort is Sort.SIDE else phrase.value
+
+
+_BY = re.compile(
+    r" (?P<how>faster|quicker|slower|closer|nearer|further(?: away)?|farther(?: away)?|longer|shorter|later|earlier|sooner)(?![\w'])"
+)
+
+
+_IN_UNITS_OF = {Measure.TRIGGER: Measure.DISTANCE}  # how far off the ego is when somebody acts
+
+
+def _number(text: str, at: int) -> tuple[Quantity | Shift, int] | None:
+    """A number with its unit, and where it ends; by how much something is another, if that is said."""
+    told, bare = quantity_at(text, at), number_at(text, at)
+    if bare is None or (told is not None and told[1] >= bare[1]):
+        return told
+    quantity, end = bare
+    if by := _BY.match(text, end):
+        for measure, more, pattern in _shifts():
+            if pattern.fullmatch(by["how"]) and quantity.measure in (measure, _IN_UNITS_OF.get(measure)):
+                said = text[at : by.end()]
+                return Shift(measure=measure, more=more, by=quantity.value, said=said), by.end()
+    return quantity, end

@@ -1,0 +1,120 @@
+from __future__ import annotations
+
+import pytest
+
+from chatscene.errors import EditRefused
+from chatscene.read.decompose import hear
+from chatscene.read.edit import hear_edit
+from chatscene.terms.conclusions import concluded
+from chatscene.terms.edit import Facts, changes
+
+WALKS = "A pedestrian crosses the road from the right."
+BRAKES = "The car ahead of us brakes hard."
+CUTS_IN = "A car in the left lane cuts in front of us."
+HIDDEN = "A pedestrian steps out from behind a parked car on the right."
+TURNING = "We turn right at a junction and a cyclist crosses from the left."
+TWO = "A car brakes ahead of us and a truck drives behind us."
+RAIN = "A motorcycle cuts in from the left in rain at night."
+RUNS_LIGHT = "A car from the left runs the red light."
+
+
+def facts_of(text: str) -> Facts:
+    frame = hear(text)
+    return Facts.of(frame, concluded(frame.outright))
+
+
+def after(text: str, edit: str) -> dict[str, str]:
+    facts = facts_of(text)
+    return {one.fact: str(one).partition(" → ")[2] for one in changes(facts, hear_edit(edit, facts).facts)}
+
+
+@pytest.mark.parametrize(
+    ("text", "edit", "changed"),
+    [
+        (WALKS, "make it a truck", {"adversary": "truck"}),
+        (WALKS, "a cyclist instead", {"adversary": "bicycle"}),
+        (BRAKES, "use a bus rather than the car", {"adversary": "bus"}),
+        (BRAKES, "replace the car with a motorcycle", {"adversary": "motorcycle"}),
+        (WALKS, "from the left", {"side": "left"}),
+        (WALKS, "from the other side, please", {"side": "left"}),
+        (CUTS_IN, "mirror it", {"side": "right"}),
+        (WALKS, "let him stop halfway", {"actions": "cross then stop"}),
+        (WALKS, "it should wait for a moment halfway", {"actions": "cross then hesitate"}),
+        (BRAKES, "then it reverses", {"actions": "brake then reverse"}),
+        (BRAKES, "it should stop instead of braking", {"actions": "stop"}),
+        (CUTS_IN, "it should brake after that", {"actions": "cut-in then brake"}),
+        (BRAKES, "start behind us", {"position": "behind"}),
+        (WALKS, "hidden by a hedge", {"occluder": "hedge"}),
+        (HIDDEN, "a bus stop instead of the parked car", {"occluder": "bus-stop"}),
+        (HIDDEN, "make the parked car a parked truck", {"occluder": "parked-truck"}),
+        (HIDDEN, "visible from the start", {"occluder": "not said"}),
+        (TURNING, "turn left instead of right", {"maneuver": "left-turn"}),
+        (TURNING, "at a crossroads", {"place": "four-way"}),
+        (TURNING, "with traffic lights", {"control": "signal"}),
+        (BRAKES, "we are standing", {"ego": "stands"}),
+        (WALKS, "at night", {"light": "night"}),
+        (WALKS, "on an icy road", {"surface": "ice"}),
+        (RAIN, "by day", {"light": "day"}),
+        (WALKS, "20 m ahead", {"distance": "20 m ahead"}),
+        (BRAKES, "at 50 km/h", {"speed": "at 50 km/h"}),
+        (BRAKES, "it brakes with 6 m/s²", {"deceleration": "with 6 m/s²"}),
+        (BRAKES, "brake harder", {"deceleration": "harder"}),
+        (WALKS, "twice as fast", {"speed": "twice as fast"}),
+        (WALKS, "a bit closer", {"distance": "a bit closer"}),
+        (WALKS, "make it a group", {"group": "yes"}),
+        (WALKS, "add a truck that stands ahead of us", {"others": "truck stand (ahead)"}),
+        (TWO, "without the truck", {"others": "not said"}),
+        (TWO, "the truck tailgates us", {"others": "truck tailgate (behind)"}),
+    ],
+)
+def test_an_edit_changes_just_the_fact_that_it_names(text: str, edit: str, changed: dict[str, str]) -> None:
+    assert after(text, edit) == changed
+
+
+@pytest.mark.parametrize(
+    ("text", "edit", "changed"),
+    [
+        (BRAKES, "make it a truck that cuts in from the left instead", {"adversary", "actions", "side", "position"}),
+        (BRAKES, "make it a truck, from the left, and faster", {"adversary", "side", "position", "speed"}),
+        (HIDDEN, "a cyclist from the left at dusk, hidden by a kiosk", {"adversary", "side", "light", "occluder"}),
+    ],
+)
+def test_several_facts_can_be_named_at_once(text: str, edit: str, changed: set[str]) -> None:
+    assert set(after(text, edit)) == changed
+
+
+def test_what_follows_from_a_named_fact_follows() -> None:
+    assert after(WALKS, "we turn left") == {"maneuver": "left-turn", "place": "junction"}
+    assert after(RAIN, "in snow instead") == {"weather": "snow", "surface": "snow"}
+    assert after(RAIN, "no rain") == {"weather": "clear", "surface": "dry"}
+    assert after(WALKS, "at a roundabout")["site"] == "roundabout"
+
+
+@pytest.mark.parametrize(
+    ("text", "edit", "reason"),
+    [
+        (WALKS, "make it a purple dragon", "not understood: 'purple dragon'"),
+        (WALKS, "make it a truck and play some jazz", "not understood: 'play'"),
+        (WALKS, "from the left and from the right", "cannot be both 'from the left' and 'from the right'"),
+        (WALKS, "from the right", "nothing to change"),
+        (WALKS, "no hedge", "it is not so"),
+        (WALKS, "without the truck", "there is none"),
+        (BRAKES, "from the other side", "say left or right"),
+        (BRAKES, "without the braking", "nothing is left"),
+        (RUNS_LIGHT, "no traffic lights", "cannot be with the rest"),
+        (TURNING, "on a straight road", "at junctions only"),
+        (BRAKES, "we drive at 30 km/h", "its own affair"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_by_its_words(text: str, edit: str, reason: str) -> None:
+    with pytest.raises(EditRefused) as refused:
+        after(text, edit)
+    assert reason in str(refused.value)
+
+
+def test_a_number_that_was_said_is_what_faster_is_faster_than() -> None:
+    facts = facts_of("A cyclist crosses from the left at 20 km/h.")
+    number = hear_edit("faster", facts).facts.numbers
+    (quantity,) = next(iter(number.values()))
+    assert quantity.said == "faster (before: at 20 km/h)"
+    assert getattr(quantity, "value", 0.0) == pytest.approx(25 / 3.6, abs=0.01)
