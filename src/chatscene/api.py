@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene import pipeline, runs
 from chatscene.errors import RunError, SettingsError, no_such
+from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN
 from chatscene.report.summary import Summary
 from chatscene.report.understood import Understood
@@ -252,6 +253,8 @@ def run(
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
+    reading: int | None = None,
+    set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
     jobs: int = 1,
     progress: Progress = silent,
@@ -278,6 +281,8 @@ def run(
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        reading: Which of the readings that are offered is taken whole, from 1.
+        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
         settings: All other settings; the keywords above come before them.
         jobs: Processes; any number gives the same files. A script that starts more than one needs the guard
             ``if __name__ == "__main__":``.
@@ -292,7 +297,7 @@ def run(
     if text and program is not None:
         raise SettingsError("say what to run: either a text or a program, not both")
     settings = settings or Settings()
-    reading = _reading(settings.retrieval, library, embedder, language_model)
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
@@ -307,13 +312,13 @@ def run(
     asked = runs.asked_run(
         text,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
-        settings=replace(settings, search=looking, simulation=simulation, retrieval=reading),
+        settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
         map_name=None if map is None else str(map),
         ego=str(ego),
         generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
     )
     pipeline.run(asked, where, jobs=jobs, progress=progress)
-    return Run(where, ego=ego, simulator=simulation.simulator, library=reading.library or ())
+    return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
 
 
 def explain(
@@ -322,6 +327,8 @@ def explain(
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
+    reading: int | None = None,
+    set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
 ) -> Understood:
     """How a sentence is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
@@ -333,14 +340,16 @@ def explain(
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        reading: Which of the readings that are offered is taken whole, from 1.
+        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
         settings: All other settings; the keywords above come before them.
 
     Raises:
         NothingFits: The library cannot serve it.
     """
     settings = settings or Settings()
-    reading = _reading(settings.retrieval, library, embedder, language_model)
-    return pipeline.understand(text, replace(settings, retrieval=reading))
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
+    return pipeline.understand(text, replace(settings, retrieval=chosen))
 
 
 def describe(
@@ -639,10 +648,18 @@ def _changed(settings: Any, **given: Any) -> Any:
 
 
 def _reading(
-    settings: RetrievalSettings, library: Name | None, embedder: str | None, language_model: str | None
+    settings: RetrievalSettings,
+    library: Name | None,
+    embedder: str | None,
+    language_model: str | None,
+    reading: int | None = None,
+    stated: Mapping[str, object] | None = None,
 ) -> RetrievalSettings:
     own = None if library is None else str(library)
-    return _changed(settings, library=own, embedder=embedder, language_model=language_model)
+    facts = in_text(stated) if stated else None
+    return _changed(
+        settings, library=own, embedder=embedder, language_model=language_model, reading=reading, stated=facts
+    )
 
 
 def _folder(folder: Name | None) -> Path:

@@ -31,6 +31,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
 
 
 class ChatSceneError(Exception):
@@ -48,6 +50,33 @@ class MissingExtra(ChatSceneError):  # noqa: N818
         super().__init__(f'{what}, which is not installed; install it with: pip install "{package}[{extra}]"')
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OfferedReading:
+    """What a sentence may say, for the user to take.
+
+    Attributes:
+        number: Its place among those that are offered, from 1; the option ``--reading`` takes it.
+        told: What it says, in plain sentences.
+        probability: That every fact of it is right.
+        settled_by: The fact that makes it sure enough once it is stated, as the option ``--set`` takes it; empty if no
+            single one does.
+    """
+
+    number: int
+    told: str
+    probability: float
+    settled_by: str = ""
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "reading": self.number,
+            "text": self.told,
+            "probability": self.probability,
+            "settled_by": self.settled_by,
+        }
+
+
 class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits
     """The library holds no compatible triple of snippets that serves the sentence.
 
@@ -55,6 +84,8 @@ class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothin
         reasons: What was not understood or cannot be done, in a user's words, the weightiest first.
         confidence: How sure it was that the sentence can be served; None where that was not asked.
         nearest: The snippets that came nearest, by id, with what they do.
+        understood: What was read, fact by fact, in words; empty if that was not asked.
+        readings: What the sentence may say instead, each of which can be taken; the likeliest first.
     """
 
     def __init__(
@@ -69,6 +100,8 @@ class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothin
         self.reasons = reasons or (message,)
         self.confidence = confidence
         self.nearest = dict(nearest or {})
+        self.understood = ""
+        self.readings: tuple[OfferedReading, ...] = ()
 
 
 class EditRefused(ChatSceneError):  # noqa: N818 - reads as what it says

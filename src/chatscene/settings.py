@@ -9,6 +9,7 @@ from chatscene.errors import SettingsError, no_such
 
 SELECTIONS = ("shown", "worst", "last")
 PHYSICS = ("kinematic", "lagged")
+MOST_READINGS = 2  # how many readings of a text are offered
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -113,6 +114,8 @@ class RetrievalSettings:
         library: Folder of the user's own snippets beside the packaged ones; empty for none.
         embedder: Who measures the wording of behaviors.
         language_model: Who reads sentences; ``offline`` stands for the project's own reader.
+        reading: Which of the likeliest readings is taken, from 1; 0 for the likeliest, if it is likely enough.
+        stated: Facts that the user says beside the text, such as ``side=left actions=brake,stop``.
     """
 
     candidates: int = 5
@@ -120,9 +123,11 @@ class RetrievalSettings:
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE
+    reading: int = 0
+    stated: str = ""
 
     def __post_init__(self) -> None:
-        check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0)})
+        check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0), "reading": (0, MOST_READINGS)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -127,7 +127,7 @@ def test_what_the_library_cannot_do_is_refused_with_status_3(tmp_path: Path) -> 
     folder = tmp_path / "refused"
     answer = chatscene("run", "A helicopter lands on the roof of our car.", "--out", str(folder))
     assert answer.exit_code == 3
-    assert "nothing in the library does this" in answer.stderr
+    assert "anything in the library does this" in answer.stderr
     assert json.loads((folder / "run.json").read_text())["status"] == "refused"
 
 

@@ -203,7 +203,7 @@ def test_search_in_one_component_is_by_wording_alone(small: Library) -> None:
 
 @pytest.mark.parametrize("text", SENTENCES["refused"])
 def test_what_the_library_cannot_serve_is_refused_with_what_is_nearest(text: str) -> None:
-    with pytest.raises(NothingFits, match="nothing in the library does this") as error:
+    with pytest.raises(NothingFits, match="thing in the library does this") as error:
         retrieve(scenario_of(text), load_library(), load_embedder())
     assert len(error.value.nearest) == 3
 

@@ -331,6 +331,8 @@ def _other(option: click.Option) -> list[str]:
     """An option with a value that is not its default."""
     if option.is_flag:
         return [option.opts[0]]
+    if option.multiple:
+        return [option.opts[0], "side=left", option.opts[0], "actions=brake,stop"]
     if isinstance(option.type, click.Choice):
         return [option.opts[0], next(choice for choice in option.type.choices if choice != option.default)]
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]

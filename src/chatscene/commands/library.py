@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
 
-from chatscene.settings import PHYSICS, SimulationSettings
+from chatscene.settings import MOST_READINGS, PHYSICS, SimulationSettings
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -53,6 +53,43 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
         "--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."
     )
     return own(embedder(model(command)))
+
+
+class Chosen(Reading):
+    """The options beside those that say which reading is meant; the names are those of `chatscene.run`."""
+
+    reading: int
+    set: dict[str, str]
+
+
+def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
+    """Options that say which reading of a text is meant."""
+    taken = click.option(
+        "--reading",
+        type=click.IntRange(0, MOST_READINGS),
+        default=0,
+        help="Take the reading of this number whole, of those that explain shows.",
+    )
+    stated = click.option(
+        "--set",
+        multiple=True,
+        default=(),
+        metavar="FACT=VALUE",
+        callback=_facts,
+        help="A fact beside TEXT, which is sure: side=left; repeat.",
+    )
+    return taken(stated(command))
+
+
+def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, ...]) -> dict[str, str]:
+    """Facts by name, as they are said."""
+    facts: dict[str, str] = {}
+    for one in said:
+        name, equals, value = one.partition("=")
+        if not equals or name in facts:
+            raise click.BadParameter(f"{one!r}; say each fact once, as FACT=VALUE, such as side=left")
+        facts[name.strip()] = value.strip()
+    return facts
 
 
 # What the user says again of what a run names beyond what is packaged (`chatscene.runs.trust.Repeated`).

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-import shlex
 import sys
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
@@ -19,6 +18,7 @@ import click
 from chatscene.commands.coverage import coverage
 from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
+    CHOOSING,
     EGO_AGAIN,
     EMBEDDER_AGAIN,
     GENERATOR_AGAIN,
@@ -31,7 +31,7 @@ from chatscene.commands.library import (
     READING,
     SAMPLER_AGAIN,
     SIMULATOR_AGAIN,
-    Reading,
+    Chosen,
     console,
     library,
     progress,
@@ -39,6 +39,7 @@ from chatscene.commands.library import (
 )
 from chatscene.commands.maps import map_group
 from chatscene.commands.proposal import COMMANDS, describe
+from chatscene.commands.refusal import REFUSED, complain, refusing
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
@@ -74,18 +75,14 @@ class _Errors(click.Group):
         try:
             return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse) as error:
-            _complain(error)
-            ctx.exit(3)
+            complain(error)
+            ctx.exit(REFUSED)
         except ChatSceneError as error:
-            _complain(error)
+            complain(error)
             ctx.exit(1)
         except KeyboardInterrupt:
             say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
             ctx.exit(130)
-
-
-def _complain(error: ChatSceneError) -> None:
-    say(f"{type(error).__name__}: {error}", err=True)
 
 
 @click.group(cls=_Errors, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
@@ -132,6 +129,7 @@ def main() -> None:
     help="Processes; default: as many as pay.",
 )
 @READING
+@CHOOSING
 @JSON
 def run(
     text: str | None,
@@ -150,7 +148,7 @@ def run(
     out: Path | None,
     jobs: int | None,
     as_json: bool,
-    **reading: Unpack[Reading],
+    **reading: Unpack[Chosen],
 ) -> None:
     """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
 
@@ -158,6 +156,7 @@ def run(
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
+    chatscene run "a van pushes in" --set side=left
     chatscene run --program mine.scenic --routes 4
     chatscene run --program theirs.scenic --map Town05.xodr --as-written
     """
@@ -171,7 +170,7 @@ def run(
     failed = False
     for name, one in _programs(program).items() if program else [(text or "", None)]:
         folder = (out / name if program and program.is_dir() else out) if out else None
-        with _refusing(text or "", reading["embedder"], as_json), _going_on(program) as gone:
+        with refusing(text or "", reading["embedder"], as_json), _going_on(program) as gone:
             done = api.run(
                 text or "",
                 folder or runs.free_folder(Path("runs"), name),
@@ -233,7 +232,7 @@ def resume(
 
     record = runs.read_record(runs.Workspace(folder), runs.Record)
     text = record.text if isinstance(record, runs.RunRecord) else ""
-    with _refusing(text, record.code_named().get("embedder", ""), as_json):
+    with refusing(text, record.code_named().get("embedder", ""), as_json):
         done = api.resume(
             folder,
             jobs=jobs or 1,
@@ -538,8 +537,9 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
 @click.argument("text")
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
 @READING
+@CHOOSING
 @JSON
-def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Reading]) -> None:
+def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Chosen]) -> None:
     """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
@@ -548,7 +548,7 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Read
     """
     from chatscene import api
 
-    with _refusing(text, reading["embedder"], as_json):
+    with refusing(text, reading["embedder"], as_json):
         understood = api.explain(text, **reading)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
@@ -620,41 +620,8 @@ def _going_on(program: Path | None) -> Generator[list[ChatSceneError]]:
     except ChatSceneError as error:
         if program is None or not program.is_dir():
             raise
-        _complain(error)
+        complain(error)
         gone.append(error)
-
-
-@contextmanager
-def _refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
-    """Says why a sentence was refused and which one works, and ends with status 3; `text` is empty for a program."""
-    try:
-        yield
-    except (NothingFits, MeansSomethingElse) as error:
-        from chatscene.interpret.suggest import suggestion
-        from chatscene.models.encoders.embedding import load_embedder
-
-        try_this = suggestion(text, load_embedder(embedder)) if text else None
-        if as_json:
-            say(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
-        else:
-            _complain(error)
-            for name, does in error.nearest.items() if isinstance(error, NothingFits) else ():
-                say(f"  nearest: {name}: {does}", err=True)
-            if try_this:
-                say(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
-        sys.exit(3)
-
-
-def _refusal(error: NothingFits | MeansSomethingElse) -> dict[str, Any]:
-    """A refusal for a script."""
-    fits = isinstance(error, NothingFits)
-    return {
-        "refused": type(error).__name__,
-        "message": str(error),
-        "reasons": list(error.reasons) if fits else [str(error)],
-        "confidence": error.confidence if fits else None,
-        "candidates": error.nearest if fits else {},
-    }
 
 
 def _jobs(scenes: int, routes: int) -> int:

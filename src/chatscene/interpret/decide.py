@@ -5,20 +5,20 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.nearest import likely_by_wording
 from chatscene.interpret.retrieve import retrieve, settle
-from chatscene.interpret.trust import BELIEVED, account_is_right
+from chatscene.interpret.trust import account_is_right
 from chatscene.interpret.wording import parts_of
-from chatscene.library.load import Library, library_with
+from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.read.reading import read
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
-from chatscene.terms.frame import LIKELY, About, Beliefs, Frame, Mention, Note, certain
+from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
 from chatscene.terms.slots import SLOTS
 
@@ -37,28 +37,64 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
     return decide(read(text, settings), settings)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Weighed:
+    """The two readings of a text of which not every phrase has its place, with how far each is trusted.
+
+    Attributes:
+        frame: What the text says.
+        guessed: What patterns and classifier make of it.
+        guess_is_right: The probability that every fact of that is right.
+        account_is_right: The same of what was made out clause by clause; 0 where nothing was.
+    """
+
+    frame: Frame
+    guessed: Slots
+    guess_is_right: float
+    account_is_right: float
+
+    @property
+    def right(self) -> float:
+        """The probability that every fact of the likelier one is right."""
+        return max(self.guess_is_right, self.account_is_right)
+
+
 def decide(frame: Frame, settings: RetrievalSettings) -> Scenario:
     """Every reader's belief weighed slot by slot, then settled together with what the library has.
 
-    Each slot that ends otherwise than the patterns read it is a note. Where every phrase has its place, what was read
-    stands, and nothing else was said; so does what a language model read.
+    Where every phrase has its place, what was read stands, and nothing else was said; so does what a language model
+    read.
     """
     if frame.reader:
         return understood(frame, frame.outright, frame.notes)
-    frame = _with_own_behaviors(frame, library_with(settings.library), settings.embedder)
     if frame.whole:
-        return understood(frame, concluded(frame.outright), frame.notes)
+        return understood(_with_own_behaviors(frame, settings), concluded(frame.outright), frame.notes)
+    return decided(weigh(frame, settings))
+
+
+def weigh(frame: Frame, settings: RetrievalSettings) -> Weighed:
+    """The two readings of a text of which not every phrase has its place."""
+    frame = _with_own_behaviors(frame, settings)
     slots = likeliest_together(frame, settings)
+    return Weighed(
+        frame=frame,
+        guessed=slots,
+        guess_is_right=trusted(understood(frame, slots, _still_open(frame, slots)), settings),
+        account_is_right=account_is_right(frame, slots),
+    )
+
+
+def decided(weighed: Weighed) -> Scenario:
+    """The scenario of the reading that stands; each slot that ends otherwise than the patterns read it is a note."""
+    frame, slots = weighed.frame, weighed.guessed
+    if frame.account is not None and weighed.account_is_right >= weighed.guess_is_right:
+        return _told(frame, weighed.account_is_right)
     differ = [
         Note(about=About.DIFFERENT, said=(name, "the patterns", str(was), "the classifier", str(now)))
         for name in frame.beliefs.slots
         if (was := getattr(frame.outright, name)) is not None and (now := getattr(slots, name)) != was
     ]
-    scenario = understood(frame, slots, (*_still_open(frame, slots), *differ))
-    sure = account_is_right(frame, slots)
-    if sure >= BELIEVED and sure >= trusted(scenario, settings):
-        return _told(frame, sure)
-    return scenario
+    return understood(frame, slots, (*_still_open(frame, slots), *differ))
 
 
 def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
@@ -66,7 +102,8 @@ def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
     library = library_with(settings.library)
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
     slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
-    return settle(frame, slots, library)
+    slots = settle(frame, slots, library)
+    return concluded(replace(slots, **{name: getattr(frame.outright, name) for name in frame.stated}))
 
 
 def _still_open(frame: Frame, slots: Slots) -> tuple[Note, ...]:
@@ -89,18 +126,21 @@ def _told(frame: Frame, sure: float) -> Scenario:
     """The scenario of a text whose account stands: it says just this, and the words without a place are listed."""
     account = frame.account
     assert account is not None  # or it were not sure
-    unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
-    unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
     frame = replace(
-        frame,
+        as_told(frame, account),
         outright=account.slots,
         beliefs=certain(account.slots, frame.beliefs),
-        quantities=account.quantities,
-        unused=(*unlike, *unread),
         whole=True,
         sure=sure,
     )
     return understood(frame, concluded(account.slots), _still_open(frame, account.slots))
+
+
+def as_told(frame: Frame, account: Account) -> Frame:
+    """A frame with the numbers of its account, and without a use for the words that have no place in that."""
+    unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
+    unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
+    return replace(frame, quantities=account.quantities, unused=(*unlike, *unread))
 
 
 def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
@@ -142,12 +182,14 @@ def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]) -> 
     return Slots(**values, actions=tuple(a for a in Action if beliefs.heard(a) >= LIKELY))
 
 
-def _with_own_behaviors(frame: Frame, library: Library, embedder: str) -> Frame:
+def _with_own_behaviors(frame: Frame, settings: RetrievalSettings) -> Frame:
     """How likely those behaviors are that the classifier has not heard of, such as a user's own, by their wordings."""
-    unknown = [s for s in library.of(Component.BEHAVIOR) if s.id not in frame.beliefs.behaviors]
+    behaviors = library_with(settings.library).of(Component.BEHAVIOR)
+    unknown = [s for s in behaviors if s.id not in frame.beliefs.behaviors]
     if not unknown:
         return frame
-    others = likely_by_wording(frame.clauses.adversary or frame.clauses.whole, unknown, load_embedder(embedder))
+    said = frame.clauses.adversary or frame.clauses.whole
+    others = likely_by_wording(said, unknown, load_embedder(settings.embedder))
     return replace(frame, beliefs=replace(frame.beliefs, others=others))
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.trust import FEW
+from chatscene.interpret.trust import FEW, with_stated_sure
 from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
@@ -113,8 +113,10 @@ def retrieve(
     confidence = _confidence(scenario, frame, triple, library, embedder)
     if confidence < settings.refuse_below:
         reasons = _reasons(scenario, frame, triple)
+        known = frame.sure >= settings.refuse_below or any(match.conflicts for match in triple) or confidence == 0.0
+        what = "nothing" if known else "it is not sure enough that anything"
         raise NothingFits(
-            f"nothing in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
+            f"{what} in the library does this (confidence {confidence:.0%}): {'; '.join(reasons)}",
             reasons=reasons,
             confidence=confidence,
             nearest={match.snippet.id: match.snippet.description for match in triple},
@@ -567,7 +569,7 @@ def _confidence(
         return frame.sure * contradicted
     against = doubts(scenario, frame, triple[0].snippet, library, embedder)
     odds = sum(CONFIDENCE[name] * value for name, value in against.items())
-    return contradicted / (1.0 + math.exp(-odds))
+    return contradicted * with_stated_sure(1.0 / (1.0 + math.exp(-odds)), frame, scenario.slots)
 
 
 def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
@@ -589,7 +591,7 @@ def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tup
         quantity.said for quantity in frame.quantities if not settable(quantity, snippets, scenario.slots.adversary)
     ]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
-    said += [reason for why, reason in told.items() if why not in REFUSED]
+    said += [reason for why, reason in told.items() if why not in (*REFUSED, Why.BESIDES)]
     return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
 
 

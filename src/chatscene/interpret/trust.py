@@ -20,7 +20,6 @@ ACCOUNT = {
     "acts": -0.36, "quiet": -0.38, "others": 0.10, "behavior": -0.41, "scope": -0.02,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
-BELIEVED = 0.5  # an account more likely right than this stands
 FEW = 5  # words of which a share says little
 _FAINT = 1e-3
 
@@ -66,4 +65,16 @@ def account_is_right(frame: Frame, guessed: Slots) -> float:
     if frame.account is None:
         return 0.0
     odds = sum(ACCOUNT[name] * value for name, value in speaks_for_account(frame, frame.account, guessed).items())
-    return 1.0 / (1.0 + math.exp(-odds))
+    return with_stated_sure(1.0 / (1.0 + math.exp(-odds)), frame, frame.account.slots)
+
+
+def with_stated_sure(right: float, frame: Frame, slots: Slots) -> float:
+    """The probability that every fact is right, once the user stated some: each had a share in the doubt.
+
+    Args:
+        right: The probability that every fact is right, if nothing had been stated.
+        frame: What the text says, and what the user stated.
+        slots: The facts.
+    """
+    said = slots.said()
+    return right ** (1.0 - sum(name in said for name in frame.stated) / len(said)) if said else right

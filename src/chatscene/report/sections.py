@@ -185,6 +185,7 @@ def _scenario(scenario: Row) -> Row:
         "confidence": scenario.get("confidence"),
         "base": scenario.get("base"),
         "slots": [(_words(name), _slot(value)) for name, value in facts.items()],
+        "readings": scenario.get("readings", []),
         "notes": scenario.get("notes", []),
         "components": [_component(scenario, key, label) for key, label in _COMPONENTS.items()],
         "ruled_out": _ruled_out(scenario),
@@ -296,6 +297,8 @@ OPTIONS = {
     ("retrieval", "library"): "--library",
     ("retrieval", "embedder"): "--embedder",
     ("retrieval", "language_model"): "--language-model",
+    ("retrieval", "reading"): "--reading",
+    ("retrieval", "stated"): "--set",
 }
 
 
@@ -310,7 +313,9 @@ def command(record: RunRecord) -> str:
         return f"# a scenario of: chatscene benchmark --generator {shlex.quote(record.generator)}"
     words += ["--map", record.map_name, "--ego", record.ego]
     for place, value in _changed(record).items():
-        if place in OPTIONS:
+        if place == ("retrieval", "stated"):
+            words += [word for fact in str(value).split() for word in (OPTIONS[place], fact)]
+        elif place in OPTIONS:
             words += [OPTIONS[place]] if value is True else [OPTIONS[place], str(value)]
     return shlex.join(words)
 

@@ -6,11 +6,13 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
+from chatscene.errors import OfferedReading
+from chatscene.interpret.readings import offered
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
 from chatscene.terms.plan import Foreign
-from chatscene.terms.scenario import Component, grouped
-from chatscene.terms.snippet import Match, Snippet
+from chatscene.terms.scenario import Component, Scenario, grouped
+from chatscene.terms.snippet import Match, Retrieval, Snippet
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -46,10 +48,7 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     console.print(slots)
     if around := surroundings_in_words(scenario.surroundings):
         console.print(f"[yellow]as said[/]  {_plain(around)}")
-    for note in (*scenario.notes, *retrieval.notes):
-        console.print(f"[yellow]note[/]  {_plain(note)}")
-    for line in grouped((*scenario.unused, *retrieval.unused)).values():
-        console.print(f"[yellow]not used[/]  {_plain(line)}")
+    _print_doubts(console, scenario, retrieval)
     console.print()
     chosen = Table(box=None, pad_edge=False, header_style="dim")
     for column in ("component", "snippet", "similarity", "facts", "what was heard"):
@@ -70,6 +69,30 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     if show_program:
         console.print()
         _print_code(console, understood.program.source)
+
+
+def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) -> None:
+    """What was unsure, what was not used, and what else it may say."""
+    for note in (*scenario.notes, *retrieval.notes):
+        console.print(f"[yellow]note[/]  {_plain(note)}")
+    for line in grouped((*scenario.unused, *retrieval.unused)).values():
+        console.print(f"[yellow]not used[/]  {_plain(line)}")
+    for line in readings_in_words(offered(scenario.readings)):
+        console.print(f"[yellow]{_plain(line)}[/]" if line[0] != " " else _plain(line))
+
+
+def readings_in_words(readings: Sequence[OfferedReading]) -> list[str]:
+    """What a sentence may say, and how to take one of the readings, in lines."""
+    if not readings:
+        return []
+    ways = " or ".join(f"--reading {one.number}" for one in readings)
+    if facts := " or ".join(f"--set {one.settled_by}" for one in readings if one.settled_by):
+        ways += f"; or state what is open: {facts}"
+    return [
+        "It may say:",
+        *(f"  {one.number}  ({one.probability:.0%})  {one.told}" for one in readings),
+        f"If {'one of these' if len(readings) > 1 else 'this'} is meant: {ways}",
+    ]
 
 
 def understanding_text(understood: Any) -> str:

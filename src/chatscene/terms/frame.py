@@ -96,6 +96,8 @@ class About(StrEnum):
     DIFFERENT = "{}: {} read {}, {} {}"
     READER = "read by {}"
     OFFLINE = "read offline: {}"
+    STATED = "stated by the user: {}"
+    TAKEN = "the user took reading {}: {}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -172,6 +174,7 @@ class Frame:
         sure: The probability that this is right, where nothing is guessed.
         account: What was made out clause by clause, of a text of which not every phrase has its place.
         surroundings: Light, weather and the state of the road.
+        stated: The slots that the user filled beside the text, which are sure.
     """
 
     text: str = ""
@@ -190,3 +193,4 @@ class Frame:
     sure: float = 0.0
     account: Account | None = None
     surroundings: Surroundings = field(default_factory=Surroundings)
+    stated: tuple[str, ...] = ()

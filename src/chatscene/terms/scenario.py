@@ -313,6 +313,23 @@ class SubDescriptions:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """One of the readings of a text that a user may choose between.
+
+    Attributes:
+        slots: The facts.
+        probability: That every one of them is right.
+        settled_by: The fact that makes it sure enough once a user states it, as ``side=left``; empty if none does.
+        told: The facts in plain sentences.
+    """
+
+    slots: Slots
+    probability: float
+    settled_by: str = ""
+    told: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Scenario:
     """A sentence about a dangerous situation, understood.
 
@@ -327,6 +344,7 @@ class Scenario:
         frame: What the sentence says and how sure that is; None for what nobody read from a sentence, such as a
             program of one's own.
         surroundings: Light, weather and the state of the road, as it says them.
+        readings: What it may say, the likeliest first, as far as the library serves it; none where nothing is guessed.
     """
 
     id: str
@@ -338,3 +356,4 @@ class Scenario:
     unused: tuple[Unused, ...] = ()
     frame: Frame | None = None
     surroundings: Surroundings = field(default_factory=Surroundings)
+    readings: tuple[Reading, ...] = ()

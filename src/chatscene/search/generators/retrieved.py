@@ -9,9 +9,9 @@ from functools import cache
 from importlib.resources import files
 
 from chatscene.ego.policy import EgoPolicy
-from chatscene.errors import RunError
+from chatscene.errors import NothingFits, RunError
 from chatscene.interpret.choose import choose
-from chatscene.interpret.decide import decide
+from chatscene.interpret.readings import offered, understand
 from chatscene.library.bind import narrowed
 from chatscene.library.load import library_with
 from chatscene.maps.network import map_with
@@ -21,6 +21,7 @@ from chatscene.read.canonical import canonical
 from chatscene.read.reading import read
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Choice, Written
+from chatscene.sentences.plain import told
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
@@ -41,12 +42,18 @@ class Retrieved:
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
         frame = read(text, settings)
-        scenario = decide(frame, settings)
-        return replace(scenario, base=_listed().get(frame.canonical, scenario.base))
+        scenario = understand(frame, settings)
+        readings = tuple(replace(one, told=told(one.slots)) for one in scenario.readings)
+        return replace(scenario, base=_listed().get(frame.canonical, scenario.base), readings=readings)
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
-        retrieval, triple = choose(scenario, settings, tried)
+        try:
+            retrieval, triple = choose(scenario, settings, tried)
+        except NothingFits as refusal:
+            refusal.understood = str(scenario.slots)
+            refusal.readings = offered(scenario.readings)
+            raise
         if scenario.slots.ego is not None:
             told = f"the ego is under orders: {ORDERS[scenario.slots.ego].words}"
             retrieval = replace(retrieval, notes=(*retrieval.notes, told))

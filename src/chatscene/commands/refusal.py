@@ -1,0 +1,72 @@
+"""The command line, continued: why a sentence was refused, what it may say, and how to go on."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import sys
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import Any
+
+from chatscene.commands.library import say
+from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+
+REFUSED = 3  # exit status
+
+
+def complain(error: ChatSceneError) -> None:
+    """Say what went wrong, and as what."""
+    say(f"{type(error).__name__}: {error}", err=True)
+
+
+@contextmanager
+def refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
+    """Says why a sentence was refused and what may be done, and ends with status 3; `text` is empty for a program."""
+    try:
+        yield
+    except (NothingFits, MeansSomethingElse) as error:
+        refuse(error, text, embedder, as_json)
+        sys.exit(REFUSED)
+
+
+def refuse(error: NothingFits | MeansSomethingElse, text: str, embedder: str, as_json: bool) -> None:
+    """Say why a sentence was refused, what it may say, or which one works."""
+    readings = error.readings if isinstance(error, NothingFits) else ()
+    try_this = _suggested(text, embedder) if text and not readings else None
+    if as_json:
+        say(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
+        return
+    from chatscene.report.terminal import readings_in_words
+
+    complain(error)
+    if isinstance(error, NothingFits):
+        if error.understood:
+            say(f"  understood: {error.understood}", err=True)
+        for name, does in error.nearest.items() if not readings else ():
+            say(f"  nearest: {name}: {does}", err=True)
+    for line in readings_in_words(readings):
+        say(line, err=True)
+    if try_this:
+        say(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
+
+
+def _suggested(text: str, embedder: str) -> str:
+    from chatscene.interpret.suggest import suggestion
+    from chatscene.models.encoders.embedding import load_embedder
+
+    return suggestion(text, load_embedder(embedder))
+
+
+def _refusal(error: NothingFits | MeansSomethingElse) -> dict[str, Any]:
+    """A refusal for a script."""
+    fits = isinstance(error, NothingFits)
+    return {
+        "refused": type(error).__name__,
+        "message": str(error),
+        "reasons": list(error.reasons) if fits else [str(error)],
+        "confidence": error.confidence if fits else None,
+        "understood": error.understood if fits else "",
+        "readings": [one.as_dict() for one in error.readings] if fits else [],
+        "candidates": error.nearest if fits else {},
+    }
