@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from chatscene import pipeline, runs
-from chatscene.errors import RunError, SettingsError, no_such
+from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
-from chatscene.maps.network import TOWN
+from chatscene.maps.network import TOWN, map_with
 from chatscene.report.summary import Summary
 from chatscene.report.understood import Understood
 from chatscene.runs.progress import Progress, silent
@@ -52,8 +52,11 @@ class Run:
         folder: Folder that `chatscene.run` or the command left.
         ego: Ego of the run again, if it may run code of its own: that a record names one is not enough to load it.
         generator: Generator of the run again, if it is none of ours.
+        sampler: Sampler of the run again, if it is none of ours.
         simulator: Simulator of the run again, if it is none of ours.
         library: Folder of snippets of the run again, if it has one.
+        embedder: Embedder of the run again, if it is not the packaged one.
+        language_model: Language model of the run again, if it has one.
 
     Attributes:
         folder: The folder.
@@ -63,11 +66,26 @@ class Run:
     """
 
     def __init__(
-        self, folder: Name, *, ego: Names = (), generator: Names = (), simulator: Names = (), library: Names = ()
+        self,
+        folder: Name,
+        *,
+        ego: Names = (),
+        generator: Names = (),
+        sampler: Names = (),
+        simulator: Names = (),
+        library: Names = (),
+        embedder: Names = (),
+        language_model: Names = (),
     ) -> None:
         self.folder = Path(folder)
         self._repeated = Repeated(
-            ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
+            ego=_names(ego),
+            generator=_names(generator),
+            sampler=_names(sampler),
+            simulator=_names(simulator),
+            library=_names(library),
+            embedder=_names(embedder),
+            language_model=_names(language_model),
         )
         self._workspace = runs.open_run(self.folder, runs.RunRecord)
         self._record = runs.read_record(self._workspace)
@@ -115,13 +133,73 @@ class Run:
         """The report: one page that needs nothing but a browser."""
         return self._workspace.file("report.html")
 
+    @property
+    def understood(self) -> Understood:
+        """How its sentence is understood, with its edits; nothing of it is run again.
+
+        Raises:
+            EditRefused: It is a run of a program of one's own, of which no sentence was read.
+            RunError: It names what must be repeated.
+        """
+        record = self._record
+        if record.program is not None:
+            raise EditRefused(f"{self.folder} is a run of a program of one's own; only a sentence can be edited")
+        follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
+        return pipeline.understand(
+            record.text, runs.settings_of(record), generator=record.generator, edits=record.edits
+        )
+
+    def edit(self, text: str, folder: Name | None = None, *, jobs: int = 1, progress: Progress = silent) -> Run:
+        """A new run of the same situation but for what an edit names, with the same settings, seed and ego.
+
+        This run stays as it is: to undo the edit is to go on with this one.
+
+        Args:
+            text: What is to be another one: "make it a truck, from the left, and faster".
+            folder: The new run's folder; one beside this one's if none is given.
+            jobs: Processes; any number gives the same files.
+            progress: Told what is done.
+
+        Raises:
+            EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
+            NothingFits: The library cannot serve the edited situation.
+            RunError: The run names what must be repeated.
+        """
+        record, edited = self._record, self.understood.edit(text)
+        follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
+        by_default = record.map_name == map_with(edited.before.scenario.slots.site)
+        asked = runs.asked_run(
+            record.text,
+            settings=runs.settings_of(record),
+            map_name=None if by_default else record.map_name,
+            ego=record.ego,
+            generator=record.generator,
+            edits=[*record.edits, text],
+        )
+        asked = asked.model_copy(update={"edited_from": str(self.folder.resolve())})
+        where = runs.free_folder(self.folder.parent, text) if folder is None else Path(folder)
+        pipeline.run(asked, where, jobs=jobs, progress=progress)
+        return Run(where, **asdict(self._repeated))
+
+    @property
+    def edited_from(self) -> Run:
+        """The run of which this one is an edit.
+
+        Raises:
+            RunError: It is of none, or that one is not there any more.
+        """
+        if not self._record.edited_from:
+            raise RunError(f"{self.folder} is no edit of another run")
+        return Run(self._record.edited_from)
+
     def _ranked(self) -> list[Mapping[str, Any]]:
         from chatscene.report.viewer import ranked
 
         return ranked(runs.read_scenes(self._workspace))
 
     def _driven(self, row: Mapping[str, Any]) -> DrivenScene:
-        return DrivenScene(row=row, _workspace=self._workspace, _repeated=self._repeated)
+        joining = replace(self._repeated, sampler=(), embedder=(), language_model=())  # no text is read for a scene
+        return DrivenScene(row=row, _workspace=self._workspace, _repeated=joining)
 
     def __str__(self) -> str:
         return f"{self.summary.in_words()}\nreport: {self.report}"
@@ -241,6 +319,7 @@ def run(
     program: Name | None = None,
     trust: bool = False,
     as_written: bool = False,
+    edit: Names = (),
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = "sac",
     scenes: int | None = None,
@@ -267,6 +346,7 @@ def run(
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
+        edit: What is to be another than the sentence says, in words, edit by edit.
         map: Packaged ``town`` or ``outskirts``, or an ``.xodr`` file; None for the town, or for the outskirts where
             the text names what the town has not, such as a motorway. Where a program names a map that is there, that
             one is taken.
@@ -316,6 +396,7 @@ def run(
         map_name=None if map is None else str(map),
         ego=str(ego),
         generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
+        edits=_names(edit),
     )
     pipeline.run(asked, where, jobs=jobs, progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
@@ -324,6 +405,7 @@ def run(
 def explain(
     text: str,
     *,
+    edit: Names = (),
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
@@ -337,6 +419,7 @@ def explain(
 
     Args:
         text: The sentence.
+        edit: What is to be another than it says, in words, edit by edit; `Understood.edit` does the same.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
@@ -345,11 +428,12 @@ def explain(
         settings: All other settings; the keywords above come before them.
 
     Raises:
+        EditRefused: An edit was not understood.
         NothingFits: The library cannot serve it.
     """
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
-    return pipeline.understand(text, replace(settings, retrieval=chosen))
+    return pipeline.understand(text, replace(settings, retrieval=chosen), edits=_names(edit))
 
 
 def describe(

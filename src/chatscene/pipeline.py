@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from chatscene import runs
@@ -31,18 +32,24 @@ from chatscene.settings import Settings
 from chatscene.simulate.simulator import check_jobs, routes_of
 
 
-def understand(text: str, settings: Settings | None = None, *, generator: str = "chatscene") -> Understood:
-    """Steps 2 to 4: a sentence to the program that expresses it.
+def understand(
+    text: str, settings: Settings | None = None, *, generator: str = "chatscene", edits: Sequence[str] = ()
+) -> Understood:
+    """Steps 2 to 4: a sentence, and edits of it, to the program that expresses it.
 
     Raises:
         SettingsError: The text is empty or too long.
+        EditRefused: An edit was not understood.
         NothingFits: The library cannot serve it.
     """
     reading = (settings or Settings()).retrieval
     maker = load_generator(generator)
-    scenario = maker.read(text, reading)
-    written = maker.write(scenario, reading)
-    return Understood(scenario=scenario, retrieval=written.retrieval, program=written.program)
+    said = maker.read(text, reading)
+    made = maker.write(said, reading)
+    understood = Understood(said, made.retrieval, made.program, generator=generator, reading=reading)
+    for one in edits:
+        understood = understood.edit(one)
+    return understood
 
 
 def run(asked: runs.RunRecord, folder: Path, *, jobs: int = 1, progress: Progress = silent) -> Summary:

@@ -1,6 +1,6 @@
 """The command line: one verb per command, the same words as the Python functions.
 
-Exit status: 0 done, 1 error, 2 usage, 3 refused because nothing in the library fits.
+Exit status: 0 done, 1 error, 2 usage, 3 refused because nothing in the library fits or an edit was not understood.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import click
 
 from chatscene.commands.coverage import coverage
+from chatscene.commands.editing import EDITS, chat, edit
 from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
     CHOOSING,
@@ -42,7 +43,7 @@ from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.refusal import REFUSED, complain, refusing
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
-from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ class _Errors(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except (NothingFits, MeansSomethingElse) as error:
+        except (NothingFits, MeansSomethingElse, EditRefused) as error:
             complain(error)
             ctx.exit(REFUSED)
         except ChatSceneError as error:
@@ -93,6 +94,7 @@ def main() -> None:
     \b
     chatscene run "a cyclist cuts across from the left while we turn right" --out runs/cyclist
     chatscene explain "the car ahead brakes hard"
+    chatscene edit runs/cyclist "make it a truck, from the right"
     chatscene replay runs/cyclist SCENE_ID
     """
 
@@ -107,6 +109,7 @@ def main() -> None:
 )
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
+@EDITS
 @MAP_WITH_SITE
 @click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
@@ -136,6 +139,7 @@ def run(
     program: Path | None,
     trust: bool,
     as_written: bool,
+    edit: tuple[str, ...],
     map_name: str | None,
     ego: str,
     scenes: int,
@@ -165,6 +169,8 @@ def run(
 
     if (text is None) == (program is None):
         raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    if edit and program is not None:
+        raise click.UsageError("--edit is about a TEXT")
     if (trust or as_written) and program is None:
         raise click.UsageError("--trust and --as-written are about a --program")
     failed = False
@@ -177,6 +183,7 @@ def run(
                 program=one,
                 trust=trust,
                 as_written=as_written,
+                edit=edit,
                 map=map_name,
                 ego=ego,
                 scenes=scenes,
@@ -536,10 +543,11 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
 @main.command()
 @click.argument("text")
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
+@EDITS
 @READING
 @CHOOSING
 @JSON
-def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Chosen]) -> None:
+def explain(text: str, show_program: bool, edit: tuple[str, ...], as_json: bool, **reading: Unpack[Chosen]) -> None:
     """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
@@ -549,7 +557,7 @@ def explain(text: str, show_program: bool, as_json: bool, **reading: Unpack[Chos
     from chatscene import api
 
     with refusing(text, reading["embedder"], as_json):
-        understood = api.explain(text, **reading)
+        understood = api.explain(text, edit=edit, **reading)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
         return
@@ -563,6 +571,8 @@ for command in COMMANDS:
 main.add_command(library)
 main.add_command(map_group)
 main.add_command(describe)
+main.add_command(edit)
+main.add_command(chat)
 main.add_command(finetune)
 main.add_command(coverage)
 main.add_command(reproduce)

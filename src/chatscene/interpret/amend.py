@@ -10,7 +10,7 @@ from chatscene.read.edit import hear_edit
 from chatscene.read.inflection import Form, conjugated, listed
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import Manner
-from chatscene.terms.edit import Change, Edit, Facts, changes
+from chatscene.terms.edit import Change, Edit, Facts, changes, with_edits
 from chatscene.terms.frame import Clauses, Frame, certain
 from chatscene.terms.scenario import Scenario, Slots
 
@@ -54,7 +54,7 @@ def amended(scenario: Scenario, text: str, settings: RetrievalSettings) -> Amend
     edit = hear_edit(text, facts)
     settled = replace(
         edit.facts.on(frame),
-        text=f"{frame.text} (edited: {edit.text})",
+        text=with_edits(frame.text, [edit.text]),
         whole=True,
         sure=frame.sure if frame.whole else trusted(scenario, settings),
         account=None,

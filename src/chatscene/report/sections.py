@@ -308,7 +308,7 @@ def command(record: RunRecord) -> str:
         words = ["chatscene", "run", "--program", f"programs/{quote(record.program.name, safe='')}.scenic"]
         words += options_of(record.generator)
     elif record.generator == "chatscene":
-        words = ["chatscene", "run", record.text]
+        words = ["chatscene", "run", record.text, *(word for one in record.edits for word in ("--edit", one))]
     else:
         return f"# a scenario of: chatscene benchmark --generator {shlex.quote(record.generator)}"
     words += ["--map", record.map_name, "--ego", record.ego]

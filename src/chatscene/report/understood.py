@@ -1,25 +1,67 @@
-"""What became of a sentence, for scripts, people and notebooks."""
+"""What became of a sentence, for scripts, people and notebooks; and what an edit of it changes."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import difflib
+from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene import runs
+from chatscene.interpret.amend import Amended, amended
 from chatscene.report.notebook import understanding_frame
 from chatscene.report.terminal import understanding_text
+from chatscene.search.generator import load_generator
+from chatscene.sentences.plain import told
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Understood:
-    """What became of a sentence before anything was run (steps 2 to 4)."""
+    """What became of a sentence before anything was run (steps 2 to 4).
+
+    Attributes:
+        scenario: What was read.
+        retrieval: The snippets that serve it and why; None for a generator that does not retrieve.
+        program: The program.
+        generator: Who made it, by name.
+        reading: The settings by which it was made.
+    """
 
     scenario: Scenario
     retrieval: Retrieval | None
     program: ScenicProgram
+    generator: str = "chatscene"
+    reading: RetrievalSettings = field(default_factory=RetrievalSettings)
+
+    @property
+    def told(self) -> str:
+        """All facts as they are decided, in plain sentences."""
+        scenario, frame = self.scenario, self.scenario.frame
+        numbers = [one.said for one in (*frame.quantities, *frame.shifts)] if frame is not None else []
+        besides = {"Light, weather and road": str(scenario.surroundings), "Numbers": ", ".join(numbers)}
+        return " ".join((told(scenario.slots), *(f"{name}: {said}." for name, said in besides.items() if said)))
+
+    def edit(self, text: str) -> Edited:
+        """The same situation but for what an edit names, such as "make it a truck, from the left".
+
+        Raises:
+            EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
+            NothingFits: The library cannot serve the edited situation.
+        """
+        made = amended(self.scenario, text, self.reading)
+        written = load_generator(self.generator).write(made.scenario, self.reading)
+        return Edited(
+            scenario=made.scenario,
+            retrieval=written.retrieval,
+            program=written.program,
+            generator=self.generator,
+            reading=self.reading,
+            before=self,
+            amended=made,
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """For a script: the explanation, and the program's text."""
@@ -33,3 +75,56 @@ class Understood:
     def _repr_html_(self) -> str:
         """For a notebook, as the report shows it."""
         return understanding_frame(self.scenario, self.as_dict())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Edited(Understood):
+    """What became of a situation after an edit; as text it is the difference.
+
+    Attributes:
+        before: What it was.
+        amended: What the edit names and what follows from that.
+    """
+
+    before: Understood
+    amended: Amended
+
+    @property
+    def difference(self) -> tuple[str, ...]:
+        """The lines of the program that went (``-``) and came (``+``), without comments."""
+        before, after = (one.program.source.splitlines() for one in (self.before, self))
+        lines = difflib.unified_diff(before, after, n=0, lineterm="")
+        code = (line for line in list(lines)[2:] if not line.startswith("@@"))
+        return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script: the explanation and the program, and the difference."""
+        return {
+            **Understood.as_dict(self),
+            "edit": self.amended.edit.text,
+            "told": self.told,
+            "changes": [
+                {
+                    "fact": one.fact,
+                    "before": str(one).partition(": ")[2].partition(" → ")[0],
+                    "after": str(one).partition(" → ")[2],
+                    "named": one.fact in self.amended.edit.named,
+                }
+                for one in self.amended.changes
+            ],
+            "difference": list(self.difference),
+        }
+
+    def __str__(self) -> str:
+        """For a person: the sentence told anew, the facts and the lines of the program that changed, what was noted."""
+        retrieval = self.retrieval
+        notes = [f"  note  {one}" for one in (retrieval.notes if retrieval else ())]
+        return "\n".join(
+            [
+                f"now: {self.told}",
+                *(f"  {one}" for one in self.amended.in_words()),
+                *notes,
+                "program:" if self.difference else "program: as before",
+                *(f"  {line}" for line in self.difference),
+            ]
+        )

@@ -17,7 +17,7 @@
 
 from __future__ import annotations
 
-from chatscene.runs.asked import asked_benchmark, asked_evaluation, asked_run, ego_digests, scenario_of
+from chatscene.runs.asked import asked_benchmark, asked_evaluation, asked_run, edited_scenario, ego_digests, scenario_of
 from chatscene.runs.blocks import (
     done_blocks,
     drop_blocks,
@@ -104,6 +104,7 @@ __all__ = [
     "criticality_of",
     "done_blocks",
     "drop_blocks",
+    "edited_scenario",
     "ego_digests",
     "explain",
     "finish",

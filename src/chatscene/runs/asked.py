@@ -5,12 +5,13 @@ Whatever is named is loaded here, so that what does not exist is told before the
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
 from chatscene.ego.policy import FILES, load_ego, senses_of
+from chatscene.interpret.amend import amended
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.runs.digests import digest_of
 from chatscene.runs.record import (
@@ -25,7 +26,7 @@ from chatscene.runs.record import (
 )
 from chatscene.search.generator import Generator, load_generator, simulator_of
 from chatscene.search.sampler import load_sampler
-from chatscene.settings import Settings
+from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.scenario import Scenario
 
@@ -38,18 +39,23 @@ def asked_run(
     map_name: str | None = None,
     ego: str = "sac",
     generator: str = "chatscene",
+    edits: Sequence[str] = (),
 ) -> RunRecord:
-    """A run of a sentence, or of a program of the user's own; if no map is named, on the packaged one with its site.
+    """A run of a sentence and edits of it, or of a program of the user's own.
+
+    If no map is named, it is on the packaged one with the site that is said.
 
     Raises:
-        ChatSceneError: Something that is named is not there, or the sentence is none.
+        ChatSceneError: Something that is named is not there, the sentence is none, or an edit was not understood.
     """
     settings = settings or Settings()
     maker = load_generator(generator)
     load_sampler(settings.search.sampler)
-    read = maker.read(text if program is None else program.source, settings.retrieval)
+    said = maker.read(text if program is None else program.source, settings.retrieval)
+    read = edited_scenario(said, edits, settings.retrieval)
     return RunRecord(
         text=text,
+        edits=list(edits),
         program=program,
         generator=generator,
         egos=[ego],
@@ -58,11 +64,22 @@ def asked_run(
 
 
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
-    """What a run's generator reads in its sentence; a program of the user's own goes by the name that it was given."""
+    """What a run's generator reads in its sentence, with its edits; a program of the user's own goes by its name."""
     reading = settings_of(record).retrieval
     if record.program is None:
-        return generator.read(record.text, reading)
+        return edited_scenario(generator.read(record.text, reading), record.edits, reading)
     return replace(generator.read(record.program.source, reading), id=record.program.name)
+
+
+def edited_scenario(scenario: Scenario, edits: Iterable[str], settings: RetrievalSettings) -> Scenario:
+    """What was read, after edits, one after the other.
+
+    Raises:
+        EditRefused: One was not understood, contradicts what stays, or changes nothing.
+    """
+    for text in edits:
+        scenario = amended(scenario, text, settings).scenario
+    return scenario
 
 
 def asked_evaluation(

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
+from chatscene.terms.edit import with_edits
 from chatscene.terms.simulator import SimulatorIdentity
 
 SCHEMA_VERSION = 3
@@ -191,12 +192,21 @@ class RunRecord(MapRecord):
         text: The sentence; empty for a program of the user's own.
         program: A program of the user's own; None for a sentence.
         generator: Who makes the scenes.
+        edits: What was changed of the sentence, edit by edit; asked for, though older records have none.
+        edited_from: Absolute path of the run that the last edit was of; empty if none was.
     """
 
     kind = Kind.RUN
     text: str
     program: ProgramRecord | None
     generator: str
+    edits: list[str] = []
+    edited_from: str = ""
+
+    @classmethod
+    def asked(cls) -> frozenset[str]:
+        """The fields that say what was asked for."""
+        return super().asked() | {"edits"}
 
     @property
     def ego(self) -> str:
@@ -205,8 +215,8 @@ class RunRecord(MapRecord):
 
     @property
     def title(self) -> str:
-        """The sentence, or the name of the program."""
-        return self.program.name if self.program else self.text.strip()
+        """The sentence with its edits, or the name of the program."""
+        return self.program.name if self.program else with_edits(self.text.strip(), self.edits)
 
     def code_named(self) -> dict[str, str]:
         """What its settings name, and the generator."""

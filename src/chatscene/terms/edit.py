@@ -94,6 +94,11 @@ class Edit:
     named: dict[str, str]
 
 
+def with_edits(text: str, edits: Iterable[str]) -> str:
+    """A sentence as it was written, and what was changed of it since."""
+    return " ".join((text, *(f"(edited: {one})" for one in edits)))
+
+
 def in_words(value: object) -> str:
     """A fact for people."""
     if value is None or value == ():

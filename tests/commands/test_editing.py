@@ -1,0 +1,137 @@
+"""Edits and conversations, through the command."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import chatscene
+from chatscene import runs
+from chatscene.commands.main import main
+from chatscene.errors import EditRefused, RunError
+from fake_run import finished
+
+WALKS = "A pedestrian crosses the road from the right."
+FEW = ("--scenes", "4", "--ego", "rule-based")
+
+
+def said(*arguments: str, lines: str = "") -> Result:
+    return CliRunner().invoke(main, arguments, input=lines, catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def walks(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("runs") / "walks"
+    assert said("run", WALKS, "--out", str(folder), *FEW, "--seed", "3").exit_code == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def edited(walks: Path) -> tuple[Path, str]:
+    """A run that is an edit, and what the command said."""
+    done = said("edit", str(walks), "from the left, and faster")
+    assert done.exit_code == 0, done.output
+    return walks.parent / "from-the-left-and-faster", done.output
+
+
+def test_an_edit_shows_the_difference_and_makes_a_run_beside_the_first(walks: Path, edited: tuple[Path, str]) -> None:
+    folder, output = edited
+    assert "now: A pedestrian from the left side of the road crosses the road. Numbers: faster." in output
+    assert "side: right → left" in output
+    assert "speed: not said → faster" in output
+    assert "-param OPT_ADV_SPEED = Range(1.5, 5)" in output
+    assert "+param OPT_ADV_SPEED = Range(3.25, 5)" in output
+    before, after = (runs.read_record(runs.open_run(one)) for one in (walks, folder))
+    assert after.edits == ["from the left, and faster"]
+    assert after.edited_from == str(walks.resolve())
+    assert (after.text, after.settings, after.egos) == (before.text, before.settings, before.egos)
+
+
+def starts_on_the_left(scene: chatscene.DrivenScene) -> bool:
+    """Whether the adversary stands to the left of the line that the ego drives first."""
+    ego, other = scene.episode.ego_track, scene.episode.adversaries[0]
+    dx, dy = float(other.x[0] - ego.x[0]), float(other.y[0] - ego.y[0])
+    return math.cos(ego.heading[0]) * dy - math.sin(ego.heading[0]) * dx > 0.0
+
+
+def test_an_edited_run_shows_what_was_asked_for(walks: Path, edited: tuple[Path, str]) -> None:
+    before, run = chatscene.Run(walks), chatscene.Run(edited[0])
+    assert not any(starts_on_the_left(scene) for scene in before.kept)
+    assert all(starts_on_the_left(scene) for scene in run.kept)
+    assert all(max(scene.episode.adversaries[0].speed) >= 3.2 for scene in run.kept)
+    assert "(edited: from the left, and faster)" in run.report.read_text()
+
+
+def test_an_edited_run_replays_bit_for_bit(edited: tuple[Path, str]) -> None:
+    assert chatscene.Run(edited[0]).best.replay().identical
+
+
+def test_an_edited_run_can_be_edited_and_undone(walks: Path, edited: tuple[Path, str]) -> None:
+    again = said("edit", str(edited[0]), "at night", "--dry-run", "--json")
+    told = json.loads(again.stdout)
+    assert [one["fact"] for one in told["changes"]] == ["light"]
+    assert told["folder"] is None
+    assert said("edit", str(edited[0]), "--undo").stdout.strip() == str(walks.resolve())
+    assert said("edit", str(walks), "--undo").exit_code == 1
+
+
+@pytest.mark.parametrize("words", ["make it a dragon", "from the right", "from the left and from the right"])
+def test_what_is_refused_leaves_everything_as_it_was(words: str, walks: Path) -> None:
+    folders = sorted(walks.parent.iterdir())
+    assert said("edit", str(walks), words).exit_code == 3
+    assert sorted(walks.parent.iterdir()) == folders
+
+
+def test_an_edit_or_undo_has_to_be_said(walks: Path) -> None:
+    assert said("edit", str(walks)).exit_code == 2
+    assert said("edit", str(walks), "at night", "--undo").exit_code == 2
+
+
+def test_the_same_run_is_had_from_the_sentence_and_its_edits(tmp_path: Path, edited: tuple[Path, str]) -> None:
+    folder = tmp_path / "again"
+    assert (
+        said("run", WALKS, "--edit", "from the left, and faster", "--out", str(folder), *FEW, "--seed", "3").exit_code
+        == 0
+    )
+    assert (folder / "scenes.parquet").read_bytes() == (edited[0] / "scenes.parquet").read_bytes()
+
+
+def test_a_folder_is_not_gone_on_with_after_another_edit(edited: tuple[Path, str]) -> None:
+    other = said("run", WALKS, "--edit", "at night", "--out", str(edited[0]), *FEW, "--seed", "3")
+    assert other.exit_code == 1
+    assert "edits was" in other.output
+
+
+def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
+    lines = ["the car ahead brakes hard", "make it a truck", "undo", "undo", "make it a dragon", "at night", "show"]
+    done = said("chat", *FEW, lines="\n".join([*lines, f"run {tmp_path / 'night'}", "quit", "never read"]))
+    assert done.exit_code == 0
+    for told in ("adversary: car → truck", "undone: make it a truck", "nothing to undo", "not understood: 'dragon'"):
+        assert told in done.stdout
+    record = runs.read_record(runs.open_run(tmp_path / "night"))
+    assert record.edits == ["at night"]
+
+
+def test_python_edits_what_was_understood() -> None:
+    edited = chatscene.explain(WALKS).edit("from the left").edit("hidden by a hedge")
+    assert edited.scenario.slots.occluder == "hedge"
+    assert any("Hedge" in line for line in edited.difference)
+    assert chatscene.explain(WALKS, edit=("from the left", "hidden by a hedge")).program == edited.program
+
+
+def test_only_a_run_of_a_sentence_can_be_edited(tmp_path: Path) -> None:
+    program = tmp_path / "mine.scenic"
+    program.write_text(chatscene.explain(WALKS).program.source)
+    run = chatscene.run(program=program, folder=tmp_path / "own", scenes=1, ego="rule-based")
+    with pytest.raises(EditRefused, match="only a sentence"):
+        run.edit("at night")
+
+
+def test_a_run_that_was_made_of_no_other_has_nothing_to_undo(tmp_path: Path) -> None:
+    run = chatscene.Run(finished(tmp_path / "by hand", count=1).path)
+    with pytest.raises(RunError, match="no edit of another"):
+        _ = run.edited_from
