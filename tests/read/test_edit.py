@@ -65,6 +65,19 @@ def after(text: str, edit: str) -> dict[str, str]:
         (WALKS, "add a truck that stands ahead of us", {"others": "truck stand (ahead)"}),
         (TWO, "without the truck", {"others": "not said"}),
         (TWO, "the truck tailgates us", {"others": "truck tailgate (behind)"}),
+        (TWO, "swap the truck for a motorcycle", {"others": "motorcycle follow (behind)"}),
+        (TWO, "nobody behind us", {"others": "not said"}),
+        (TWO, "the front car should be a police car", {"adversary": "emergency-vehicle"}),
+        (WALKS, "there should be a truck behind us", {"others": "truck follow (behind)"}),
+        (WALKS, "walking from left to right", {"side": "left"}),
+        (WALKS, "increase the speed by 20%", {"speed": "increase the speed by 20%"}),
+        (WALKS, "pedestrian -> e-scooter", {"adversary": "e-scooter"}),
+        (CUTS_IN, "make it cut in a bit later", {"trigger": "a bit later"}),
+        (CUTS_IN, "the car cuts in from the right instead", {"side": "right"}),
+        (BRAKES, "emergency braking at 8 m/s²", {"deceleration": "at 8 m/s²"}),
+        (BRAKES, "don't brake, just go slowly", {"actions": "slow"}),
+        (BRAKES, "change lanes before it brakes", {"actions": "change-lane then brake"}),
+        ("An oncoming cyclist comes towards us.", "he brakes", {"actions": "oncoming then brake"}),
     ],
 )
 def test_an_edit_changes_just_the_fact_that_it_names(text: str, edit: str, changed: dict[str, str]) -> None:
@@ -104,6 +117,9 @@ def test_what_follows_from_a_named_fact_follows() -> None:
         (RUNS_LIGHT, "no traffic lights", "cannot be with the rest"),
         (TURNING, "on a straight road", "at junctions only"),
         (BRAKES, "we drive at 30 km/h", "its own affair"),
+        (BRAKES, "it swerves to the left", "is in no fact"),
+        (WALKS, "cyclist -> e-scooter", "there is none"),
+        (WALKS, "hidden", "say by what"),
     ],
 )
 def test_what_cannot_be_done_is_refused_by_its_words(text: str, edit: str, reason: str) -> None:
@@ -118,3 +134,8 @@ def test_a_number_that_was_said_is_what_faster_is_faster_than() -> None:
     (quantity,) = next(iter(number.values()))
     assert quantity.said == "faster (before: at 20 km/h)"
     assert getattr(quantity, "value", 0.0) == pytest.approx(25 / 3.6, abs=0.01)
+
+
+def test_how_heavy_a_rain_is_that_is_not_in_a_scene_is_listed_as_not_used() -> None:
+    edit = hear_edit("in heavy rain", facts_of(WALKS))
+    assert [one.said for one in edit.unused] == ["heavy"]

@@ -59,7 +59,7 @@ def amended(scenario: Scenario, text: str, settings: RetrievalSettings) -> Amend
         sure=frame.sure if frame.whole else trusted(scenario, settings),
         account=None,
         mentions=(),
-        unused=scenario.unused,
+        unused=(*scenario.unused, *edit.unused),
         notes=scenario.notes,
     )
     after = decide(_told_anew(settled, scenario.slots), settings)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from chatscene.errors import EditRefused
@@ -17,12 +17,24 @@ from chatscene.read import lexicon
 from chatscene.read.canonical import canonical
 from chatscene.read.edit_words import Mark, Named, Word, words_at
 from chatscene.read.edited_facts import OF_EGO, ActWish, Wishes, edited
-from chatscene.read.parse import parse
+from chatscene.read.parse import parse, start_of
 from chatscene.read.phrases import Sort, Where
-from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.edit import Edit, Facts
-from chatscene.terms.scenario import EgoState, Maneuver, Measure, Occluder, Quantity, Shift, Side, Slots
+from chatscene.terms.scenario import (
+    EgoState,
+    Maneuver,
+    Measure,
+    Occluder,
+    Position,
+    Quantity,
+    Shift,
+    Side,
+    Slots,
+    Unused,
+    Why,
+)
 
 LONGEST = 500  # characters
 
@@ -50,13 +62,13 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     Raises:
         EditRefused: It has words that mean nothing here, contradicts itself or what stays, or changes nothing.
     """
-    plain = canonical(text.replace("cut-in", "cut in").replace("Cut-in", "cut in")).removesuffix(".")
+    plain = canonical(_plain(text)).removesuffix(".")
     if not plain or len(plain) > LONGEST:
         raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
-    words, unread = scanned(plain)
+    words, unread = scanned(plain, facts.slots)
     if unread:
         mended = re.sub(r"[a-z]+", lambda m: lexicon.mended(m[0]), plain)
-        again, still = scanned(mended)
+        again, still = scanned(mended, facts.slots)
         if len(still) < len(unread):
             plain, words, unread = mended, again, still
     if unread:
@@ -66,14 +78,43 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     after = edited(facts, wishes)
     if after == facts:
         raise EditRefused(f"nothing to change: this is so already ({', '.join(wishes.named()) or 'no fact is named'})")
-    return Edit(text=" ".join(text.split()), facts=after, named=wishes.named())
+    return Edit(text=" ".join(text.split()), facts=after, named=wishes.named(), unused=tuple(wishes.unused))
 
 
-def scanned(text: str) -> tuple[list[Word], list[str]]:
+_REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
+    (re.compile(said, re.IGNORECASE), meant)
+    for said, meant in (
+        (r"[\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOTATION MARK}`]", "'"),
+        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
+        (r"\bcut-in", "cut in"),
+        (r"\blet's\b", "let us"),
+        (r"\bwon't\b", "will not"),
+        (r"\bcan't\b", "can not"),
+        (r"n't\b", " not"),
+        (r"\b(it|he|she|that|there|who|what|this)'s\b", r"\1 is"),
+        (r"'s(?= (?:\w+ing|behind|in|on|at|from|ahead|beside|not|now|a|an|the)\b)", " is"),
+        (r"\b(it|he|she|they|that)'ll\b", r"\1 will"),
+        (r"\bthe (?:front|first|lead|leading) (?!one)(\w+)", r"the \1 ahead"),
+        (r"\bthe (?:rear|back|following) (?!one|side|of)(\w+)", r"the \1 behind"),
+        (r"\.{2,}|\s[\N{EN DASH}\N{EM DASH}-]\s|[!?]", ", "),
+        (r"[\"()\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}]", " "),
+    )
+)
+
+
+def _plain(text: str) -> str:
+    """An edit without short forms, arrows and marks that say nothing."""
+    for said, meant in _REWRITES:
+        text = said.sub(meant, text)
+    return text.strip(" ,")
+
+
+def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
     """The words of an edit that mean something, and those that mean nothing, in order.
 
     Args:
         text: Lower case.
+        slots: The facts at hand: of words with two meanings, the one that is so already is meant.
     """
     found: list[Word] = []
     unread: list[str] = []
@@ -84,7 +125,9 @@ def scanned(text: str) -> tuple[list[Word], list[str]]:
             continue
         end, best = at, None
         for until, word in words_at(text, at):
-            if until > end and (ego or word.mark not in OF_EGO) and not (ego and word.mark is Mark.ACT):
+            if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego):
+                continue
+            if until > end or (until == end and _is_done(word, slots) and best and best.mark is Mark.ACT):
                 end, best = until, word
         if best is None:
             match = _WORD.match(text, at)
@@ -99,9 +142,14 @@ def scanned(text: str) -> tuple[list[Word], list[str]]:
         at, gap = end, True
         if best.mark is Mark.EGO:
             ego = True
-        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER, Mark.SET):
+        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark is Mark.SET and _IT.search(best.said)):
             ego = False
     return found, unread
+
+
+def _is_done(word: Word, slots: Slots) -> bool:
+    """Whether words name what the adversary does already."""
+    return word.mark is Mark.ACT and word.value in slots.actions
 
 
 @dataclass
@@ -118,6 +166,7 @@ class _Hearing:
         changing: Whether a word such as "replace" still waits for its "with".
         whose: Of whom is spoken: 0 for the adversary, 1 for the other, None for the ego.
         order: Where acts go beside those that stay.
+        described: The words that only say which of several is spoken of.
     """
 
     text: str
@@ -129,6 +178,7 @@ class _Hearing:
     changing: bool = False
     whose: int | None = 0
     order: Mark | None = None
+    described: Word | None = None
 
     def wishes(self) -> Wishes:
         """Everything that is named."""
@@ -142,6 +192,9 @@ class _Hearing:
         word = self.words[at]
         if word.mark is Mark.FILLER:
             return at + 1
+        if word.mark is Mark.DEGREE:
+            self.found.unused.append(Unused(said=word.said, why=Why.DEGREE))
+            return at + 1
         if word.mark in _MODES:
             self._mode(word, at)
             return at + 1
@@ -150,9 +203,13 @@ class _Hearing:
         if self.old and self.told is not None and not self._of_the_same(word, at):
             self.old, self.told = self.changing, None
         self._content(word, at)
-        if self.old:
+        if self.old and not (word.mark is Mark.USER and self._acts_next(at) and not self._went()):
             self.told = word.mark
         return at + 1
+
+    def _went(self) -> bool:
+        """Whether somebody was named to go."""
+        return bool(self.found.dropped) or any(name == "adversary" for name, _, _ in self.found.olds)
 
     def _of_the_same(self, word: Word, at: int) -> bool:
         """Whether words go on to describe what is to go, or name another that is."""
@@ -182,7 +239,8 @@ class _Hearing:
 
     def _new(self, word: Word) -> None:
         """What follows is new."""
-        if word.mark is Mark.SET or self.changing:
+        denied = self.old and self.told is None and not self.changing  # "do not let it"
+        if (word.mark is Mark.SET and not denied) or self.changing:
             self.old, self.changing, self.told = False, False, None
         if word.mark is Mark.SET and _IT.search(word.said):
             self.whose = self.whose or 0
@@ -240,20 +298,35 @@ class _Hearing:
             " ,"
         )
         rest = rest if named.article else f"a {rest}"
-        after = rest[len(word.said) + (0 if named.article else 2) :]
-        for said in (rest, f"{rest[: len(rest) - len(after)]} stands{after}"):
-            parsed = parse(f"{said}.")
-            if parsed is not None and not parsed.slots.others and not parsed.quantities:
-                one = parsed.slots
-                self.found.add_other(
-                    Slots(adversary=one.adversary, actions=one.actions, side=one.side, position=one.position), rest
-                )
-                return end
-        raise EditRefused(
-            f"not understood: {rest!r}; say who is added, where and what it does, such as 'add a truck that stands "
-            "ahead of us'",
-            words=(rest,),
-        )
+        one = _parsed(rest) or self._made_out(rest, named)
+        if one is None:
+            raise EditRefused(
+                f"not understood: {rest!r}; say who is added, where and what it does, such as 'add a truck that "
+                "stands ahead of us'",
+                words=(rest,),
+            )
+        self.found.add_other(one, rest)
+        return end
+
+    def _made_out(self, text: str, named: Named) -> Slots | None:
+        """Somebody who joins, by the words of edits; if no act is said, who is ahead or parked stands."""
+        words, unread = scanned(text, Slots())
+        marks = {Mark.FILLER, Mark.USER, Mark.ACT, Mark.WHERE, Mark.SIDED, Mark.SIDE, Mark.JOINT, Mark.IT}
+        if unread or any(word.mark not in marks for word in words):
+            return None
+        where = {word.value for word in words if word.mark is Mark.WHERE}
+        where |= {word.value[1] for word in words if word.mark is Mark.SIDED and word.value[1]}
+        where |= {Where(str(value)) for sort, value in named.traits if sort is Sort.WHERE}
+        sides = {str(word.value if word.mark is Mark.SIDE else word.value[0]) for word in words if word.mark in _SIDES}
+        acts = [word.value for word in words if word.mark is Mark.ACT]
+        if len(sides) > 1 or len([word for word in words if word.mark is Mark.USER]) > 1:
+            return None
+        drives = where & {Where.BEHIND, Where.BESIDE, Where.NEXT_LANE, Where.OPPOSITE}
+        acts = acts or [Action.FOLLOW if drives else Action.STAND]
+        side = Side(sides.pop()) if sides else None
+        one = Slots(adversary=named.kind, actions=tuple(dict.fromkeys(acts)), side=side)
+        position = start_of(replace(one, place=self.slots.place), frozenset(where))
+        return None if position is None else replace(one, position=position)
 
     def _hides(self, word: Word) -> Occluder | None:
         """What a road user is that only stands in the way of sight; None if it does more."""
@@ -273,12 +346,12 @@ class _Hearing:
         if occluder := self._hides(word):
             self._occluder(occluder, word)
             return
-        if self.old:
+        if self.old and not (named.kind is self.slots.adversary and self._acts_next(at)):
             self._goes(named, word)
             return
         known = [self.slots.adversary, *(one.adversary for one in self.slots.others)]
-        if named.article == _DEFINITE and named.kind in known:
-            self.whose = known.index(named.kind)
+        if named.kind in known and (named.article == _DEFINITE or (not named.article and self._acts_next(at))):
+            self.whose = self._which(named.kind, at)
         elif named.article == _DEFINITE and not self._stated(at):
             raise self._nobody(word)
         elif self.whose == 1:
@@ -294,17 +367,42 @@ class _Hearing:
             elif sort is Sort.ACT and isinstance(value, Action):
                 self.found.acts.append(ActWish(action=value, said=word.said, order=Mark.ALSO))
 
+    def _which(self, kind: AdversaryKind, at: int) -> int:
+        """Who of a kind is spoken of: the one that is where the next words say, if they do."""
+        everybody = (self.slots, *self.slots.others)
+        of_kind = [i for i, one in enumerate(everybody) if one.adversary is kind]
+        after = self.words[at + 1] if at + 1 < len(self.words) else None
+        if after is not None and after.mark is Mark.WHERE and after.value in _SEEN_AT:
+            there = [i for i in of_kind if everybody[i].position in _SEEN_AT[after.value]]
+            self.described = after if there else None
+            return there[0] if there else of_kind[0]
+        return of_kind[0]
+
+    def _acts_next(self, at: int) -> bool:
+        """Whether an act is named next, so that whoever is named is only the one who does it or not."""
+        rest = (word.mark for word in self.words[at + 1 :] if word.mark not in (Mark.FILLER, Mark.SET, Mark.DROP))
+        return next(rest, None) is Mark.ACT
+
     def _goes(self, named: Named, word: Word) -> None:
         """Somebody is to go."""
         others = [one.adversary for one in self.slots.others]
         if named.kind is self.slots.adversary and not (named.kind in others and named.article != _DEFINITE):
             self.found.old("adversary", named.kind, word.said)
+        elif named.kind in others and (self.changing or "adversary" in self.found.facts):
+            self._replaces_other(named.kind, word.said)
         elif named.kind in others:
             self.found.drop_other(word.said)
         elif self.slots.leader and (Sort.ACT, Action.SLOW) in named.traits:
             self.found.old("leader", True, word.said)
         else:
             raise self._nobody(word)
+
+    def _replaces_other(self, kind: AdversaryKind, said: str) -> None:
+        """Whoever is named in somebody's place takes the place of the other: it was or will be named."""
+        self.whose = 1
+        self.found.old("other adversary", kind, said)
+        if (known := self.found.facts.pop("adversary", None)) is not None:
+            self.found.wish("other adversary", *known)
 
     def _nobody(self, word: Word) -> EditRefused:
         return EditRefused(f"{word.said!r}: there is none; the adversary is a {_called(self.slots)}")
@@ -327,7 +425,7 @@ class _Hearing:
         elif word.mark in (Mark.PLACE, Mark.SITE):
             self._site(word)
         elif word.mark in (Mark.SIDED, Mark.SIDE, Mark.OTHER_SIDE):
-            self._sided(word)
+            self._sided(word, at)
         elif word.mark in (Mark.NUMBER, Mark.SHIFT):
             self._number(value, said)
         elif word.mark is Mark.ANY:
@@ -358,7 +456,10 @@ class _Hearing:
         if besides is not None:
             self._fact("control" if word.mark is Mark.PLACE else "maneuver", besides, word)
 
-    def _sided(self, word: Word) -> None:
+    def _sided(self, word: Word, at: int) -> None:
+        before = [one.value for one in self._clause(at) if one.mark is Mark.ACT and one.at < word.at]
+        if before and before[-1] in _TO_A_SIDE and "from" not in word.said and "lane" not in word.said:
+            raise EditRefused(f"{word.said!r}: to which side somebody turns or swerves is in no fact; leave it away")
         if word.mark is Mark.SIDE:
             self._bare_side(Side(word.value), word)
         elif word.mark is Mark.OTHER_SIDE:
@@ -383,35 +484,57 @@ class _Hearing:
         if _NOT.search(word.said) and action is Action.FOLLOW:
             self.found.dont(self.slots, word.said, of=self.whose)
             return
-        if self.whose == 0 and action in _TURNS and self._ego_turns():
+        if self.whose == 0 and action in _TURNS and self._ego_turns(at):
             self._fact("maneuver", _TURNS[action], word)
+            return
+        if self._is_reference(word, at):
             return
         halfway = Mark.ON_THE_WAY in marks or _HALFWAY.search(word.said) is not None
         if action is Action.STAND and halfway:
             action = Action.HESITATE
         if self.old:
             order = Mark.OLD
-        elif order is None and marks & {Mark.ALSO, Mark.ADD}:
-            order = Mark.ALSO
-        elif order is None and any(one.mark is Mark.INSTEAD for one in self.words):
-            order = Mark.INSTEAD
-        elif order is None and halfway:
-            order = Mark.ON_THE_WAY
+        elif order is None:
+            order = self._order(marks, halfway=halfway)
         self.found.acts.append(ActWish(action=action, said=word.said, order=order, of=self.whose))
         if order in (Mark.BEFORE, Mark.AFTER):
             self.order = None
 
-    def _ego_turns(self) -> bool:
+    def _order(self, marks: set[Mark], *, halfway: bool) -> Mark | None:
+        """Where an act goes, by the other words of its clause."""
+        if marks & {Mark.ALSO, Mark.ADD, Mark.THEN, Mark.FIRST}:
+            return Mark.FIRST if Mark.FIRST in marks else Mark.ALSO
+        if any(one.mark is Mark.INSTEAD for one in self.words):
+            return Mark.INSTEAD
+        return Mark.ON_THE_WAY if halfway else None
+
+    def _is_reference(self, word: Word, at: int) -> bool:
+        """Whether an act that somebody does already is only named to say something else of it: "cut in later"."""
+        acts = (self.slots if self.whose == 0 else self.slots.others[0]).actions
+        if self.old or self.order is not None or word.value not in acts:
+            return False
+        others = [one for one in self._clause(at) if one.mark is Mark.ACT and one.value not in acts]
+        besides = any(one.mark in _BESIDES_ACTS for one in self._clause(at)) or len(self.found.facts) > 0
+        named = any(one.mark is Mark.USER and one.value.article != _DEFINITE for one in self._clause(at))
+        return not others and (besides or named)
+
+    def _ego_turns(self, at: int) -> bool:
         """Whether a turn of which nobody is said to make it is the ego's: it turns, and the adversary does not."""
         named = any(one.mark in (Mark.IT, Mark.USER, Mark.OTHER) for one in self.words)
         its = {Action.TURN_LEFT, Action.TURN_RIGHT}.intersection(self.slots.actions)
-        return self.slots.maneuver in _TURNS.values() and not named and not its
+        walks = self.slots.adversary is not None and self.slots.adversary.row.manner is Manner.WALKS
+        of_us = re.search(r"\b(?:of|for|by) (?:us|we|ego)\b", self.text[self.words[at].at :]) is not None
+        return of_us or (not named and not its and (walks or self.slots.maneuver in _TURNS.values()))
 
     def _where(self, where: Where, word: Word) -> None:
         if self.whose is None:
             raise EditRefused(f"not understood of the ego: {word.said!r}", words=(word.said,))
+        if word is self.described:
+            return
         if not self.old:
             self.found.place(where, word.said, of=self.whose)
+        elif self.told is None and self.slots.others and not self.changing:
+            self.found.drop_other(word.said)
 
     def _side(self, side: Side, said: str) -> None:
         if self.whose is None:
@@ -474,7 +597,38 @@ class _Hearing:
         self.found.number(number.measure, None if self.old else number, said)
 
 
+_TO_A_SIDE = (Action.SWERVE, Action.CHANGE_LANE, Action.U_TURN)
+_SEEN_AT = {
+    Where.AHEAD: (Position.AHEAD, Position.AHEAD_BESIDE),
+    Where.BEHIND: (Position.BEHIND, Position.BEHIND_BESIDE),
+    Where.BESIDE: (Position.BESIDE,),
+}
+_BESIDES_ACTS = (
+    Mark.SHIFT,
+    Mark.NUMBER,
+    Mark.SIDE,
+    Mark.SIDED,
+    Mark.OTHER_SIDE,
+    Mark.WHERE,
+    Mark.OCCLUDER,
+    Mark.PLACE,
+    Mark.SITE,
+    Mark.LIGHT,
+    Mark.WEATHER,
+    Mark.SURFACE,
+    Mark.FAR,
+    Mark.GROUP,
+)
 _TURNS = {Action.TURN_LEFT: Maneuver.LEFT_TURN, Action.TURN_RIGHT: Maneuver.RIGHT_TURN}
+
+
+def _parsed(text: str) -> Slots | None:
+    """Somebody as a whole sentence tells it; None if it is none."""
+    parsed = parse(f"{text}.")
+    if parsed is None or parsed.slots.others or parsed.quantities:
+        return None
+    one = parsed.slots
+    return Slots(adversary=one.adversary, actions=one.actions, side=one.side, position=one.position)
 
 
 def _called(slots: Slots) -> str:
@@ -501,6 +655,7 @@ _MODES = (
     Mark.IT,
     Mark.OTHER,
 )
+_SIDES = (Mark.SIDED, Mark.SIDE)
 _NONE = {Mark.MOVES: "ego", Mark.SEEN: "occluder"}
 _FACTS = {
     Mark.CONTROL: "control",

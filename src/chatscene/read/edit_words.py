@@ -16,7 +16,7 @@ from typing import Any
 from chatscene.read import lexicon
 from chatscene.read.inflection import any_form
 from chatscene.read.parse import SEVERAL
-from chatscene.read.phrases import Phrase, Sort, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
 from chatscene.read.quantities import number_at, quantity_at
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -75,6 +75,7 @@ class Mark(StrEnum):
     LANES = "lanes"
     TWO_WAY = "two-way"
     GROUP = "group"
+    DEGREE = "degree"  # of rain and the like, which has none here
     FAR = "far"  # near or far
     LIGHT = "light"
     WEATHER = "weather"
@@ -125,40 +126,51 @@ _CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
 _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SET, None, rf"{_CAUSE} {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
     (Mark.OLD, None, r"instead of|rather than|in place of|not|as opposed to|in lieu of"),
-    (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|turn(?= the )|substitute"),
+    (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|switch|convert|turn(?= the )|substitute"),
     (Mark.NEW, None, r"(?:with|by|for|to|into|become|becomes)(?= |$)"),
     (Mark.INSTEAD, None, r"instead|rather|in its place|in stead|this time|for a change|after all"),
-    (Mark.DROP, None, r"no|without(?: any)?|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|should|must|shall|is|are|was)(?: not|n't)(?: be| have)?|don't|never|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|not (?=at|in|on|by|from|any|the|a|an|hidden)|nor|neither|stops?(?= the (?:rain|snow|fog))"),
-    (Mark.ADD, None, r"add(?: in)?|include|introduce|bring in|there (?:is|should be|shall be) also|plus|throw in|put in"),
+    (Mark.DROP, None, r"no|without(?: any)?|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|did|should|must|shall|will|can|could|would|need|is|are|was) ?not(?: (?:be|have|want))?|never|nobody|no one|no-one|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|nor|neither|stops?(?= the (?:rain|snow|fog))"),
+    (Mark.ADD, None, r"add(?: in)?|include|introduce|bring in|there (?:is|are|should be|shall be|has to be)(?: also)?|plus|throw in|put in"),
     (Mark.ALSO, None, r"also|too|as well|additionally|in addition|on top(?: of that)?|besides"),
-    (Mark.THEN, None, r"(?:and )?(?:then|after that|afterwards?|after which|next|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
+    (Mark.THEN, None, r"(?:and )?(?:then|after (?:that|this|it)|afterwards?|later on(?= it)|after which|next|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
     (Mark.FIRST, None, r"first(?: of all)?|at first|initially|to begin with|beforehand"),
     (Mark.BEFORE, None, rf"before(?: {_PRONOUN})?(?= \w)"),
     (Mark.AFTER, None, rf"(?:after|once|when|having)(?: {_PRONOUN})?(?: has)?(?= \w+(?:ing|s|ed)\b)"),
-    (Mark.ON_THE_WAY, None, r"halfway(?: across| over| through)?|half-way|midway|mid-way|half way|in the middle(?: of the (?:road|street|lane|crossing|junction))?|on (?:its|his|her|the) way|in between|for a moment|briefly|part-?way"),
+    (Mark.ON_THE_WAY, None, r"halfway(?: across| over| through)?|half-way|midway|mid-way|half way|in the middle(?: of the (?:road|street|lane|crossing|junction))?|on (?:its|his|her|the) way|in between|(?:for )?a (?:moment|second|sec|while|short while|bit(?= in))|briefly|part-?way"),
     (Mark.ONLY, None, r"only|just(?: the)? one|alone|a single|single|by (?:it|him|her)self|on (?:its|his|her) own"),
     (Mark.JOINT, None, r",|;|\.|:|and|but|or|so that|while|as|that|who|which|where"),
     (Mark.EGO, None, rf"(?:{_CAUSE} )?(?:us|we|our (?:own )?(?:car|vehicle)|the (?:av|vut|sut|host(?: vehicle)?|tested (?:car|vehicle)|test vehicle|subject vehicle))(?! (?:want|would like)\b)"),
-    (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|other (?:road users?|traffic)|the others?"),
-    (Mark.IT, None, rf"{_PRONOUN}|(?:the|that|this|our) (?:adversary|opponent|other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|guy|one|vehicle|attacker|actor)"),
-    (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:other|opposite|opposing) (?:side|direction|hand)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other"),
-    (Mark.MIRROR, None, r"(?:mirror|flip|reverse)(?: (?:it|everything|(?:the )?(?:(?:whole|entire) )?(?:scene|scenario|situation|thing)|that|this|left and right))?(?: left to right)?|swap left and right|mirrored|mirror image|the same (?:thing )?mirrored|left and right swapped"),
+    (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|anyone else|somebody else|other (?:road users?|traffic)|the others?"),
+    (Mark.IT, None, rf"{_PRONOUN}|(?:(?:the|our) )?(?:adversary|opponent|actor|agent)(?: vehicle)?(?:'s)?|(?:the|that|this|our) (?:other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|guy|one|vehicle|attacker|actor)"),
+    (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:(?:other|opposite|opposing) (?:side|hand)|other direction)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other"),
+    (Mark.MIRROR, None, r"(?:reverse(?= (?:everything|left|the (?:whole|scene|scenario|situation|sides)))|mirror|flip)(?: (?:it|everything|(?:the )?(?:(?:whole|entire) )?(?:scene|scenario|situation|thing)|that|this|left and right))?(?: left to right)?|swap left and right|mirrored|mirror image|the same (?:thing )?mirrored|left and right swapped"),
     (Mark.SIDE, None, r"(?:the |our )?(?P<side>left|right)(?:-hand)?(?: side)?"),
+    (Mark.SIDED, ("left", None), r"(?:from )?(?:the )?left to (?:the )?right"),
+    (Mark.SIDED, ("right", None), r"(?:from )?(?:the )?right to (?:the )?left"),
+    (Mark.ACT, Action.WEAVE, r"wobbl\w*(?: from side to side)?|sway\w*"),
+    (Mark.ACT, Action.BRAKE, r"(?:an? )?emergency (?:braking|brake|stop)|[hit] the brakes(?: hard)?|[step] on the brakes?"),
+    (Mark.ACT, Action.STAND, r"broken[- ]down|not moving|motionless|parked(?= (?:in|on|ahead))"),
+    (Mark.STATE, EgoState.SLOW, r"(?:[go]|[drive]|[move])? ?(?:very |quite |more )?slowly|slow|slower"),
+    (Mark.ACT, Action.TAILGATE, r"[follow] (?:us )?(?:(?:too|very|right|so|dangerously) )?close(?:ly)?(?: behind(?: us)?)?"),
+    (Mark.WHERE, Where.BEHIND, r"[follow] us"),
+    (Mark.ACT, Action.NARROW, r"(?:only )?(?:partly|partially|half|halfway) (?:in|on|into|onto|across) (?:our|the) lane"),
+    (Mark.ACT, Action.ONCOMING, r"oncoming|[come] (?:towards|at) us|from the front|[come] the other way"),
     (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
-    (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
+    (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|(?:have|had)(?: just)? stopped|[be] not moving|not moving|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
     (Mark.MANEUVER, Maneuver.STRAIGHT, r"[go] straight(?: (?:on|ahead|through|over))?|straight (?:on|ahead|through)|[drive] straight(?: (?:on|ahead|through))?|[keep] straight(?: on)?|[stay] in (?:our|the|its) lane"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
-    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) )|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking) (?:the|our) (?:view|sight)|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?"),
+    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
     (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
     (Mark.OCCLUDER, None, r"(?:the |an? |any )?(?:occluder|occlusion|cover|view blocker|obstruction)"),
     (Mark.LEADER, True, r"(?:with|behind|following|add|we follow) (?:an?|the|another) slow(?:er)?(?:[- ]moving)? (?:car|vehicle|truck|lorry|van|bus)(?: (?:ahead|in front)(?: of us)?)?(?: that we follow)?|(?:the |an? |any )?(?:slow )?(?:lead(?:ing)? (?:car|vehicle)|leader)(?: (?:ahead|in front)(?: of us)?)?"),
     (Mark.LANES, 1, r"(?:only |just )?(?:one|a single|1) lane(?: (?:each|per|in each|in our|in either) (?:way|direction))?|(?:on an? )?(?:single|one)[- ]lane(?: (?:road|street))?"),
-    (Mark.LANES, 2, r"(?:two|2) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:two|2)[- ]lane (?:road|street|carriageway)"),
-    (Mark.LANES, 3, r"(?:three|3) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:three|3)[- ]lane (?:road|street|carriageway)"),
+    (Mark.LANES, 2, r"(?:two|2) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:two|2)[- ]lane(?: (?:road|street|carriageway))?"),
+    (Mark.LANES, 3, r"(?:three|3) lanes(?: (?:each|per|in each|in our|in either|for our|our) (?:way|direction))?|(?:on an? )?(?:three|3)[- ]lane(?: (?:road|street|carriageway))?"),
     (Mark.TWO_WAY, True, r"(?:on a )?two[- ]way(?: (?:road|street))?|with (?:an )?oncoming (?:traffic|lane)"),
     (Mark.TWO_WAY, False, r"(?:on a )?one[- ]way(?: (?:road|street))?"),
     (Mark.GROUP, True, r"(?:in )?(?:a |the )?(?:whole )?(?:group|crowd|bunch|pack)(?: of(?: them)?)?|several(?: of them)?|two of them|three of them|more than one|with (?:others|friends|company)|together with others|multiple"),
+    (Mark.DEGREE, None, r"(?:heavy|light|torrential|pouring|driving|thick|dense|patchy|slight|steady|strong|severe)(?= (?:rain|snow|fog|shower))"),
     (Mark.FAR, Distance.FAR, r"(?:(?:very|quite|from|start|starts|starting) )?far (?:away|off|ahead|behind)(?: (?:from|of) us)?|in the distance|a long way (?:off|away|ahead|behind)|at (?:a )?(?:long|great|large) (?:distance|range)"),
     (Mark.FAR, Distance.NEAR, r"(?:(?:very|quite|start|starts|starting|right) )?(?:close by|nearby|close to us|near us|close up|close at hand)|a short (?:way|distance) (?:off|away|ahead)|at (?:a )?(?:short|close) (?:distance|range)"),
     (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
@@ -167,18 +179,18 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|three[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|four[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
-    (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
-    (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
-    (Mark.PLACE, Place.CURVE, r"(?:in |on |around |round |through |into )?(?:a |the )?(?:sweeping )?(?:bend|curve)|curv(?:ed|ing|y)(?: road)?|winding(?: road)?"),
+    (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
+    (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
+    (Mark.PLACE, Place.CURVE, r"(?:in |on |around |round |through |into |behind |after )?(?:a |the )?(?:sweeping )?(?:bend|curve)|curv(?:ed|ing|y)(?: road)?|winding(?: road)?"),
     (Mark.PLACE, Place.ROAD, r"(?:on |along )?(?:a |an |the )?(?:(?:straight|open|normal|plain|ordinary|regular) )+(?:piece of |stretch of |stretch|section of )?(?:road|street)?|between (?:the )?(?:junctions|intersections)|mid-?block|away from (?:any|the) (?:junction|intersection)"),
     (Mark.SITE, Site.ROUNDABOUT, r"(?:an?|the|any)? ?(?:roundabout|traffic circle|rotary)"),
     (Mark.SITE, Site.MOTORWAY, r"(?:an?|the|any)? ?(?:motorway|highway|freeway|expressway|autobahn)"),
     (Mark.SITE, Site.RURAL, r"(?:out )?(?:in|into|to) the country(?:side)?|rural(?: (?:road|area))?|(?:an?|the|any)? ?country (?:road|lane)"),
     (Mark.SITE, Site.CROSSWALK, r"(?:an?|the|any)? ?(?:crosswalk|zebra(?: crossing)?|pedestrian crossing)"),
-    (Mark.LIGHT, Light.DAY, r"(?:by|in the|during the|at) (?:day(?:time|light)?|noon|midday)|in (?:broad )?daylight|daylight|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
+    (Mark.LIGHT, Light.DAY, r"(?:by|in the|during the|at) (?:day(?:time|light)?|noon|midday)|in (?:broad )?daylight|daylight|(?:in the )?(?:morning|afternoon)|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
     (Mark.LIGHT, Light.NIGHT, r"(?:when it is |it is |in the )?dark(?:ness)?|(?:in|at|by|during) the night(?:time)?|nocturnal"),
     (Mark.LIGHT, Light.DUSK, r"in the twilight|at (?:dusk|dawn|twilight|sunset|sunrise)|in the (?:late )?evening"),
-    (Mark.WEATHER, Weather.CLEAR, r"(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
+    (Mark.WEATHER, Weather.CLEAR, r"(?:it )?(?:has )?(?:just )?stop(?:s|ped)? (?:raining|snowing)|(?:the )?(?:rain|snow|fog) (?:has |is )?(?:stops?|stopped|gone|over|clears?|cleared|lifts?|lifted)|(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
     (Mark.WEATHER, Weather.RAIN, r"(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining"),
     (Mark.WEATHER, Weather.SNOW, r"(?:in |during )?(?:the )?snow(?:fall|y|ing|s)?(?: weather)?|it is snowing"),
     (Mark.WEATHER, Weather.FOG, r"(?:in |during )?(?:the )?fog(?:gy)?(?: weather)?"),
@@ -188,16 +200,16 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SURFACE, Surface.SNOW, r"(?:on )?(?:a |the )?(?:snowy|snow-?covered) (?:road|street|surface)|(?:with )?snow on the (?:road|street|ground)"),
     (Mark.ANY, Measure.SPEED, r"(?:at )?(?:any|whatever) speed|no matter how fast"),
     (Mark.ANY, Measure.DISTANCE, r"(?:at )?any distance|anywhere"),
-    (Mark.FILLER, None, r"please|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|another|few|more|even|itself|himself|herself"),
+    (Mark.FILLER, None, r"(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
 )  # fmt: skip
 
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
 _ADVERB = r"(?: (?:than (?:that|before|now|it is|it was)|to us|from us|behind us|ahead of us|in front of us|ahead|behind|at us))?"
 _SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
-    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her) speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
-    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her) speed"),
-    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|closer|nearer|less far)"),
-    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
+    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
+    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her) (?:walking |driving |riding )?speed"),
+    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller gap|closer|nearer|less far)"),
+    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger) gap|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
     (Measure.TRIGGER, False, r"later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
     (Measure.TRIGGER, True, r"earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
     (Measure.DECELERATION, True, r"harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
@@ -326,15 +338,45 @@ def _value(phrase: Phrase, match: re.Match[str]) -> Any:
 
 
 _BY = re.compile(
-    r" (?P<how>faster|quicker|slower|closer|nearer|further(?: away)?|farther(?: away)?|longer|shorter|later|earlier|sooner)(?![\w'])"
+    r" (?P<how>faster|quicker|slower|harder|softer|closer|nearer|further(?: away)?|farther(?: away)?|longer|shorter|later|earlier|sooner)(?![\w'])"
 )
 
 
 _IN_UNITS_OF = {Measure.TRIGGER: Measure.DISTANCE}  # how far off the ego is when somebody acts
 
 
+_SHARE = r"(?:by )?(?P<share>\d+(?:[.,]\d+)?) ?(?:%|percent|per cent)"
+_PERCENT = re.compile(_SHARE + _BY.pattern)
+_BY_PERCENT = re.compile(
+    r"(?P<verb>increase|raise|reduce|decrease|lower|cut) (?:(?:the|its|his|her) )?(?:\w+ )?(?P<of>speed|distance|gap|deceleration) "
+    + _SHARE
+)
+_CHANGED = {
+    "speed": Measure.SPEED,
+    "distance": Measure.DISTANCE,
+    "gap": Measure.DISTANCE,
+    "deceleration": Measure.DECELERATION,
+}
+
+
+def _percent(text: str, at: int) -> tuple[Shift, int] | None:
+    """By what share of what it was something is to be another, and where that ends."""
+    if match := _PERCENT.match(text, at):
+        kinds = [(measure, more) for measure, more, pattern in _shifts() if pattern.fullmatch(match["how"])]
+    elif match := _BY_PERCENT.match(text, at):
+        kinds = [(_CHANGED[match["of"]], match["verb"] in ("increase", "raise"))]
+    else:
+        return None
+    measure, more = kinds[0]
+    share = float(match["share"].replace(",", ".")) / 100
+    times = 1.0 + share if more else max(1.0 - share, 0.0)
+    return Shift(measure=measure, more=more, times=times, said=match[0]), match.end()
+
+
 def _number(text: str, at: int) -> tuple[Quantity | Shift, int] | None:
     """A number with its unit, and where it ends; by how much something is another, if that is said."""
+    if (shift := _percent(text, at)) is not None:
+        return shift
     told, bare = quantity_at(text, at), number_at(text, at)
     if bare is None or (told is not None and told[1] >= bare[1]):
         return told

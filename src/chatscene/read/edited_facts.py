@@ -23,6 +23,7 @@ from chatscene.terms.scenario import (
     Side,
     Site,
     Slots,
+    Unused,
     includes,
 )
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
@@ -47,6 +48,12 @@ _STARTS: dict[Action, tuple[Position, ...]] = {
     Action.CUT_IN: (Position.BESIDE, Position.AHEAD_BESIDE, Position.BEHIND_BESIDE, Position.KERB),
 }  # where whoever does it can start
 _IN_LANE = {Position.AHEAD: Where.AHEAD, Position.BEHIND: Where.BEHIND}
+_CONSISTENT = {
+    Where.NEXT_LANE: (Position.BESIDE, Position.AHEAD_BESIDE, Position.BEHIND_BESIDE),
+    Where.BEHIND: (Position.BEHIND, Position.BEHIND_BESIDE),
+    Where.EDGE: (Position.ROADSIDE, Position.KERB, Position.FAR_CORNER),
+    Where.FROM_SIDE: (Position.CROSSING, Position.ROADSIDE),
+}  # where somebody who starts there is already
 _PAUSES = (Action.HESITATE, Action.TURN_BACK)
 _USUAL = {"light": Light.DAY, "weather": Weather.CLEAR, "surface": Surface.DRY}
 
@@ -81,6 +88,7 @@ class Wishes:
         mirrored: The words that mirror everything; empty if none do.
         other: Who joins; None if nobody does.
         dropped: The words by which the other goes; empty if it stays.
+        unused: What was said and no scene has.
     """
 
     facts: dict[str, tuple[Any, str]] = field(default_factory=dict[str, tuple[Any, str]])
@@ -93,6 +101,7 @@ class Wishes:
     mirrored: str = ""
     other: tuple[Slots, str] | None = None
     dropped: str = ""
+    unused: list[Unused] = field(default_factory=list[Unused])
 
     def wish(self, fact: str, value: Any, said: str) -> None:
         """A fact is to have a value.
@@ -125,7 +134,9 @@ class Wishes:
             EditRefused: It is to be yet another one.
         """
         known = self.numbers.setdefault(measure, (number, said))
-        if known[0] != number:
+        if isinstance(known[0], Shift) and isinstance(number, Quantity):
+            self.numbers[measure] = number, said  # "slower, at 20 km/h"
+        elif known[0] != number and not (isinstance(known[0], Quantity) and isinstance(number, Shift)):
             raise EditRefused(f"it cannot be both {known[1]!r} and {said!r}; say one of them")
 
     def mirror(self, said: str) -> None:
@@ -342,6 +353,8 @@ def _joins(acts: list[Action], news: list[ActWish]) -> bool:
     """Whether new acts come on top of what somebody does, rather than in its place."""
     if news[0].order is not None:
         return news[0].order is not Mark.INSTEAD
+    if all(action.row.all_along and action.row.directed for action in acts) and not news[0].action.row.directed:
+        return True  # who comes towards the ego still does
     new, moving = {one.action for one in news}, bool(acts) and not _IDLE.issuperset(acts)
     braking = new <= {Action.BRAKE, *_ON_THE_WAY} and not _ENTERS.isdisjoint(acts)
     return moving and (new <= _ON_THE_WAY or braking)
@@ -364,6 +377,8 @@ def _start(before: Slots, slots: Slots, wishes: Wishes, of: int) -> Position | N
         return slots.position
     if (said := wishes.where.get(of)) is None:
         return _start_unsaid(before, slots)
+    if slots.position is not None and all(slots.position in _CONSISTENT.get(where, ()) for where, _ in said):
+        return slots.position
     found = start_of(replace(slots, position=None), frozenset(where for where, _ in said))
     if found is None:
         words = ", ".join(repr(one) for _, one in said)

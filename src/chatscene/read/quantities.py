@@ -121,7 +121,7 @@ def number_at(text: str, start: int) -> tuple[Quantity, int] | None:
         start: Where it must begin.
     """
     for measure, pattern in _BARE:
-        if match := pattern.match(text, start):
+        if (match := pattern.match(text, start)) and match["number"] not in ("a", "one"):
             return _quantity(measure, match), match.end()
     return None
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from chatscene.terms.frame import Frame
-from chatscene.terms.scenario import Measure, Quantity, Shift, Slots
+from chatscene.terms.scenario import Measure, Quantity, Shift, Slots, Unused
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Surroundings
 
@@ -87,11 +87,13 @@ class Edit:
         text: As the user wrote it.
         facts: All facts as they are to be.
         named: The facts that it names, each with its words.
+        unused: What it says and no scene has, such as how heavy a rain is.
     """
 
     text: str
     facts: Facts
     named: dict[str, str]
+    unused: tuple[Unused, ...] = ()
 
 
 def with_edits(text: str, edits: Iterable[str]) -> str:
