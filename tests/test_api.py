@@ -237,7 +237,7 @@ def test_made_up_sentences_can_be_served() -> None:
 
 
 def test_a_sentence_and_a_program_are_not_run_at_once(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="not both"):
+    with pytest.raises(SettingsError, match="only one of them"):
         chatscene.run(BRAKES, tmp_path / "x", program="mine.scenic")
 
 

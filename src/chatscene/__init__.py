@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from chatscene.api import (
         DrivenScene,
         Run,
+        conflicts,
         describe,
         evaluate,
         explain,
@@ -43,6 +44,7 @@ __all__ = [
     "Run",
     "Settings",
     "__version__",
+    "conflicts",
     "describe",
     "evaluate",
     "explain",

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene import pipeline, runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
+from chatscene.interpret.conflicts import conflicts_in, read_report
 from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
 from chatscene.report.summary import Summary
@@ -26,6 +27,7 @@ from chatscene.runs.replay import replay as replay_scene
 from chatscene.runs.tables import EPISODES, SCENES, Table, read_table
 from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import RetrievalSettings, Settings
+from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
@@ -313,9 +315,10 @@ class DrivenScene:
 
 
 def run(
-    text: str = "",
+    text: str | Conflict = "",
     folder: Name | None = None,
     *,
+    report: Name | None = None,
     program: Name | None = None,
     trust: bool = False,
     as_written: bool = False,
@@ -341,8 +344,9 @@ def run(
     """Understand a sentence, search for crash scenes, keep the ones worth testing on, and write a report.
 
     Args:
-        text: The sentence.
+        text: The sentence, or a conflict of a report (`conflicts`).
         folder: Run folder, new or empty, or one to go on in.
+        report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
@@ -374,10 +378,12 @@ def run(
     """
     from chatscene.search.generators.own_program import generator_for
 
-    if text and program is not None:
-        raise SettingsError("say what to run: either a text or a program, not both")
+    if sum((bool(text), report is not None, program is not None)) > 1:
+        raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
+    if report is not None:
+        text = _only_conflict(report, chosen)
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
@@ -403,8 +409,9 @@ def run(
 
 
 def explain(
-    text: str,
+    text: str | Conflict = "",
     *,
+    report: Name | None = None,
     edit: Names = (),
     library: Name | None = None,
     embedder: str | None = None,
@@ -418,7 +425,8 @@ def explain(
     As text (``print``) it reads as the command prints it; in a notebook it shows as the report does.
 
     Args:
-        text: The sentence.
+        text: The sentence, or a conflict of a report (`conflicts`).
+        report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         edit: What is to be another than it says, in words, edit by edit; `Understood.edit` does the same.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
@@ -433,7 +441,35 @@ def explain(
     """
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
-    return pipeline.understand(text, replace(settings, retrieval=chosen), edits=_names(edit))
+    if report is not None:
+        text = _only_conflict(report, chosen)
+    return pipeline.understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit))
+
+
+def conflicts(
+    report: Name,
+    *,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
+    progress: Progress = silent,
+) -> tuple[Conflict, ...]:
+    """The conflicts that a report tells, each to be run or explained, with what is in none of them.
+
+    Args:
+        report: A file: text in UTF-8, of any length up to 1 MB.
+        library: Folder of one's own snippets, beside the packaged ones.
+        embedder: Who measures wording.
+        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        progress: Told how many of its passages are read.
+
+    Raises:
+        SettingsError: There is no such file, or it is no text.
+        NothingFits: It tells no conflict.
+    """
+    path = Path(report)
+    reading = _reading(RetrievalSettings(), library, embedder, language_model)
+    return conflicts_in(read_report(path), reading, path.name, progress)
 
 
 def describe(
@@ -744,6 +780,17 @@ def _reading(
     return _changed(
         settings, library=own, embedder=embedder, language_model=language_model, reading=reading, stated=facts
     )
+
+
+def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
+    """The conflict of a report that tells one."""
+    found, *others = conflicts_in(read_report(Path(report)), reading, Path(report).name)
+    if others:
+        raise SettingsError(
+            f"{report} tells {found.of} conflicts; run them one by one: "
+            f"[chatscene.run(one) for one in chatscene.conflicts({str(report)!r})]"
+        )
+    return found
 
 
 def _folder(folder: Name | None) -> Path:

@@ -317,8 +317,8 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
     """What `chatscene run` would start with these words."""
     caught: dict[str, Any] = {}
 
-    def ask(text: str, *, settings: Settings, map_name: str, ego: str, **_: Any) -> None:
-        caught.update(text=text, settings=asdict(settings), map_name=map_name, egos=[ego])
+    def ask(text: str, *, settings: Settings, map_name: str, ego: str, edits: Sequence[str], **_: Any) -> None:
+        caught.update(text=text, settings=asdict(settings), map_name=map_name, egos=[ego], edits=[*edits])
         raise SystemExit
 
     monkeypatch.setattr(runs, "asked_run", ask)
@@ -338,7 +338,7 @@ def _other(option: click.Option) -> list[str]:
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
 
 
-NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program", "trust", "as_written"}
+NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program", "report", "trust", "as_written"}
 OPTIONS_OF_RUN = [p for p in cli.run.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
 
 

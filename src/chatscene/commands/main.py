@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -40,11 +39,13 @@ from chatscene.commands.library import (
 )
 from chatscene.commands.maps import map_group
 from chatscene.commands.proposal import COMMANDS, describe
-from chatscene.commands.refusal import REFUSED, complain, refusing
+from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
+from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
+from chatscene.terms.conflict import Conflict
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -107,6 +108,7 @@ def main() -> None:
     default=None,
     help="Your own .scenic program, or a folder of them, in place of TEXT.",
 )
+@REPORT
 @click.option("--trust", is_flag=True, help="Run the program with all of Python, outside the sandbox.")
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
 @EDITS
@@ -137,6 +139,7 @@ def main() -> None:
 def run(
     text: str | None,
     program: Path | None,
+    report: Path | None,
     trust: bool,
     as_written: bool,
     edit: tuple[str, ...],
@@ -161,26 +164,33 @@ def run(
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run "a van pushes in" --set side=left
+    chatscene run --report claim.txt --out runs/claim
     chatscene run --program mine.scenic --routes 4
     chatscene run --program theirs.scenic --map Town05.xodr --as-written
     """
     from chatscene import api, runs
     from chatscene.simulate.simulator import has_one_world
 
-    if (text is None) == (program is None):
-        raise click.UsageError("say what to run: either a TEXT or --program FILE")
+    if sum(one is not None for one in (text, report, program)) != 1:
+        raise click.UsageError("say what to run: a TEXT, --report FILE or --program FILE")
     if edit and program is not None:
         raise click.UsageError("--edit is about a TEXT")
     if (trust or as_written) and program is None:
         raise click.UsageError("--trust and --as-written are about a --program")
-    failed = False
-    for name, one in _programs(program).items() if program else [(text or "", None)]:
-        folder = (out / name if program and program.is_dir() else out) if out else None
-        with refusing(text or "", reading["embedder"], as_json), _going_on(program) as gone:
+    asked: list[tuple[str, str | Conflict, Path | None]] = [(text or "", text or "", None)]
+    if report is not None:
+        asked = [(f"conflict-{one.number}", one, None) for one in found_in(report, reading, as_json)]
+    elif program is not None:
+        asked = [(name, "", file) for name, file in _programs(program).items()]
+    several = len(asked) > 1 or (program is not None and program.is_dir())
+    gone: list[int] = []
+    for name, said, own in asked:
+        folder = (out / name if several else out) if out else None
+        with going_on(str(said), reading["embedder"], as_json, gone if several else None):
             done = api.run(
-                text or "",
-                folder or runs.free_folder(Path("runs"), name),
-                program=one,
+                said,
+                folder or runs.free_folder(Path("runs"), str(said) or name),
+                program=own,
                 trust=trust,
                 as_written=as_written,
                 edit=edit,
@@ -198,9 +208,8 @@ def run(
                 **reading,
             )
             _say_done(done, as_json)
-        failed = failed or bool(gone)
-    if failed:
-        sys.exit(1)
+    if gone:
+        sys.exit(min(gone))
 
 
 @main.command()
@@ -541,21 +550,35 @@ def check(folders: tuple[Path, ...], as_json: bool) -> None:
 
 
 @main.command()
-@click.argument("text")
+@click.argument("text", required=False)
+@REPORT
 @click.option("--program", "show_program", is_flag=True, help="Print the Scenic program as well.")
 @EDITS
 @READING
 @CHOOSING
 @JSON
-def explain(text: str, show_program: bool, edit: tuple[str, ...], as_json: bool, **reading: Unpack[Chosen]) -> None:
+def explain(
+    text: str | None,
+    report: Path | None,
+    show_program: bool,
+    edit: tuple[str, ...],
+    as_json: bool,
+    **reading: Unpack[Chosen],
+) -> None:
     """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     \b
     chatscene explain "a motorbike cuts us off from the right"
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
+    chatscene explain --report claim.txt
     """
     from chatscene import api
 
+    if (text is None) == (report is None):
+        raise click.UsageError("say what to explain: a TEXT or --report FILE")
+    if text is None or report is not None:
+        explain_report(report or Path(), reading, edit=edit, program=show_program, as_json=as_json)
+        return
     with refusing(text, reading["embedder"], as_json):
         understood = api.explain(text, edit=edit, **reading)
     if as_json:
@@ -619,19 +642,6 @@ def _programs(program: Path) -> dict[str, Path]:
         "-".join(file.relative_to(program).with_suffix("").parts) if program.is_dir() else file.stem: file
         for file in foreign_files(program)
     }
-
-
-@contextmanager
-def _going_on(program: Path | None) -> Generator[list[ChatSceneError]]:
-    """Within a folder of programs, says what is wrong with one and goes on with the next; gives what was wrong."""
-    gone: list[ChatSceneError] = []
-    try:
-        yield gone
-    except ChatSceneError as error:
-        if program is None or not program.is_dir():
-            raise
-        complain(error)
-        gone.append(error)
 
 
 def _jobs(scenes: int, routes: int) -> int:

@@ -30,16 +30,39 @@ def refusing(text: str, embedder: str, as_json: bool) -> Generator[None]:
         sys.exit(REFUSED)
 
 
+@contextmanager
+def going_on(text: str, embedder: str, as_json: bool, gone: list[int] | None) -> Generator[None]:
+    """The same where several are run, of which the next has its turn whatever became of one.
+
+    Args:
+        text: The sentence; empty for a program.
+        embedder: Who measures what is near it.
+        as_json: Whether a script reads.
+        gone: Where the exit status of what went wrong is kept; None for the only one, with which all ends.
+    """
+    if gone is None:
+        with refusing(text, embedder, as_json):
+            yield
+        return
+    try:
+        yield
+    except (NothingFits, MeansSomethingElse) as error:
+        refuse(error, text, embedder, as_json)
+        gone.append(REFUSED if text else 1)
+    except ChatSceneError as error:
+        complain(error)
+        gone.append(1)
+
+
 def refuse(error: NothingFits | MeansSomethingElse, text: str, embedder: str, as_json: bool) -> None:
     """Say why a sentence was refused, what it may say, or which one works."""
-    readings = error.readings if isinstance(error, NothingFits) else ()
-    try_this = _suggested(text, embedder) if text and not readings else None
     if as_json:
-        say(json.dumps({"text": text, **_refusal(error), "suggestion": try_this}, indent=1))
+        say(json.dumps(refusal(error, text, embedder), indent=1))
         return
     from chatscene.report.terminal import readings_in_words
 
     complain(error)
+    readings = error.readings if isinstance(error, NothingFits) else ()
     if isinstance(error, NothingFits):
         if error.understood:
             say(f"  understood: {error.understood}", err=True)
@@ -47,8 +70,8 @@ def refuse(error: NothingFits | MeansSomethingElse, text: str, embedder: str, as
             say(f"  nearest: {name}: {does}", err=True)
     for line in readings_in_words(readings):
         say(line, err=True)
-    if try_this:
-        say(f"This one works: chatscene explain {shlex.quote(try_this)}", err=True)
+    if text and not readings:
+        say(f"This one works: chatscene explain {shlex.quote(_suggested(text, embedder))}", err=True)
 
 
 def _suggested(text: str, embedder: str) -> str:
@@ -58,15 +81,18 @@ def _suggested(text: str, embedder: str) -> str:
     return suggestion(text, load_embedder(embedder))
 
 
-def _refusal(error: NothingFits | MeansSomethingElse) -> dict[str, Any]:
+def refusal(error: NothingFits | MeansSomethingElse, text: str, embedder: str) -> dict[str, Any]:
     """A refusal for a script."""
     fits = isinstance(error, NothingFits)
+    readings = error.readings if fits else ()
     return {
+        "text": text,
         "refused": type(error).__name__,
         "message": str(error),
         "reasons": list(error.reasons) if fits else [str(error)],
         "confidence": error.confidence if fits else None,
         "understood": error.understood if fits else "",
-        "readings": [one.as_dict() for one in error.readings] if fits else [],
+        "readings": [one.as_dict() for one in readings],
         "candidates": error.nearest if fits else {},
+        "suggestion": _suggested(text, embedder) if text and not readings else None,
     }

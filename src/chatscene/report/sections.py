@@ -280,6 +280,10 @@ def provenance(record: RunRecord) -> Markup:
         "Ego": record.ego,
         "Time": "not recorded" if seconds is None else f"{seconds:.1f} s, until this page was written",
     }
+    if record.report is not None:
+        told = record.report
+        facts["Report"] = f"{told.name}, conflict {told.number} of {told.of}"
+        facts["Left out of the report"] = " … ".join(told.left_out) or "nothing"
     if left := _without_option(record):
         facts["Set from Python, as the command has no option for it"] = left
     return fill_section("provenance", command(record), list(facts.items()))

@@ -19,6 +19,7 @@ from chatscene.runs.record import (
     Driven,
     EvaluationRecord,
     ProgramRecord,
+    ReportRecord,
     RunRecord,
     SimulatorRecord,
     SourceRecord,
@@ -28,11 +29,12 @@ from chatscene.search.generator import Generator, load_generator, simulator_of
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import load_simulator
+from chatscene.terms.conflict import Conflict
 from chatscene.terms.scenario import Scenario
 
 
 def asked_run(
-    text: str = "",
+    text: str | Conflict = "",
     *,
     program: ProgramRecord | None = None,
     settings: Settings | None = None,
@@ -43,12 +45,17 @@ def asked_run(
 ) -> RunRecord:
     """A run of a sentence and edits of it, or of a program of the user's own.
 
-    If no map is named, it is on the packaged one with the site that is said.
+    If no map is named, it is on the packaged one with the site that is said. A conflict of a report is read as a
+    sentence, and what is in no conflict of that report is kept beside it.
 
     Raises:
         ChatSceneError: Something that is named is not there, the sentence is none, or an edit was not understood.
     """
     settings = settings or Settings()
+    report: dict[str, Any] = {}
+    if isinstance(text, Conflict):
+        told = ReportRecord(name=text.report, number=text.number, of=text.of, left_out=list(text.left_out))
+        text, report = text.text, {"report": told}
     maker = load_generator(generator)
     load_sampler(settings.search.sampler)
     said = maker.read(text if program is None else program.source, settings.retrieval)
@@ -59,6 +66,7 @@ def asked_run(
         program=program,
         generator=generator,
         egos=[ego],
+        **report,
         **_on_a_map(map_name or map_with(read.slots.site), [ego], settings, maker),
     )
 

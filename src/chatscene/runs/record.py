@@ -64,6 +64,22 @@ class ProgramRecord(_Frozen):
     source: str
 
 
+class ReportRecord(_Frozen):
+    """The report that a text was found in; see `chatscene.terms.conflict.Conflict`.
+
+    Attributes:
+        name: What it is called.
+        number: Which of its conflicts the text tells, from 1.
+        of: How many it tells.
+        left_out: Its passages that are in no conflict.
+    """
+
+    name: str
+    number: int
+    of: int
+    left_out: list[str]
+
+
 class SourceRecord(_Frozen):
     """A run whose scenes an evaluation drives.
 
@@ -194,6 +210,7 @@ class RunRecord(MapRecord):
         generator: Who makes the scenes.
         edits: What was changed of the sentence, edit by edit; asked for, though older records have none.
         edited_from: Absolute path of the run that the last edit was of; empty if none was.
+        report: The report that the sentence was found in; None for one that was given by itself.
     """
 
     kind = Kind.RUN
@@ -202,6 +219,7 @@ class RunRecord(MapRecord):
     generator: str
     edits: list[str] = []
     edited_from: str = ""
+    report: ReportRecord | None = None
 
     @classmethod
     def asked(cls) -> frozenset[str]:

@@ -1,0 +1,77 @@
+"""The command line, continued: reports, which are read for the conflicts that they tell."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from chatscene.commands.library import Chosen, console, progress, say
+from chatscene.commands.refusal import REFUSED, refusal, refuse, refusing
+from chatscene.errors import MeansSomethingElse, NothingFits
+from chatscene.terms.conflict import Conflict
+
+REPORT = click.option(
+    "--report",
+    type=click.Path(path_type=Path),
+    default=None,
+    metavar="FILE",
+    help="A report of any length, in place of TEXT: a narrative, or several.",
+)
+
+
+def found_in(report: Path, reading: Chosen, as_json: bool) -> tuple[Conflict, ...]:
+    """The conflicts of a report, and a word on what it is read as; ends with status 3 if there is none."""
+    from chatscene import api
+
+    own = {name: reading[name] for name in ("library", "embedder", "language_model")}
+    with refusing("", reading["embedder"], as_json):
+        found = api.conflicts(report, progress=progress(), **own)
+    if len(found) > 1 and (reading["reading"] or reading["set"]):
+        raise click.UsageError(
+            f"{report} tells {len(found)} conflicts; --reading and --set are about one: give its text"
+        )
+    if not as_json:
+        for line in in_words(found):
+            say(line, err=True)
+    return found
+
+
+def in_words(found: tuple[Conflict, ...]) -> list[str]:
+    """What a report is read as, in lines."""
+    first = found[0]
+    lines = [f"{first.report} tells {'a conflict' if len(found) == 1 else f'{len(found)} conflicts'}:"]
+    lines += [f"  {one.number}  {one.text}" for one in found]
+    return [*lines, *(f"  left out: {passage}" for passage in first.left_out)]
+
+
+def explain_report(report: Path, reading: Chosen, *, edit: tuple[str, ...], program: bool, as_json: bool) -> None:
+    """Show how each conflict of a report is understood; ends with status 3 if one is refused."""
+    from chatscene import api
+    from chatscene.report.terminal import print_understanding
+
+    found = found_in(report, reading, as_json)
+    told: list[dict[str, Any]] = []
+    refused = False
+    for one in found:
+        try:
+            understood = api.explain(one, edit=edit, **reading)
+        except (NothingFits, MeansSomethingElse) as error:
+            refused = True
+            if as_json:
+                told.append(refusal(error, one.text, reading["embedder"]))
+            else:
+                say(f"\n{one.number}  {one.text}")
+                refuse(error, one.text, reading["embedder"], as_json)
+            continue
+        told.append(understood.as_dict())
+        if not as_json:
+            say(f"\n{one.number}  {one.text}\n")
+            print_understanding(console(), understood, show_program=program)
+    if as_json:
+        say(json.dumps({"report": found[0].report, "left_out": found[0].left_out, "conflicts": told}, indent=1))
+    if refused:
+        sys.exit(REFUSED)
