@@ -17,9 +17,8 @@ from chatscene.terms.conclusions import concluded
 from chatscene.terms.scenario import Maneuver, Occluder, Place, Position, Scenario, Side, Site, Slots
 from chatscene.terms.surroundings import Light
 
-REAR_ENDED = (
-    "Unit 1 was stopped in traffic facing south on Main Street. Driver of Unit 2 stated he looked down at his phone "
-    "and ran into the rear of Unit 1. No citations issued."
+VAGUE = (
+    "We had been stopped for a bit when the pickup that had come off the forecourt somehow ended up against our wing."
 )
 
 
@@ -41,29 +40,31 @@ def refusal(text: str, stated: str = "") -> NothingFits:
 
 
 def test_a_refusal_tells_what_was_understood_and_what_not_and_the_likeliest_readings() -> None:
-    error = refusal(REAR_ENDED)
+    error = refusal(VAGUE)
     assert "ego: stands" in error.understood
-    assert any("citations" in reason for reason in error.reasons)
+    assert any("forecourt" in reason for reason in error.reasons)
     assert [one.number for one in error.readings] == [1, 2]
-    assert error.readings[0].told == "We wait. A car behind us drives on along its lane."
+    assert error.readings[0].told == (
+        "We wait and drive straight on at an intersection. A car from a side street stops dead."
+    )
     assert error.readings[0].probability >= error.readings[1].probability
     assert len({one.told for one in error.readings}) == 2
 
 
 @pytest.mark.parametrize("number", [1, 2])
 def test_a_reading_that_is_taken_is_served_as_it_was_told_and_is_not_doubted_again(number: int) -> None:
-    offered = refusal(REAR_ENDED).readings[number - 1]
-    taken = read(REAR_ENDED, reading=number)
+    offered = refusal(VAGUE).readings[number - 1]
+    taken = read(VAGUE, reading=number)
     assert told(taken.slots) == offered.told
-    assert confidence(REAR_ENDED, reading=number) == 1.0
+    assert confidence(VAGUE, reading=number) == 1.0
     assert any(f"the user took reading {number}" in str(note) for note in taken.notes)
 
 
 def test_the_fact_that_settles_a_reading_is_enough_to_be_served() -> None:
-    settling = [one for one in refusal(REAR_ENDED).readings if one.settled_by]
+    settling = [one for one in refusal(VAGUE).readings if one.settled_by]
     assert settling
     for one in settling:
-        assert confidence(REAR_ENDED, stated=one.settled_by) >= RetrievalSettings().refuse_below
+        assert confidence(VAGUE, stated=one.settled_by) >= RetrievalSettings().refuse_below
 
 
 def test_a_stated_fact_is_read_whatever_the_text_says_and_the_rest_stays() -> None:
@@ -115,10 +116,10 @@ def test_a_reading_that_is_not_there_cannot_be_taken() -> None:
 
 def test_a_run_keeps_the_choice_of_its_user_and_reads_the_same_by_it_again() -> None:
     settings = Settings(retrieval=RetrievalSettings(reading=2, stated="light=dusk"))
-    record = RunRecord.model_validate_json(asked_run(REAR_ENDED, settings=settings).model_dump_json())
+    record = RunRecord.model_validate_json(asked_run(VAGUE, settings=settings).model_dump_json())
     assert settings_of(record) == settings
     again = scenario_of(record, load_generator(record.generator))
-    assert again.slots == read(REAR_ENDED, reading=2).slots
+    assert again.slots == read(VAGUE, reading=2).slots
     assert again.surroundings.light is Light.DUSK
 
 

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from chatscene.errors import NothingFits
 from chatscene.interpret import decide as deciding
+from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
 from chatscene.interpret.retrieve import NO_SIDE, retrieve, settle
@@ -226,7 +227,7 @@ def test_each_sentence_of_the_paper_but_one_finds_a_triple_that_contradicts_noth
         for text in texts:
             understood = scenario_of(text)
             try:
-                chosen = retrieve(understood, load_library(), load_embedder())
+                chosen, _ = choose(understood, RetrievalSettings())
             except NothingFits:
                 refused.append(text)
                 continue

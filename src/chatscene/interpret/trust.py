@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 1.61, "unread": 0.71, "share": -11.56, "words": -1.69, "same acts": 1.05, "some acts": 0.10,
-    "same kind": 0.51, "same place": 1.16, "same way": 0.58, "placed": 2.41, "touched": 1.54,
-    "acts": -0.36, "quiet": -0.38, "others": 0.10, "behavior": -0.41, "scope": -0.02,
+    "base": 3.04, "unread": 0.61, "share": -10.01, "words": -2.22, "same acts": 0.92, "some acts": -0.08,
+    "same kind": 0.24, "same place": 1.09, "same way": 0.60, "placed": 3.34, "touched": 1.54,
+    "acts": -0.47, "quiet": -0.35, "others": -0.45, "behavior": -0.32, "scope": 0.01,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little

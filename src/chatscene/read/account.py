@@ -40,6 +40,8 @@ _NEW = ("another", "a second", "a third", "a", "an", "one", "some", "two", "thre
 _DENIABLE_RULES = frozenset(
     (
         Kind.ACT,
+        Kind.NOUN,
+        Kind.BARE,
         Kind.ENTERS,
         Kind.HIT,
         Kind.EGO_HITS,
@@ -70,7 +72,7 @@ def hear_account(text: str, known: Slots | None = None) -> Account | None:
         text: Canonical, mended, with plain names (`chatscene.read.naming`).
         known: What patterns say of the place, its control, what hides somebody and the lanes.
     """
-    text = prepared(text)
+    text = " ".join(prepared(text).split())
     telling = Telling()
     at = 0
     while at < len(text):
@@ -204,6 +206,7 @@ def _name(telling: Telling, match: re.Match[str]) -> None:
         party.does(deed)
     if telling.deeds:
         party.aside = False
+        telling.main = number
     telling.deeds.clear()
     for rule, where in telling.pending:
         of_party(telling, party, rule, where)

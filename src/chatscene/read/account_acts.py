@@ -86,7 +86,7 @@ def position_of(party: Party, contact: Contact | None, facts: dict[str, Any]) ->
 
 
 def _against_the_ego(start: _Start) -> Position | None:
-    opposite = start.is_at(Where.OPPOSITE) and not start.does(Action.OVERTAKE)
+    opposite = (start.is_at(Where.OPPOSITE) or start.does(Action.ONCOMING)) and not start.does(Action.OVERTAKE)
     return Position.ONCOMING if opposite or start.does(Action.WRONG_WAY) else None
 
 
@@ -142,6 +142,8 @@ def _in_another_lane(start: _Start) -> Position | None:
 def _across(start: _Start) -> Position | None:
     sided = start.party.side is not None
     wayward = start.party.wayward and start.junction and not start.rear
+    if start.junction and sided and start.is_at(Where.FROM_SIDE) and not start.is_lateral:
+        return Position.CROSSING
     if start.does(Action.CROSS) or wayward:
         return Position.CROSSING if sided or not start.is_turning else None
     return Position.CROSSING if start.is_turning and sided and start.junction else None
@@ -216,6 +218,8 @@ def _crossing(acts: list[Action], _party: Party, position: Position | None) -> l
     """Who comes from the side crosses, unless something says otherwise."""
     if position is Position.CROSSING and set(acts) <= {Action.FOLLOW, Action.FAST, Action.STAND}:
         return [Action.CROSS, *acts]
+    if position is Position.CROSSING and Action.HESITATE in acts and Action.CROSS not in acts:
+        return [Action.CROSS, *_without(acts, Action.SLOW)]
     if position in (Position.ROADSIDE, Position.FAR_CORNER) and set(acts) <= {Action.FOLLOW, Action.FAST}:
         return [Action.CROSS]
     return acts
@@ -255,6 +259,8 @@ def _telling_acts(acts: list[Action], _party: Party, position: Position | None) 
         acts = _without(acts, Action.STAND, Action.FOLLOW)
         slow = acts[-1] is Action.SLOW or Action.WRONG_WAY in acts
         return _without(acts, Action.SLOW) if slow else acts
+    if Action.FAST in acts:
+        acts = _without(acts, Action.FOLLOW)
     if Action.STAND in acts and len(acts) > 1:
         acts = _without(acts, Action.STAND if position is Position.BEHIND else Action.FOLLOW)
     return acts or ([Action.FOLLOW] if position is Position.BEHIND else [])

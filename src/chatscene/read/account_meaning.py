@@ -50,6 +50,9 @@ def of_party(telling: Telling, party: Party, rule: Rule, match: re.Match[str]) -
         effect(telling, party, rule, match)
     if rule.where is not None:
         party.where.add(rule.where)
+    if whither := match.groupdict().get("whither"):
+        party.side = party.side or (Side.RIGHT if whither == Side.LEFT else Side.LEFT)
+        return
     whither = rule.kind is Kind.FROM_SIDE and bool(_LEAD_ASIDE & set(party.acts[-1:])) and "from" not in match[0]
     if party.side is None and not whither:
         party.side = _side_of(match)
@@ -92,8 +95,8 @@ def _struck(telling: Telling, _rule: Rule, match: re.Match[str]) -> None:
 
 def _hit(telling: Telling, _rule: Rule, match: re.Match[str]) -> None:
     party, number = telling.party, telling.subject
-    if party is None or number is None:
-        return
+    if party is None or number is None or (match.groupdict().get("it") and len(telling.parties) > 1):
+        return  # of two, "it" may be the other
     telling.contacts.append(Contact(number, _part_of(match), sentence=telling.sentence))
     if re.match(r"dr[io]v|back|roll|ram|rear", match[0]):
         party.drives = True
@@ -156,7 +159,9 @@ def _nothing(_telling: Telling, _rule: Rule, _match: re.Match[str]) -> None:
 
 
 def _heading(telling: Telling, _rule: Rule, match: re.Match[str]) -> None:
-    heading = _HEADINGS[re.sub(r"[ -]", "", match["compass"])]
+    origin = match.groupdict().get("origin")
+    heading = _HEADINGS[re.sub(r"[ -]", "", origin or match["compass"])]
+    heading = (heading + 180) % 360 if origin else heading
     party = telling.party
     if party is not None:
         party.heading = heading if party.heading is None else party.heading
@@ -303,9 +308,15 @@ def _meant(rule: Rule, party: Party, match: re.Match[str]) -> Action:
     """The act that a rule tells, by where it leads and who does it."""
     action = rule.action
     assert action is not None
+    if action is Action.CUT_IN and match.groupdict().get("veers", "")[:4] in ("swer", "veer", "drif"):
+        return Action.SWERVE
     if action is Action.CHANGE_LANE and "front of us" in match[0]:
         return Action.CUT_IN
-    if action is Action.CROSS and party.kind.row.manner is Manner.DRIVES and re.search(r"kerb|curb", match[0]):
+    drives = party.kind.row.manner is Manner.DRIVES
+    if action is Action.CROSS and drives and re.match(r"(?:run|ran|go|rid|roll)\w* in front", match[0]):
+        party.where.add(Where.AHEAD)
+        return Action.FOLLOW
+    if action is Action.CROSS and drives and re.search(r"kerb|curb", match[0]):
         return Action.PULL_OUT
     return action
 
@@ -347,6 +358,8 @@ def _ahead(_telling: Telling, party: Party, _rule: Rule, _match: re.Match[str]) 
 
 
 def _from_side(_telling: Telling, party: Party, _rule: Rule, match: re.Match[str]) -> None:
+    if "from" in match[0]:
+        party.where.add(Where.FROM_SIDE)
     if re.search(KERB, match[0]):
         party.where.add(Where.EDGE)
     elif "arm" in match[0]:

@@ -206,6 +206,8 @@ def _stated(name: str, value: object) -> dict[str, Any]:
 def _control(facts: dict[str, Any], text: str) -> Control | None:
     """How a junction is controlled, as far as the text says so."""
     control = facts.get("control")
+    if UNCONTROLLED.search(text) and not LIGHTS.search(text):
+        return Control.NONE
     if LIGHTS.search(text):
         return Control.SIGNAL
     if control is Control.SIGNAL and "unprotected" in text and not SIGNALISED.search(text):

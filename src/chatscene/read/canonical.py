@@ -25,7 +25,14 @@ _SPEAKER: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         ("my", "our"),
         ("mine", "ours"),
         ("myself", "ourselves"),
+        ("you're|u're|you are|ur(?= \\w+ing)", "we are"),
+        ("you've", "we have"),
+        ("your|ur", "our"),
+        ("yours", "ours"),
     )
+)
+_READER = re.compile(  # who is told the scene drives in it
+    r"(?<!could )(?<!can )(?<!would )(?<!will )(?<!thank )\b(?:you|u)\b(?![- ]turn)"
 )
 _EGO = re.compile(r"\b(?:(?:the|our|an?) )?ego(?: vehicle| car)?(?P<owns>'s)?(?![\w-])")
 # Before an ego to which something is done; elsewhere it does something, if a verb follows
@@ -63,6 +70,7 @@ def canonical(text: str) -> str:
     plain = _END.sub("", plain)
     for pattern, meant in _SPEAKER:
         plain = pattern.sub(meant, plain)
+    plain = _READER.sub(lambda m: "us" if _TO_IT.search(m.string[: m.start()]) else "we", plain)
     told, rest = "", plain
     while (ego := _EGO.search(rest)) is not None:
         told += rest[: ego.start()]

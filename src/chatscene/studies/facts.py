@@ -58,12 +58,9 @@ def differing(said: Slots, read: Slots) -> tuple[str, ...]:
 
 def _in_target_lane(slots: Slots) -> Slots:
     """Whoever is in the lane that the ego changes to is on that side, said or not."""
-    side = (
-        _TOWARDS.get(slots.maneuver or Maneuver.STRAIGHT)
-        if slots.position in _NEXT_LANE and slots.side is None
-        else None
-    )
-    return slots if side is None else replace(slots, side=side)
+    side = _TOWARDS.get(slots.maneuver or Maneuver.STRAIGHT)
+    beside = slots.position in _IN_NEXT_LANE and slots.side is None
+    return replace(slots, side=side) if beside and side is not None else slots
 
 
 def _main_site(site: Site | None) -> Site | None:
@@ -82,7 +79,7 @@ def _deeds(slots: Slots) -> frozenset[Action]:
         acts -= {Action.BRAKE}
     if Action.RUN_LIGHT in acts:
         acts -= {Action.CROSS}
-    if Action.CHANGE_LANE in acts and slots.position in _IN_NEXT_LANE:
+    if Action.CHANGE_LANE in acts and slots.position in (None, *_IN_NEXT_LANE):
         acts = (acts - {Action.CHANGE_LANE}) | {Action.CUT_IN}
     return frozenset(acts)
 
