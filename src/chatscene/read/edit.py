@@ -45,11 +45,7 @@ _IT = re.compile(r"\b(?:it|him|her|them|this|that)\b")
 _GOES_ON = ("and", "or", "that", "which", "who")  # what is named to go may be followed by more of it
 _ANOTHER = ("another", "a second", "a third")
 _DEFINITE = "the"
-_STANDING = {
-    AdversaryKind.CAR: Occluder.PARKED_CAR,
-    AdversaryKind.TRUCK: Occluder.PARKED_TRUCK,
-    AdversaryKind.BUS: Occluder.PARKED_BUS,
-}  # what hides somebody where it is parked
+_PARKED = "parked-"  # what hides somebody where it is parked: of a car, a truck, a bus
 
 
 def hear_edit(text: str, facts: Facts) -> Edit:
@@ -331,14 +327,12 @@ class _Hearing:
     def _hides(self, word: Word) -> Occluder | None:
         """What a road user is that only stands in the way of sight; None if it does more."""
         named: Named = word.value
-        parked = (Sort.WHERE, Where.EDGE) in named.traits
+        occluder = self.slots.occluder
+        standing = next((one for one in Occluder if one == f"{_PARKED}{named.kind}"), None)
+        parked = (Sort.WHERE, Where.EDGE) in named.traits and occluder is not None
         marks = [one.mark for one in self._clause(self.words.index(word))]
-        occluded = self.slots.occluder is not None and self.slots.occluder in _STANDING.values()
-        if Mark.HIDDEN in marks or (parked and self.slots.occluder is not None):
-            return _STANDING.get(named.kind)
-        if occluded and _STANDING.get(named.kind) is self.slots.occluder and named.kind is not self.slots.adversary:
-            return self.slots.occluder
-        return None
+        at_hand = standing is occluder and named.kind is not self.slots.adversary
+        return standing if Mark.HIDDEN in marks or parked or at_hand else None
 
     def _named(self, word: Word, at: int) -> None:
         """Somebody is named: the adversary, the other, or somebody in the adversary's place."""
