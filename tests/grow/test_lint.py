@@ -14,7 +14,6 @@ from chatscene.grow.directions import joints
 from chatscene.grow.lint import check_code, implausible, lint, trials, try_joint, try_triple, world_names
 from chatscene.library.compatibility import ARMS, compatibility
 from chatscene.library.load import Library, load_library
-from chatscene.library.plan import plan_of
 from chatscene.library.snippet_file import names_in
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
@@ -23,6 +22,7 @@ from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import TURNS, Action
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.plan import Foreign
+from chatscene.terms.plan_text import plan_of
 from chatscene.terms.snippet import Snippet
 
 SHARDS = 6

@@ -12,11 +12,11 @@ from chatscene.errors import SnippetError
 from chatscene.library.act_steps import STARTS
 from chatscene.library.compose import Asked, compose, composed_again, goes_without_saying
 from chatscene.library.load import library_with
-from chatscene.library.plan import parse_plan, print_plan
 from chatscene.library.plan_check import check_plan
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.plan import Plan, waits_for_ego
+from chatscene.terms.plan_text import parse_plan, print_plan
 from chatscene.terms.scenario import Position, Side
 
 

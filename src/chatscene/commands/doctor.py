@@ -41,6 +41,7 @@ def examine() -> tuple[Check, ...]:
             ("snippet library", _library),
             ("sentence encoder", _encoder),
             ("one scene, end to end", _scene),
+            ("native engine", _engine),
             ("walls around strangers' code", _walls),
         )
     )
@@ -84,6 +85,16 @@ def _encoder() -> str:
     embedder = load_embedder()
     rows, columns = embedder.encode(["the car ahead brakes"]).shape
     return f"{embedder.name}: {rows} text, {columns} numbers"
+
+
+def _engine() -> str:
+    from chatscene.simulate.native.engine import NoEngine, load_engine
+
+    try:
+        load_engine()
+    except NoEngine as error:  # all else works without
+        return f"none, so the embedded simulator runs what asks for it: {error}"
+    return "there, and its arithmetic is Python's"
 
 
 def _walls() -> str:

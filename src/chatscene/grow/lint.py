@@ -20,7 +20,6 @@ from chatscene.grow.directions import Joint, joints, misnamed, strays
 from chatscene.grow.twins import scenario_of, twins
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import Library, names_of
-from chatscene.library.plan import plan_of
 from chatscene.library.plan_check import acts_of, check_plan
 from chatscene.library.snippet_file import ADVERSARY_CLASS
 from chatscene.maps.network import resolve_map
@@ -32,6 +31,7 @@ from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.actors import LIMITS, AdversaryKind
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.plan import Plan
+from chatscene.terms.plan_text import plan_of
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Component
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram

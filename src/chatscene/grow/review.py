@@ -21,11 +21,11 @@ from chatscene.grow.shelf import (
 from chatscene.grow.trying import Judge
 from chatscene.grow.wordings import fault_of, own_snippet
 from chatscene.library.load import Library, load_snippet
-from chatscene.library.plan import plan_of
 from chatscene.library.snippet_file import wordings_text
 from chatscene.models.encoders.embedding import Embedder
 from chatscene.models.language.structured import printable
 from chatscene.terms.plan import Foreign
+from chatscene.terms.plan_text import plan_of
 from chatscene.terms.scenario import BaseScenario, Component
 from chatscene.terms.snippet import Snippet
 

@@ -18,7 +18,6 @@ from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import ChatSceneError
 from chatscene.library.compatibility import Compatibility, Mask, compatibility
 from chatscene.library.load import Library
-from chatscene.library.plan import PARAMETERS, plan_of, print_plan
 from chatscene.library.plan_check import STANDING
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
@@ -26,6 +25,7 @@ from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.episode import Array, Episode
 from chatscene.terms.plan import Foreign, Plan
+from chatscene.terms.plan_text import PARAMETERS, plan_of, print_plan
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import Snippet

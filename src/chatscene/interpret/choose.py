@@ -13,11 +13,11 @@ from chatscene.library.bind import Triple, bound, measured, narrowed, settable
 from chatscene.library.compatibility import agree, contradiction, incompatibility
 from chatscene.library.compose import Asked, compose, goes_without_saying
 from chatscene.library.load import Library, library_with
-from chatscene.library.plan import plan_of
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.conclusions import CURVES, JUNCTIONS
 from chatscene.terms.plan import Plan, waits_for_ego
+from chatscene.terms.plan_text import plan_of
 from chatscene.terms.scenario import Component, Distance, EgoState, Maneuver, Position, Scenario, Slots
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.snippet import Retrieval, Snippet, Tried

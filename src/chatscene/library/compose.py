@@ -41,10 +41,10 @@ from chatscene.library.act_steps import (
     Start,
     Step,
 )
-from chatscene.library.plan import parse_plan, print_plan
 from chatscene.library.snippet_file import names_in
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
+from chatscene.terms.plan_text import parse_plan, print_plan
 from chatscene.terms.scenario import Component, Position, Side, Slots
 from chatscene.terms.snippet import ParameterRange, Snippet
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from chatscene.library.plan import print_expression
 from chatscene.terms.acts import Action
 from chatscene.terms.plan import (
     FUNCTIONS,
@@ -29,6 +28,7 @@ from chatscene.terms.plan import (
     parts_of,
     walk,
 )
+from chatscene.terms.plan_text import print_expression
 from chatscene.terms.snippet import ParameterRange
 
 STANDING = frozenset({"Halt", "Park", "BrakeOnPath", "WaitFor"})  # who does one of these stands, sooner or later

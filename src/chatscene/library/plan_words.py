@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from chatscene.library.plan import print_expression
 from chatscene.terms.plan import (
     PRIMITIVES,
     After,
@@ -22,6 +21,7 @@ from chatscene.terms.plan import (
     Plan,
     Until,
 )
+from chatscene.terms.plan_text import print_expression
 
 # What each primitive does; what stands in square brackets is said only if the argument in it is told.
 _DOES = {

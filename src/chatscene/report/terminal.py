@@ -140,8 +140,8 @@ def _print_code(console: Console, source: str) -> None:
 
 
 def _plan_in_words(snippet: Snippet) -> tuple[str, ...]:
-    from chatscene.library.plan import plan_of
     from chatscene.library.plan_words import describe_plan
+    from chatscene.terms.plan_text import plan_of
 
     if snippet.component is not Component.BEHAVIOR:
         return ()

@@ -34,14 +34,17 @@ class RouteSurroundings:
         network: Scenic's road network.
         route: The route.
         lane_map: The lanes of the network.
+
+    Attributes:
+        lanes: The areas of the lanes that the route uses.
     """
 
     def __init__(self, network: Any, route: Route, lane_map: LaneMap) -> None:
         self._route = route
         self._lane_map = lane_map
-        self._lanes = [network.elements[uid].polygons for uid in route.lane_ids]
+        self.lanes = [network.elements[uid].polygons for uid in route.lane_ids]
         self._junctions = network.intersectionRegion.polygons if network.intersections else shapely.Polygon()
-        for shape in (*self._lanes, self._junctions):
+        for shape in (*self.lanes, self._junctions):
             shapely.prepare(shape)
         self._control = Control.NONE
         self._lines: tuple[StopLine, ...] = ()
@@ -56,7 +59,7 @@ class RouteSurroundings:
     def same_lane(self, x: float, y: float, other_x: float, other_y: float) -> bool:
         """Whether two points lie in the same lane of the route."""
         return any(
-            shapely.contains_xy(lane, other_x, other_y) and shapely.contains_xy(lane, x, y) for lane in self._lanes
+            shapely.contains_xy(lane, other_x, other_y) and shapely.contains_xy(lane, x, y) for lane in self.lanes
         )
 
     @property

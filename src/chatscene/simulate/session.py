@@ -44,6 +44,16 @@ class SteppedSession:
         draws: How many draws it took to place.
 
     Attributes:
+        simulation: As above.
+        route: As above.
+        around: As above.
+        settings: As above.
+        preset: What the ego sees, as above.
+        pedals: As above.
+        through: As above.
+        limit: How many steps it may take.
+        orders: What the ego is held to.
+        others: Everybody but the ego, whether each walks, and from how far it is seen [m].
         observation: What the ego sees now.
         ending: Why it ended, or None while it goes on.
         rejection: Why the program itself rejects it, or empty.
@@ -76,25 +86,26 @@ class SteppedSession:
                 "drive it; leave its `with behavior …` away"
             )
         self._ego = body
-        self._orders = () if program.as_written else _orders(objects[0], label)
+        self.orders = () if program.as_written else _orders(objects[0], label)
         self._limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
-        self._simulation = simulation
-        self._route = route
-        self._around = around
-        self._settings = settings
-        self._pedals = pedals
-        self._through = through
+        self.simulation = simulation
+        self.route = route
+        self.around = around
+        self.settings = settings
+        self.pedals = pedals
+        self.through = through
         self._label = label
         self.draws = draws
         self._drawn = program.drawn
         self._as_written = program.as_written
         self._names: list[tuple[str, Role]] = []
-        self._limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
+        self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
         self._view = RouteView(route.line)
+        self.preset = observation
         self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
-        self._others: list[tuple[Body, bool, float]] = []
+        self.others: list[tuple[Body, bool, float]] = []
         self._rows: list[float] = []
         self._since: list[int] = []
         self._offsets: list[float] = []
@@ -133,19 +144,15 @@ class SteppedSession:
             EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
             ProgramError: The program's own code fails.
         """
-        if self._closed:
-            raise EgoError(
-                "this session is over: something else was simulated in this process, which runs one session at a "
-                "time; start it again, and give each environment a process of its own with vector_env"
-            )
-        body, simulation = self._ego, self._simulation
-        pressed = controls(action, self._pedals)
+        self.check_open()
+        body, simulation = self._ego, self.simulation
+        pressed = controls(action, self.pedals)
         if not self._as_written:
             body.throttle, body.brake, body.steer = pressed
-        if self._orders:
-            dt = self._settings.dt
+        if self.orders:
+            dt = self.settings.dt
             body.throttle, body.brake = obeyed(
-                self._orders,
+                self.orders,
                 pressed[:2],
                 time=self.step_number * dt,
                 along=self._view.along,
@@ -161,18 +168,57 @@ class SteppedSession:
         self.step_number += 1
         self._look()
 
+    def check_open(self) -> None:
+        """Hold that it can be stepped.
+
+        Raises:
+            EgoError: It was ended by another in the same process.
+        """
+        if self._closed:
+            raise EgoError(
+                "this session is over: something else was simulated in this process, which runs one session at a "
+                "time; start it again, and give each environment a process of its own with vector_env"
+            )
+
+    def take_over(
+        self,
+        *,
+        rows: list[float],
+        offsets: list[float],
+        contacts: list[tuple[int, int, str, float]],
+        step: int,
+        along: float,
+        ending: Ending | None,
+    ) -> None:
+        """Put down what another engine stepped from its beginning on, in place of own steps.
+
+        Args:
+            rows: The state of each body that moves at each step: x, y, heading, speed.
+            offsets: Lateral offset of the ego from its route at each step [m, positive = left].
+            contacts: When the ego began to touch whom, on which of its sides, and how fast they met [m/s].
+            step: How many steps were made.
+            along: Arc length of the ego on its route [m].
+            ending: Why it ended, or None while it goes on.
+        """
+        self._rows, self._offsets, self._view.along = rows, offsets, along
+        self._contacts = [self._contact(*contact) for contact in contacts]
+        self.step_number, self.ending = step, ending
+
+    def _contact(self, step: int, other: int, side: str, speed: float) -> Event:
+        return Event(kind=EventKind.COLLISION, step=step, other=self._names[other][0], side=side, impact_speed=speed)
+
     def close(self) -> None:
         """Give the process free for another session; to be called again does nothing."""
         if not self._closed:
             self._closed = True
-            self._simulation.__exit__()
+            self.simulation.__exit__()
 
     def _look(self) -> None:
         """Take in the state that a step left: what the ego sees, what is kept, whether it is over."""
         body, view = self._ego, self._view
         view.locate(body.x, body.y)
-        goes_on = self._go_on(self._simulation.check)  # may place things
-        if len(self._names) < len(self._simulation.bodies):
+        goes_on = self._go_on(self.simulation.check)  # may place things
+        if len(self._names) < len(self.simulation.bodies):
             self._meet()
         add = self._rows.extend
         for moving in self._moving:
@@ -184,7 +230,7 @@ class SteppedSession:
 
     def _meet(self) -> None:
         """Take in who is there and was not before; a program that is composed of others places things as it goes on."""
-        simulation = self._simulation
+        simulation = self.simulation
         known = len(self._names)
         self._names = _names(simulation.objects, self._drawn)
         for obj, body in list(zip(simulation.objects, simulation.bodies, strict=True))[known:]:
@@ -193,7 +239,7 @@ class SteppedSession:
                 self._since.append(len(self._offsets))
             if body is not self._ego:
                 sight = simulation.surroundings.sight(lit=has_lamps(kind_of(obj)))
-                self._others.append((body, getattr(obj, "isWalker", False), sight))
+                self.others.append((body, getattr(obj, "isWalker", False), sight))
                 if getattr(obj, "isVehicle", False):
                     self._vehicles.append(body)
 
@@ -205,7 +251,7 @@ class SteppedSession:
         """
         try:
             part()
-        except self._simulation.REJECTIONS as error:
+        except self.simulation.REJECTIONS as error:
             self.rejection = f"the program rejects the episode at step {self.step_number}: {error}"
         except (ChatSceneError, MemoryError):
             raise
@@ -215,49 +261,42 @@ class SteppedSession:
 
     def _end(self, ending: Ending) -> None:
         """End it, unless the program rejects it for how it ends."""
-        if self._go_on(self._simulation.finish):
+        if self._go_on(self.simulation.finish):
             self.ending = ending
 
     def _ended(self) -> Ending | None:
-        if self._collides() and not self._through:
+        if self._collides() and not self.through:
             return Ending.COLLISION
-        if self._view.along >= ARRIVAL * self._route.length:
+        if self._view.along >= ARRIVAL * self.route.length:
             return Ending.ARRIVED
-        if self._simulation.done is not None:
+        if self.simulation.done is not None:
             return Ending.SCENARIO_DONE
-        return Ending.TIMEOUT if self.step_number >= self._limit else None
+        return Ending.TIMEOUT if self.step_number >= self.limit else None
 
     def _four_numbers(self) -> Observation:
         body = self._ego
         return self._view.four_numbers(body.x, body.y, body.heading, body.speed, self._vehicle_ahead())
 
     def _actors(self) -> Observation:
-        return self._view.actors(self._ego, self._others)
+        return self._view.actors(self._ego, self.others)
 
     def _vehicle_ahead(self) -> bool:
         ego = self._ego
         for other in self._vehicles:
             dx, dy = other.x - ego.x, other.y - ego.y
             near = dx * dx + dy * dy < SIGHT * SIGHT and dx * ego.cos + dy * ego.sin > 0.0
-            if near and self._around.same_lane(ego.x, ego.y, other.x, other.y):
+            if near and self.around.same_lane(ego.x, ego.y, other.x, other.y):
                 return True
         return False
 
     def _collides(self) -> bool:
-        bodies, ego = self._simulation.bodies, self._ego
+        bodies, ego = self.simulation.bodies, self._ego
         for i in range(1, len(bodies)):
             if touch(ego, bodies[i]):
                 if i not in self._touching:
                     self._touching.add(i)
-                    self._contacts.append(
-                        Event(
-                            kind=EventKind.COLLISION,
-                            step=self.step_number,
-                            other=self._names[i][0],
-                            side=contact_side(ego, bodies[i]),
-                            impact_speed=approach_speed(ego, bodies[i]),
-                        )
-                    )
+                    side, speed = contact_side(ego, bodies[i]), approach_speed(ego, bodies[i])
+                    self._contacts.append(self._contact(self.step_number, i, side, speed))
             else:
                 self._touching.discard(i)
         return bool(self._touching)
@@ -265,24 +304,24 @@ class SteppedSession:
     def episode(self, scene_id: str, ego: str) -> Episode:
         """Everything that happened so far, with the events that follow from the tracks."""
         tracks = self._tracks()
-        signals = str(self._simulation.scene.params["signals"])
-        lights = self._simulation.lights
-        states = self._around.signal_tracks(signals, len(self._offsets), self._settings.dt, lights)
-        off_road, events = self._around.events(tracks[0], states)
+        signals = str(self.simulation.scene.params["signals"])
+        lights = self.simulation.lights
+        states = self.around.signal_tracks(signals, len(self._offsets), self.settings.dt, lights)
+        off_road, events = self.around.events(tracks[0], states)
         return Episode(
             scene_id=scene_id,
             ego=ego,
-            dt=self._settings.dt,
+            dt=self.settings.dt,
             tracks=tracks,
             events=tuple(sorted((*self._contacts, *events), key=lambda e: (e.step, e.kind, e.other))),
             signals=states,
             ending=self.ending or Ending.TIMEOUT,
             route_completion=1.0
             if self.ending is Ending.ARRIVED
-            else min(max(self._view.along / self._route.length, 0.0), 1.0),
+            else min(max(self._view.along / self.route.length, 0.0), 1.0),
             distance_to_route=np.abs(np.array(self._offsets)),
             off_road=off_road,
-            surroundings=self._simulation.surroundings,
+            surroundings=self.simulation.surroundings,
         )
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:
@@ -304,7 +343,7 @@ class SteppedSession:
         steps = len(self._offsets)
         moving = iter(self._states(steps))
         tracks: list[Track] = []
-        for obj, body, (name, role) in zip(self._simulation.objects, self._simulation.bodies, self._names, strict=True):
+        for obj, body, (name, role) in zip(self.simulation.objects, self.simulation.bodies, self._names, strict=True):
             if not body.moves:
                 state = np.repeat(np.array([[body.x], [body.y], [body.heading], [0.0]]), steps, axis=1)
             else:

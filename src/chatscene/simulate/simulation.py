@@ -248,6 +248,7 @@ class SteppedLoop(Simulation):
     Attributes:
         done: What of the program ended the scenario, or None while it goes on.
         how: Which kind of thing that was, as Scenic tells them apart.
+        watched: Whether the program itself says anything of states: conditions, monitors, what it records.
     """
 
     REJECTIONS = (RejectionException, RejectSimulationException, GuardViolation, CannotPlace)
@@ -257,6 +258,7 @@ class SteppedLoop(Simulation):
     agents: list[Any]
     done: str | None
     how: TerminationType | None
+    watched: bool
 
     def __init__(self, scene: Any, dt: float) -> None:  # Scenic's own would run it to its end
         self.screen = None
@@ -290,7 +292,7 @@ class SteppedLoop(Simulation):
             raise
         self._composed = self._scenario._compose is not None
         self._behaviors = [(agent, agent.behavior) for agent in self.agents]
-        self._watched = self._composed or bool(
+        self.watched = self._composed or bool(
             self._scenario._requirementMonitors
             or self._scenario._terminationConditions
             or self._scenario._terminateSimulationConditions
@@ -319,7 +321,7 @@ class SteppedLoop(Simulation):
         Raises:
             RejectionException: One of `REJECTIONS`: a requirement or a monitor of the program is violated.
         """
-        if not self._watched:
+        if not self.watched:
             return
         scenario = self._scenario
         reason, how = scenario._step(), TerminationType.scenarioComplete

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
@@ -60,6 +60,15 @@ class Session(Protocol):
 
     def close(self) -> None:
         """Give the process free for another session; to be called once, whatever happened."""
+        ...
+
+
+@runtime_checkable
+class DrivesItself(Protocol):
+    """A session that lets some egos drive to the end by itself, with the same episode."""
+
+    def drive(self, ego: EgoPolicy) -> bool:
+        """Let an ego drive to the end, after its `reset`; False if this one is not known here, and nothing was done."""
         ...
 
 
@@ -142,7 +151,7 @@ def simulate(
         if isinstance(session, Rejected):
             return session
         try:
-            _drive(session, ego)
+            drive(session, ego)
             if session.rejection:
                 return Rejected(scene=scene, reason=session.rejection)
             return session.episode(scene.id, name_of(ego))
@@ -165,10 +174,17 @@ def routes_of(simulator: Simulator, program: ScenicProgram, wanted: int) -> dict
     return found
 
 
-def _drive(session: Session, ego: EgoPolicy) -> None:
-    """Let an ego drive until the session ends."""
+def drive(session: Session, ego: EgoPolicy) -> None:
+    """Let an ego drive until the session ends.
+
+    Raises:
+        EgoError: The ego fails, or does not answer.
+        ProgramError: The program's own code fails.
+    """
     if (reset := getattr(ego, "reset", None)) is not None:
         reset()
+    if isinstance(session, DrivesItself) and session.drive(ego):
+        return
     act, step = ego.act, session.step
     while session.ending is None and not session.rejection:
         try:
@@ -191,6 +207,7 @@ SIMULATORS: Kind[Simulator] = Kind(
     method="open",
     built_in={
         "embedded": "chatscene.simulate.embedded.physics:make_simulator",
+        "native": "chatscene.simulate.native.simulator:NativeSimulator",
         "confined": "chatscene.simulate.confined.simulator:ConfinedSimulator",
         "carla": "chatscene.simulate.carla.simulator:CarlaSimulator [carla]",
     },

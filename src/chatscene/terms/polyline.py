@@ -54,6 +54,11 @@ class Polyline:
     def __repr__(self) -> str:
         return f"Polyline({len(self)} points, {self.length:.1f} m)"
 
+    @property
+    def columns(self) -> tuple[list[float], ...]:
+        """X, y and arc length [m] of each point, and the unit direction of each segment, x and y; not to be changed."""
+        return self._x, self._y, self._s, self._hx, self._hy
+
     def segment_at(self, s: float) -> int:
         """Index of the segment that holds arc length `s` [m]; the ends hold everything beyond them."""
         low, high = 0, len(self._hx) - 1

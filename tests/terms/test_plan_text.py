@@ -22,7 +22,6 @@ from chatscene.commands.main import main
 from chatscene.errors import SnippetError
 from chatscene.grow.twins import may_look_alike, same_plan
 from chatscene.library.load import load_library
-from chatscene.library.plan import BEHAVIOR, parse_plan, plan_of, print_plan
 from chatscene.library.plan_check import acts_of, check_plan, names_read
 from chatscene.library.plan_words import describe_plan
 from chatscene.terms.acts import Action
@@ -54,6 +53,7 @@ from chatscene.terms.plan import (
     expressions_of,
     walk,
 )
+from chatscene.terms.plan_text import BEHAVIOR, parse_plan, plan_of, print_plan
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import ParameterRange, Snippet
 

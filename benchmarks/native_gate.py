@@ -1,0 +1,205 @@
+"""Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
+
+    python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--beside 0]
+        [--budget 480]
+
+Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
+every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
+driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego. Both episodes must
+agree in every number of every track, every event, signal, offset, flag and the ending. What took the embedded path in
+`native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
+opened scene to its end, of the drives that were compared.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import click
+import numpy as np
+
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, pedals_of
+from chatscene.errors import ChatSceneError, MapError
+from chatscene.library.beside import placed_again
+from chatscene.library.compatibility import compatibility
+from chatscene.library.load import library_with
+from chatscene.maps.network import resolve_map
+from chatscene.program.assemble import assemble
+from chatscene.program.sample import draw, scene_seed
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
+from chatscene.simulate.simulator import Session, Simulator, drive, load_simulator
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.episode import Episode
+from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.testing.simulators import differences
+
+BESIDE = (
+    "ahead-in-lane-far=car.ahead.stand",
+    "oncoming=car.oncoming.keep-lane",
+    "roadside-right=pedestrian.right.cross",
+)
+MAPS = ("town", "outskirts")
+
+
+@dataclass
+class Tally:
+    """What came of an ego's drives."""
+
+    tried: int = 0
+    rejected: int = 0
+    compared: int = 0
+    identical: int = 0
+    steps: int = 0
+    agent_steps: int = 0
+    reference: float = 0.0
+    native: float = 0.0
+    reasons: Counter[str] = field(default_factory=Counter)
+    endings: Counter[str] = field(default_factory=Counter)
+    programs: set[str] = field(default_factory=set)
+    differing: list[str] = field(default_factory=list)
+
+
+def programs(count: int, beside: int, rng: np.random.Generator) -> Iterator[ScenicProgram]:
+    """Programs of the library, every behavior in turn."""
+    joint = compatibility(library_with())
+    order = [int(b) for b in rng.permutation(len(joint.behaviors)) if joint.mask[b].any()]
+    made = 0
+    while made < count:
+        for b in order[: count - made]:
+            made += 1
+            behavior = joint.behaviors[b]
+            pairs = np.argwhere(joint.mask[b])
+            g, s = pairs[rng.integers(len(pairs))].tolist()
+            geometry, spawn = joint.geometries[g], joint.spawns[s]
+            kinds = sorted(set(behavior.adversaries) & set(spawn.adversaries))
+            kind: AdversaryKind = kinds[rng.integers(len(kinds))]
+            parts = SubDescriptions(behavior=behavior.id, geometry=geometry.id, spawn=spawn.id)
+            scenario = Scenario(id=f"gate-{made}", text="gate", base=None, parts=parts, slots=Slots())
+            if rng.integers(100) < beside:
+                spawn = placed_again(f"{spawn.id}+{BESIDE[rng.integers(len(BESIDE))]}", library_with().get)
+            try:
+                yield assemble(scenario, (behavior, geometry, spawn), kind)
+            except ChatSceneError:
+                continue  # a part that does not fit who is beside
+
+
+def scenes(program: ScenicProgram, simulator: Simulator, count: int, seed: int) -> Iterator[Scene]:
+    """Scenes drawn from a program's ranges, on routes that are drawn."""
+    routes = simulator.routes(program)
+    for i in range(count):
+        name = f"{program.scenario_id}/{i}"
+        own = scene_seed(seed, name)
+        values = draw(program.parameters, seed=own)
+        yield Scene(id=name, scenario_id=program.scenario_id, route=own % routes, block=0, seed=own, values=values)
+
+
+def driven(
+    simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy
+) -> tuple[Session, Episode, float] | str:
+    """An opened scene driven to its end; or why there is none. The seconds are the processor's, of the drive alone."""
+    session = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals_of(ego))
+    if isinstance(session, Rejected):
+        return session.reason
+    try:
+        began = time.thread_time()
+        drive(session, ego)
+        spent = time.thread_time() - began
+        return session.rejection or (session, session.episode(scene.id, "ego"), spent)
+    finally:
+        session.close()
+
+
+def compare(
+    native: NativeSimulator, embedded: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, tally: Tally
+) -> None:
+    tally.tried += 1
+    before = native.not_covered.copy()
+    ours = driven(native, program, scene, ego)
+    if reasons := native.not_covered - before:
+        tally.reasons.update(reasons)
+        return
+    theirs = driven(embedded, program, scene, ego)
+    if isinstance(ours, str) or isinstance(theirs, str):
+        tally.rejected += 1
+        if ours != theirs:
+            tally.differing.append(f"{scene.id} {program.snippet_ids}: {ours} against {theirs}")
+        return
+    (session, mine, spent), (_, other, reference) = ours, theirs
+    if not isinstance(session, NativeSession):
+        tally.reasons["over as it begins"] += 1
+        return
+    tally.compared += 1
+    tally.programs.add(program.digest)
+    tally.endings[str(mine.ending)] += 1
+    tally.steps += session.step_number
+    tally.agent_steps += session.step_number * int(sum(bool(np.ptp(t.x) or np.ptp(t.y)) for t in mine.tracks))
+    tally.native += spent
+    tally.reference += reference
+    if apart := differences(mine, other):
+        tally.differing.append(f"{scene.id} {program.snippet_ids}: {'; '.join(apart)}")
+    else:
+        tally.identical += 1
+
+
+def show(name: str, tally: Tally) -> None:
+    print(
+        f"\n{name}: {tally.tried} drives tried, {tally.rejected} rejected by both alike, {tally.compared} compared "
+        f"of {len(tally.programs)} programs, {tally.identical} identical; endings {dict(tally.endings)}"
+    )
+    for reason, times in tally.reasons.most_common():
+        print(f"  not covered, {times} drives: {reason}")
+    for line in tally.differing[:20]:
+        print(f"  DIFFERS: {line}")
+    if tally.native:
+        print(
+            f"  {tally.steps} steps, {tally.agent_steps} agent-steps (of those that move at all); the drive alone: "
+            f"embedded {tally.agent_steps / tally.reference:,.0f}, native {tally.agent_steps / tally.native:,.0f} "
+            f"agent-steps/s of processor time, {tally.reference / tally.native:.0f} times"
+        )
+
+
+@click.command()
+@click.option("--programs", "count", default=240)
+@click.option("--scenes", "each", default=3)
+@click.option("--seed", default=0)
+@click.option("--ego", "egos", multiple=True, default=("rule-based",))
+@click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
+@click.option("--budget", default=480.0, help="Processor seconds after which no further program is begun.")
+def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, budget: float) -> None:
+    """Compare the two simulators, and say how many drives were identical."""
+    settings = SimulationSettings()
+    pairs = [(NativeSimulator(path, settings), load_simulator(path, settings)) for path in map(resolve_map, MAPS)]
+    if pairs[0][0].missing:
+        raise SystemExit(f"there is no engine: {pairs[0][0].missing}")
+    drivers = {name: load_ego(name) for name in egos}
+    tallies: dict[str, Tally] = defaultdict(Tally)
+    failed: Counter[str] = Counter()
+    tried, why = 0, ""
+    for program in programs(count, beside, np.random.default_rng(seed)):
+        if time.process_time() > budget:
+            break
+        tried += 1
+        for native, embedded in pairs:  # the first map that has such a place
+            try:
+                for scene in scenes(program, embedded, each, seed):
+                    for name, ego in drivers.items():
+                        compare(native, embedded, program, scene, ego, tallies[name])
+            except MapError as error:
+                why = str(error)
+                continue
+            break
+        else:
+            failed[why[:100]] += 1
+    print(f"{tried} programs, {each} scenes each, seed {seed}; {sum(failed.values())} do not run: {dict(failed)}")
+    for name, tally in tallies.items():
+        show(name, tally)
+    raise SystemExit(any(tally.differing for tally in tallies.values()))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,299 @@
+"""A scene that Scenic has placed, as arrays for the engine; or why the engine cannot run it."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from chatscene.ego.policy import PEDALS
+from chatscene.errors import ChatSceneError, SnippetError
+from chatscene.simulate.native import engine
+from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
+from chatscene.simulate.session import ARRIVAL, SteppedSession
+from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
+from chatscene.terms.plan_text import BEHAVIOR, parse_plan
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import ScenicProgram
+from chatscene.world.bodies import Vehicle, Walker
+from chatscene.world.control import curve_speeds
+
+THING, VEHICLE, WALKER = 0, 1, 2  # these and the next as engine.c numbers them
+UNTIL, AFTER = 1, 2
+PRESETS = {"safebench": 0, "actors": 1}
+ON_FOOT = ("MoveAhead", "Halt")  # what somebody on foot can do
+STANDING = ("Park", "Halt")  # what a thing can do
+ORDER = [
+    "DrivePath",
+    "BrakeOnPath",
+    "ThrottleOnPath",
+    "SwerveOnPath",
+    "WeaveOnPath",
+    "PaceOnPath",
+    "KeepStation",
+    "FollowTraffic",
+    "WaitFor",
+    "ReverseStraight",
+    "ReverseTurning",
+    "TurnOff",
+    "Park",
+    "MoveAhead",
+    "Halt",
+]  # as engine.c numbers them
+CONTACTS = 256
+_BEHAVIOR = re.compile(r"^behavior (\w+)\(\):\s*(?:#.*)?\n((?:[ \t]+.*\n|[ \t]*(?:#.*)?\n)+)", re.MULTILINE)
+
+
+@dataclass(slots=True)
+class Bound:
+    """A scene in the engine's terms.
+
+    Attributes:
+        world: What the engine steps.
+        rows: (steps + 1, bodies that move, 4): where each is at each step.
+        offsets: (steps + 1,): of the ego from its route [m].
+        kept: What the world points at.
+    """
+
+    world: engine.World
+    rows: NDArray[np.float64]
+    offsets: NDArray[np.float64]
+    kept: list[Any]
+
+
+def bind(session: SteppedSession, program: ScenicProgram) -> Bound:
+    """A session at its beginning, as arrays.
+
+    Args:
+        session: Opened by the embedded simulator, no step made.
+        program: What it is a scene of.
+
+    Raises:
+        NotCovered: The engine does not do what the scene needs; the message says what.
+    """
+    simulation = session.simulation
+    if program.drawn or program.as_written:
+        raise NotCovered("a program for another world model")
+    if session.settings.physics != "kinematic":
+        raise NotCovered(f"the physics {session.settings.physics}")
+    if simulation.watched:
+        raise NotCovered("a program with conditions, monitors or records of its own")
+    if len(simulation.objects) > engine.MOST_BODIES:
+        raise NotCovered(f"more than {engine.MOST_BODIES} bodies")
+    try:
+        return _Binder(session, program).bound()
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, ChatSceneError) as error:
+        # It would fail in the drive too, if it is reached there.
+        raise NotCovered(f"something that cannot be computed before the drive ({type(error).__name__})") from error
+
+
+class _Binder:
+    def __init__(self, session: SteppedSession, program: ScenicProgram) -> None:
+        self._session = session
+        self._objects: list[Any] = list(session.simulation.objects)
+        self._bodies: list[Any] = list(session.simulation.bodies)
+        self._plans = _plans_of(program.source)
+        self._instructions: list[engine.Instruction] = []
+        self._lines: list[Polyline] = [session.route.line]
+        self._kept: list[Any] = []
+
+    def bound(self) -> Bound:
+        session, world = self._session, engine.World()
+        agents = [self._agent(i) for i, one in enumerate(self._objects) if one.behavior is not None]
+        bodies = [self._body(i) for i in range(len(self._bodies))]
+        areas, rings, corners = self._areas()
+        orders = [engine.Order(o.at_most, o.since, o.till, o.place, o.braking) for o in session.orders]
+        moving = sum(body.moves for body in self._bodies)
+        rows = np.zeros((session.limit + 1, moving, 4))
+        rows[0] = [(b.x, b.y, b.heading, b.speed) for b in self._bodies if b.moves]
+        offsets = np.zeros(session.limit + 1)
+        world.body, world.bodies = self._array(engine.Body, bodies), len(bodies)
+        world.agent, world.agents = self._array(engine.Agent, agents), len(agents)
+        world.line = self._array(engine.Line, [self._line(line) for line in self._lines])
+        world.code = self._array(engine.Instruction, self._instructions)
+        world.area, world.areas = self._array(engine.Area, areas), len(areas)
+        world.ring, world.corner = self._array(engine.Ring, rings), self._doubles(corners)
+        world.order, world.orders = self._array(engine.Order, orders), len(orders)
+        world.row, world.offsets = self._doubles(rows), self._doubles(offsets)
+        world.contact, world.most_contacts = self._array(engine.Contact, [engine.Contact()] * CONTACTS), CONTACTS
+        world.limit, world.moving, world.through = session.limit, moving, session.through
+        world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
+        world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
+        world.along, world.offset = session.along, session.offset
+        offsets[0] = session.offset
+        return Bound(world, rows, offsets, self._kept)
+
+    def _array(self, kind: Any, items: list[Any]) -> Any:
+        """Structures, one after the other, that stay as long as the scene."""
+        array = (kind * max(len(items), 1))(*items)
+        self._kept.append(array)
+        return ctypes.cast(array, ctypes.POINTER(kind))
+
+    def _doubles(self, values: Any) -> Any:
+        array = np.ascontiguousarray(values, dtype=np.float64)
+        self._kept.append(array)
+        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+
+    def _line(self, line: Polyline) -> engine.Line:
+        return engine.Line(len(line), *(self._doubles(column) for column in line.columns))
+
+    def _body(self, index: int) -> engine.Body:
+        body: Any = self._bodies[index]
+        thing, kind = self._objects[index], _kind_of(body)
+        row = engine.Body()
+        for name in (
+            "x",
+            "y",
+            "heading",
+            "speed",
+            "before",
+            "cos",
+            "sin",
+            "half_length",
+            "half_width",
+            "radius",
+            "grip",
+        ):
+            setattr(row, name, getattr(body, name))
+        row.length, row.width = body.length, body.width
+        row.kind = kind
+        if body.moves:
+            limits = body.limits
+            row.throttle_limit, row.brake_limit, row.drag = limits.throttle, limits.brake, limits.drag
+            for name in ("top_speed", "wheelbase", "wheel_angle", "wheel_rate", "lateral"):
+                setattr(row, name, getattr(limits, name))
+        if kind == WALKER:
+            row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
+        row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))
+        if index:
+            _, walks, sight = self._session.others[index - 1]
+            row.walks, row.sight = walks, sight
+        return row
+
+    def _areas(self) -> tuple[list[engine.Area], list[engine.Ring], list[Any]]:
+        """The lanes of the route as polygons, their rings and all corners."""
+        areas: list[engine.Area] = []
+        rings: list[engine.Ring] = []
+        corners: list[Any] = []
+        for lane, shape in enumerate(self._session.around.lanes):
+            for polygon in shapely.get_parts(shape).tolist():
+                outlines = [polygon.exterior, *polygon.interiors]
+                areas.append(engine.Area(len(rings), len(outlines), lane, *polygon.bounds))
+                for outline in outlines:
+                    points = np.array(outline.coords)[:, :2].tolist()
+                    rings.append(engine.Ring(len(corners), len(points)))
+                    corners += points
+        return areas, rings, corners
+
+    def _agent(self, index: int) -> engine.Agent:
+        behavior = self._objects[index].behavior
+        plan, names = self._plan(behavior)
+        scene = Surrounding(
+            names=names,
+            parameters=self._session.simulation.scene.params,
+            objects=self._objects,
+            self_index=index,
+        )
+        compiler = Compiler(self._instructions, self._lines, scene)
+        phases = [self._phase(compiler, phase, index) for phase in plan.phases]
+        agent = engine.Agent(body=index, phases=len(phases), loop=-1 if plan.loop is None else plan.loop)
+        agent.list = self._array(engine.Phase, phases)
+        return agent
+
+    def _plan(self, behavior: Any) -> tuple[Plan, dict[str, Any]]:
+        """What somebody does, and the names that it speaks of."""
+        name, given = type(behavior).__name__, behavior._args  # pyright: ignore[reportPrivateUsage] - Scenic has no other
+        if name in self._plans and not given and not behavior._kwargs:
+            plan = self._plans[name]
+            if isinstance(plan, str):
+                raise NotCovered("a behavior that is no plan")
+            return plan, type(behavior).makeGenerator.__globals__  # the program's own names, with what the scene drew
+        if name not in PRIMITIVES or behavior._kwargs:
+            raise NotCovered("a behavior that is no plan")
+        takes = PRIMITIVES[name].takes[: len(given)]
+        names = {argument.name: value for argument, value in zip(takes, given, strict=False)}
+        return Plan(
+            phases=(Phase(name, tuple(Name(a.name, a.kind) for a in PRIMITIVES[name].takes[: len(given)])),)
+        ), names
+
+    def _phase(self, compiler: Compiler, phase: Phase, index: int) -> engine.Phase:
+        body = self._bodies[index]
+        name = _act_of(body, phase.primitive)
+        row = engine.Phase(primitive=ORDER.index(name), path=-1, other=-1, first_local=len(compiler.places))
+        self._values(compiler, phase, row)
+        numbers = self._told(compiler, phase, row)
+        if name == "WaitFor":
+            if row.other:
+                raise NotCovered("waiting for somebody else than the ego")
+            numbers.append(compiler.number(self._objects[0].route.exitAt))
+        for i, number in enumerate(numbers):
+            row.argument[i] = number
+        if row.path >= 0:
+            row.caps = self._doubles(curve_speeds(self._lines[row.path], body.grip))
+        if isinstance(phase.end, Until):
+            row.end, row.condition = UNTIL, compiler.code(phase.end.condition)
+        elif isinstance(phase.end, After):
+            row.end, row.condition = AFTER, compiler.code(phase.end.seconds)
+        return row
+
+    def _values(self, compiler: Compiler, phase: Phase, row: engine.Phase) -> None:
+        """What is computed before a phase begins: once for all where it stays, else each time."""
+        for value in phase.values:
+            if value.name in compiler.places or value.name in compiler.bound:
+                raise NotCovered("a value that is computed anew")
+            if not compiler.is_live(value.expression):
+                compiler.bound[value.name] = compiler.value(value.expression)
+                continue
+            if len(compiler.places) == engine.LOCALS:
+                raise NotCovered("many values")
+            row.value[row.values] = compiler.code(value.expression)
+            compiler.places[value.name] = row.first_local + row.values
+            row.values += 1
+
+    def _told(self, compiler: Compiler, phase: Phase, row: engine.Phase) -> list[engine.Code]:
+        """What a primitive is told: path and actor go into the row, numbers come back."""
+        numbers: list[engine.Code] = []
+        for argument in PRIMITIVES[phase.primitive].takes:
+            given = phase.argument(argument.name)
+            if given is None:
+                raise NotCovered("a primitive that is not told all")
+            if argument.kind is Kind.NUMBER:
+                numbers.append(compiler.code(given))
+            elif compiler.is_live(given):
+                raise NotCovered("a path that changes")
+            elif argument.kind is Kind.ACTOR:
+                row.other = compiler.actor(given)
+            else:
+                row.path = compiler.line(compiler.value(given))
+        return numbers
+
+
+def _kind_of(body: Any) -> int:
+    return VEHICLE if isinstance(body, Vehicle) else WALKER if isinstance(body, Walker) else THING
+
+
+def _act_of(body: Any, primitive: str) -> str:
+    """The primitive that a body does under a name."""
+    if isinstance(body, Walker) and primitive not in ON_FOOT:
+        raise NotCovered(f"{primitive} on foot")
+    if not body.moves and primitive not in STANDING:
+        raise NotCovered(f"{primitive} of a thing")
+    return primitive
+
+
+@lru_cache(maxsize=256)
+def _plans_of(source: str) -> dict[str, Plan | str]:
+    """The behaviors in a program's text: the plan of each, or why it is none."""
+    found: dict[str, Plan | str] = {}
+    for name, block in _BEHAVIOR.findall(source):
+        try:
+            found[name] = parse_plan(f"behavior {BEHAVIOR}():\n{block}")
+        except SnippetError as error:
+            found[name] = str(error)
+    return found

@@ -1,0 +1,894 @@
+/* Steps scenes as the embedded simulator does: the same operations in the same order, so that every number is the same.
+ *
+ * What each part restates is named above it; whoever changes one changes both, and `benchmarks/native_gate.py` shows
+ * whether they still agree. Compiled without contraction of products and sums, and without fast mathematics.
+ * Positions [m], headings [rad], speeds [m/s], times [s] throughout.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+#ifndef SOURCE_DIGEST
+#define SOURCE_DIGEST ""
+#endif
+
+#define PI 3.141592653589793
+#define TAU (2.0 * PI)
+#define AIR_DRAG 0.0008
+#define REVERSE_SPEED 6.0
+#define LEAST_REVERSAL 0.05
+#define SIGHT 15.0
+#define RANGE 50.0
+#define HORIZON 100.0
+#define PREVIEW 6
+#define NEAREST 6
+#define PER_ACTOR 11
+#define OWN 14
+#define ACTORS_SIZE (OWN + NEAREST * PER_ACTOR)
+#define STACK 64
+#define LOCALS 8
+#define ARGUMENTS 6
+#define MOST_TURNS 1000
+#define MOST_BODIES 32
+
+enum { THING, VEHICLE, WALKER };
+enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
+enum { SAFEBENCH, ACTORS };
+enum { RULE_BASED = 1, INTELLIGENT_DRIVER = 2 };
+enum { NO_FAULT, TURNS_IN_PLACE };
+
+typedef struct {
+    int64_t points;
+    const double *x, *y, *s, *hx, *hy; /* x, y, s: one per point; hx, hy: one per segment */
+} Line;
+
+typedef struct {
+    double length, width, throttle, brake, top_speed, wheelbase, wheel_angle, wheel_rate, lateral, drag;
+} Limits;
+
+typedef struct {
+    double x, y, heading, speed, before, cos, sin, half_length, half_width, radius, grip;
+    double throttle, brake, steer, wheel;  /* of vehicles */
+    double course, target_speed, vx, vy;   /* of walkers */
+    double sight;                          /* from how far the ego sees it */
+    Limits limits;
+    int32_t kind, reverse, walks, seen_as_vehicle;
+} Body;
+
+/* Conditions and numbers: programs for a stack. */
+enum {
+    CONST, LOCAL, ALONG, OFFSET, GAP, SPEED, HEADING, BRAKED, ABS, MAX, MIN, ADD, SUB, MUL, DIV, NEG,
+    LT, LE, GT, GE, EQ, NE, AND, OR, NOT, SELECT
+};
+
+typedef struct {
+    int32_t op, a, b, unused;
+    double value;
+} Instruction;
+
+typedef struct {
+    int64_t start, count;
+} Code;
+
+enum {
+    DRIVE_PATH, BRAKE_ON_PATH, THROTTLE_ON_PATH, SWERVE_ON_PATH, WEAVE_ON_PATH, PACE_ON_PATH, KEEP_STATION,
+    FOLLOW_TRAFFIC, WAIT_FOR, REVERSE_STRAIGHT, REVERSE_TURNING, TURN_OFF, PARK, MOVE_AHEAD, HALT
+};
+enum { NEVER, UNTIL, AFTER };
+
+typedef struct {
+    int32_t primitive, path, other, end;  /* path: index of a line; other: of a body; -1 for none */
+    int32_t values, first_local;          /* how many names are computed before, and the first one's place */
+    Code value[LOCALS], argument[ARGUMENTS], condition;
+    const double *caps;                   /* the speed at which each segment of the path can be driven */
+} Phase;
+
+typedef struct {
+    int32_t body, phase, phases, loop, entered, begun; /* loop: where to go on after the last phase, -1 for nowhere */
+    int64_t since;                                     /* step at which the phase began */
+    int32_t near, other_near;                          /* segments to search from, -1 for the whole line */
+    int32_t passed, unused;
+    double along, seconds, ahead, turned, before, course;
+    double argument[ARGUMENTS], local[LOCALS];
+    double straight[8];                                /* the two points of a line straight ahead */
+    const Phase *list;
+} Agent;
+
+typedef struct {
+    double at_most, since, till, place, braking;
+} Order;
+
+typedef struct {
+    int64_t ring_start, rings, lane;
+    double low_x, low_y, high_x, high_y;
+} Area; /* a polygon: its outline, then its holes */
+
+typedef struct {
+    int64_t start, points;
+} Ring;
+
+typedef struct {
+    int64_t step, other, side;
+    double speed;
+} Contact;
+
+typedef struct {
+    int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
+    int32_t ending, through, preset, near, fault, unused;
+    double dt, arrival, along, offset, hardest;
+    uint64_t touching;
+    Body *body;
+    Agent *agent;
+    const Line *line;
+    const Instruction *code;
+    const Area *area;
+    const Ring *ring;
+    const double *corner; /* x, y of the corners of rings */
+    const Order *order;
+    double *row, *offsets;  /* what is kept of each state: 4 numbers per body that moves; the ego's offset */
+    Contact *contact;
+    double seen[ACTORS_SIZE];
+} World;
+
+const char *source_digest(void) { return SOURCE_DIGEST; }
+int64_t size_of(int64_t what) {
+    switch (what) {
+    case 0: return sizeof(Line);
+    case 1: return sizeof(Body);
+    case 2: return sizeof(Instruction);
+    case 3: return sizeof(Phase);
+    case 4: return sizeof(Agent);
+    case 5: return sizeof(World);
+    default: return -1;
+    }
+}
+
+/* math.hypot of CPython 3.10 and later for two numbers: scaled, with products and sums kept in two parts. */
+static double hypotenuse(double a, double b) {
+    const double split = 134217729.0;
+    double part[2] = {fabs(a), fabs(b)}, largest = part[0] > part[1] ? part[0] : part[1];
+    if (largest == 0.0) return 0.0;
+    int exponent;
+    frexp(largest, &exponent);
+    if (exponent < -1023) return hypot(a, b);
+    double scale = ldexp(1.0, -exponent), sum = 1.0, f1 = 0.0, f2 = 0.0, f3 = 0.0, x, t, high, low, old;
+    for (int i = 0; i < 2; i++) {
+        x = part[i] * scale;
+        t = x * split;
+        high = t - (t - x);
+        low = x - high;
+        x = high * high; old = sum; sum += x; f1 += (old - sum) + x;
+        x = 2.0 * high * low; old = sum; sum += x; f2 += (old - sum) + x;
+        f3 += low * low;
+    }
+    double h = sqrt(sum - 1.0 + (f1 + f2 + f3));
+    x = h;
+    t = x * split;
+    high = t - (t - x);
+    low = x - high;
+    x = -high * high; old = sum; sum += x; f1 += (old - sum) + x;
+    x = -2.0 * high * low; old = sum; sum += x; f2 += (old - sum) + x;
+    x = -low * low; old = sum; sum += x; f3 += (old - sum) + x;
+    x = sum - 1.0 + (f1 + f2 + f3);
+    return (h + x / (2.0 * h)) / scale;
+}
+
+/* Python's % of floats. */
+static double modulo(double a, double b) {
+    double m = fmod(a, b);
+    if (m != 0.0) return (b < 0.0) != (m < 0.0) ? m + b : m;
+    return copysign(0.0, b);
+}
+
+/* For the check at loading: each function that the engine takes from elsewhere, on many numbers. */
+void evaluate(int64_t function, int64_t count, const double *a, const double *b, double *out) {
+    for (int64_t i = 0; i < count; i++) {
+        double x = a[i], y = b[i];
+        switch (function) {
+        case 0: out[i] = sin(x); break;
+        case 1: out[i] = cos(x); break;
+        case 2: out[i] = tan(x); break;
+        case 3: out[i] = atan(x); break;
+        case 4: out[i] = asin(sin(x)); break;
+        case 5: out[i] = atan2(x, y); break;
+        case 6: out[i] = hypotenuse(x, y); break;
+        case 7: out[i] = modulo(x, y); break;
+        case 8: out[i] = pow(x, 2.0); break;
+        case 9: out[i] = pow(x, 4.0); break;
+        case 10: out[i] = remainder(x, TAU); break;
+        default: out[i] = 0.0;
+        }
+    }
+}
+
+/* chatscene.terms.polyline.Polyline */
+static double distance2(const Line *line, int64_t i, double x, double y) {
+    double rx = x - line->x[i], ry = y - line->y[i], hx = line->hx[i], hy = line->hy[i];
+    double along = rx * hx + ry * hy, length = line->s[i + 1] - line->s[i];
+    double beyond = along < 0.0 ? along : along > length ? along - length : 0.0;
+    double across = hx * ry - hy * rx;
+    return beyond * beyond + across * across;
+}
+
+static int32_t nearest_segment(const Line *line, double x, double y) {
+    int32_t best = 0;
+    double least = INFINITY;
+    for (int32_t i = 0; i < line->points - 1; i++) {
+        double dx = line->x[i + 1] - line->x[i], dy = line->y[i + 1] - line->y[i];
+        double rx = x - line->x[i], ry = y - line->y[i];
+        double t = (rx * dx + ry * dy) / (dx * dx + dy * dy);
+        t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+        double ex = rx - t * dx, ey = ry - t * dy, d2 = ex * ex + ey * ey;
+        if (d2 < least) { least = d2; best = i; }
+    }
+    return best;
+}
+
+static void project(const Line *line, double x, double y, int32_t *from, double *arc, double *offset) {
+    int32_t near = *from < 0 ? nearest_segment(line, x, y) : *from, last = (int32_t)line->points - 2;
+    double best = distance2(line, near, x, y), d2;
+    while (near < last && (d2 = distance2(line, near + 1, x, y)) <= best) { near++; best = d2; }
+    while (near > 0 && (d2 = distance2(line, near - 1, x, y)) < best) { near--; best = d2; }
+    double rx = x - line->x[near], ry = y - line->y[near], hx = line->hx[near], hy = line->hy[near];
+    double along = rx * hx + ry * hy, across = hx * ry - hy * rx, start = line->s[near], end = line->s[near + 1];
+    *from = near;
+    if (along < 0.0) {
+        *arc = start;
+        *offset = near > 0 ? copysign(hypotenuse(along, across), across) : across;
+        return;
+    }
+    double beyond = along - (end - start);
+    if (beyond > 0.0) {
+        *arc = end;
+        *offset = near < last ? copysign(hypotenuse(beyond, across), across) : across;
+        return;
+    }
+    *arc = start + along;
+    *offset = across;
+}
+
+static int64_t segment_at(const Line *line, double s) {
+    int64_t low = 0, high = line->points - 2;
+    while (low < high) {
+        int64_t middle = (low + high + 1) / 2;
+        if (line->s[middle] <= s) low = middle; else high = middle - 1;
+    }
+    return low;
+}
+
+/* `Polyline.segment` */
+static void segment(const Line *line, int64_t i, double out[4]) {
+    int64_t last = line->points - 2;
+    out[0] = i > last ? line->x[last + 1] : line->x[i];
+    out[1] = i > last ? line->y[last + 1] : line->y[i];
+    out[2] = line->hx[i > last ? last : i];
+    out[3] = line->hy[i > last ? last : i];
+}
+
+/* chatscene.simulate.embedded.dynamics */
+static double next_speed(const Body *b, double dt) {
+    const Limits *limits = &b->limits;
+    double speed = b->speed, grip = b->grip, fade = 1.0 - fabs(speed) / limits->top_speed;
+    double throttle = b->throttle < 0.0 ? 0.0 : b->throttle > 1.0 ? 1.0 : b->throttle;
+    double brake = b->brake < 0.0 ? 0.0 : b->brake > 1.0 ? 1.0 : b->brake;
+    double push = limits->throttle * throttle * (fade > 0.0 ? fade : 0.0);
+    push = push < grip ? push : grip;
+    double braked = limits->brake * brake;
+    double resist = (braked < grip ? braked : grip) + limits->drag + AIR_DRAG * speed * speed;
+    int forward = speed > LEAST_REVERSAL || (speed >= -LEAST_REVERSAL && !b->reverse);
+    double sign = forward ? 1.0 : -1.0;
+    if (forward == b->reverse) { resist = resist + push; push = 0.0; }
+    double rolling = sign * speed;
+    rolling += rolling > 0.0 || push > resist ? (push - resist) * dt : 0.0;
+    rolling = rolling < 0.0 ? 0.0 : rolling;
+    return sign * (forward || rolling < REVERSE_SPEED ? rolling : REVERSE_SPEED);
+}
+
+static void step_vehicle(Body *b, double dt) {
+    const Limits *limits = &b->limits;
+    double old = b->before = b->speed, speed = next_speed(b, dt);
+    double asked = -(b->steer > 1.0 ? 1.0 : b->steer < -1.0 ? -1.0 : b->steer) * limits->wheel_angle;
+    double most = limits->wheel_rate * dt, turn = asked - b->wheel;
+    b->wheel += turn > most ? most : turn < -most ? -most : turn;
+    double mean = 0.5 * (old + speed);
+    if (b->wheel == 0.0) {
+        b->x += mean * b->cos * dt;
+        b->y += mean * b->sin * dt;
+    } else if (mean > 1e-6 || mean < -1e-6) {
+        double curvature = tan(b->wheel) / limits->wheelbase;
+        double lateral = limits->lateral < b->grip ? limits->lateral : b->grip;
+        double tightest = lateral / (mean * mean);
+        curvature = curvature > tightest ? tightest : curvature < -tightest ? -tightest : curvature;
+        double slip = atan(0.5 * limits->wheelbase * curvature);
+        double turned = mean * curvature * cos(slip) * dt, course = b->heading + slip + 0.5 * turned;
+        b->x += mean * cos(course) * dt;
+        b->y += mean * sin(course) * dt;
+        b->heading += turned;
+        b->cos = cos(b->heading);
+        b->sin = sin(b->heading);
+    }
+    b->speed = speed;
+}
+
+static void step_walker(Body *b, double dt) {
+    const Limits *limits = &b->limits;
+    b->before = b->speed;
+    double wish = b->target_speed < 0.0 ? 0.0 : b->target_speed;
+    wish = limits->top_speed < wish ? limits->top_speed : wish;
+    double ax = wish * cos(b->course) - b->vx, ay = wish * sin(b->course) - b->vy, change = hypotenuse(ax, ay);
+    double able = wish >= b->speed ? limits->throttle : limits->brake;
+    double most = (b->grip < able ? b->grip : able) * dt;
+    if (change > most) { ax = ax * most / change; ay = ay * most / change; }
+    double vx = b->vx + ax, vy = b->vy + ay;
+    b->x += 0.5 * (b->vx + vx) * dt;
+    b->y += 0.5 * (b->vy + vy) * dt;
+    b->vx = vx;
+    b->vy = vy;
+    b->speed = hypotenuse(vx, vy);
+    if (b->speed > 0.05) {
+        double facing = atan2(vy, vx);
+        b->heading += modulo(facing - b->heading + PI, TAU) - PI;
+        b->cos = vx / b->speed;
+        b->sin = vy / b->speed;
+    }
+}
+
+/* chatscene.simulate.contact */
+static int touch(const Body *a, const Body *b) {
+    double dx = b->x - a->x, dy = b->y - a->y, reach = a->radius + b->radius;
+    if (dx * dx + dy * dy > reach * reach) return 0;
+    double c = fabs(a->cos * b->cos + a->sin * b->sin), s = fabs(a->cos * b->sin - a->sin * b->cos);
+    return fabs(dx * a->cos + dy * a->sin) <= a->half_length + b->half_length * c + b->half_width * s
+        && fabs(dy * a->cos - dx * a->sin) <= a->half_width + b->half_length * s + b->half_width * c
+        && fabs(dx * b->cos + dy * b->sin) <= b->half_length + a->half_length * c + a->half_width * s
+        && fabs(dy * b->cos - dx * b->sin) <= b->half_width + a->half_length * s + a->half_width * c;
+}
+
+enum { FRONT, REAR, LEFT, RIGHT };
+
+static int contact_side(const Body *ego, const Body *other) {
+    double dx = other->x - ego->x, dy = other->y - ego->y;
+    double along = dx * ego->cos + dy * ego->sin, across = dy * ego->cos - dx * ego->sin;
+    double c = fabs(ego->cos * other->cos + ego->sin * other->sin);
+    double s = fabs(ego->cos * other->sin - ego->sin * other->cos);
+    double depth_along = ego->half_length + other->half_length * c + other->half_width * s - fabs(along);
+    double depth_across = ego->half_width + other->half_length * s + other->half_width * c - fabs(across);
+    if (depth_along < depth_across) return along > 0 ? FRONT : REAR;
+    return across > 0 ? LEFT : RIGHT;
+}
+
+/* Which side of a line a point lies on: its sign, decided in more digits where rounding could turn it. */
+static int orientation(double x1, double y1, double x2, double y2, double x, double y) {
+    double left = (x1 - x) * (y2 - y), right = (y1 - y) * (x2 - x), det = left - right;
+    double bound = 4.0 * DBL_EPSILON * (fabs(left) + fabs(right));
+    if (det > bound) return 1;
+    if (det < -bound) return -1;
+    __float128 exact = ((__float128)x1 - x) * ((__float128)y2 - y) - ((__float128)y1 - y) * ((__float128)x2 - x);
+    return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+}
+
+/* Where a point lies in a ring, as GEOS decides it, who stands behind shapely.contains_xy: 1 inside, -1 outside, 0 on. */
+static int in_ring(const double *corner, int64_t points, double x, double y) {
+    int crossings = 0;
+    for (int64_t i = 0; i + 1 < points; i++) {
+        double x1 = corner[2 * i], y1 = corner[2 * i + 1], x2 = corner[2 * i + 2], y2 = corner[2 * i + 3];
+        if (x1 < x && x2 < x) continue;
+        if (x2 == x && y2 == y) return 0;
+        if (y1 == y && y2 == y) {
+            if ((x1 < x2 ? x1 : x2) <= x && x <= (x1 < x2 ? x2 : x1)) return 0;
+            continue;
+        }
+        if ((y1 > y && y2 <= y) || (y2 > y && y1 <= y)) {
+            int side = orientation(x1, y1, x2, y2, x, y);
+            if (side == 0) return 0;
+            if ((y2 < y1 ? -side : side) > 0) crossings ^= 1;
+        }
+    }
+    return crossings ? 1 : -1;
+}
+
+static int in_area(const World *w, const Area *area, double x, double y) {
+    if (x < area->low_x || x > area->high_x || y < area->low_y || y > area->high_y) return 0;
+    for (int64_t i = 0; i < area->rings; i++) {
+        const Ring *ring = &w->ring[area->ring_start + i];
+        if (in_ring(w->corner + 2 * ring->start, ring->points, x, y) != (i ? -1 : 1)) return 0;
+    }
+    return 1;
+}
+
+/* `RouteSurroundings.same_lane`; a lane's areas follow each other. */
+static int same_lane(const World *w, double x, double y, double other_x, double other_y) {
+    for (int64_t i = 0; i < w->areas;) {
+        int64_t lane = w->area[i].lane;
+        int one = 0, other = 0;
+        for (; i < w->areas && w->area[i].lane == lane; i++) {
+            other |= in_area(w, &w->area[i], other_x, other_y);
+            one |= in_area(w, &w->area[i], x, y);
+        }
+        if (one && other) return 1;
+    }
+    return 0;
+}
+
+/* Programs for a stack: what the functions of chatscene.world.places say of poses. */
+static double evaluated(const World *w, const Agent *agent, Code code) {
+    double stack[STACK];
+    int top = -1;
+    for (int64_t k = code.start; k < code.start + code.count; k++) {
+        const Instruction *i = &w->code[k];
+        const Body *b = i->b >= 0 ? &w->body[i->b] : 0;
+        double arc, offset;
+        int32_t near = -1;
+        switch (i->op) {
+        case CONST: stack[++top] = i->value; break;
+        case LOCAL: stack[++top] = agent->local[i->a]; break;
+        case ALONG: project(&w->line[i->a], b->x, b->y, &near, &arc, &offset); stack[++top] = arc; break;
+        case OFFSET: project(&w->line[i->a], b->x, b->y, &near, &arc, &offset); stack[++top] = offset; break;
+        case GAP: stack[++top] = hypotenuse(w->body[i->a].x - b->x, w->body[i->a].y - b->y); break;
+        case SPEED: stack[++top] = b->speed; break;
+        case HEADING: stack[++top] = b->heading; break;
+        case BRAKED: stack[++top] = pow(b->speed, 2.0) / i->value; break;
+        case ABS: stack[top] = fabs(stack[top]); break;
+        case NEG: stack[top] = -stack[top]; break;
+        case NOT: stack[top] = stack[top] == 0.0; break;
+        case SELECT:
+            top -= 2;
+            stack[top] = stack[top + 2] != 0.0 ? stack[top] : stack[top + 1];
+            break;
+        default: {
+            double r = stack[top--], l = stack[top];
+            stack[top] = i->op == MAX ? (r > l ? r : l) : i->op == MIN ? (r < l ? r : l)
+                : i->op == ADD ? l + r : i->op == SUB ? l - r : i->op == MUL ? l * r : i->op == DIV ? l / r
+                : i->op == LT ? l < r : i->op == LE ? l <= r : i->op == GT ? l > r : i->op == GE ? l >= r
+                : i->op == EQ ? l == r : i->op == NE ? l != r
+                : i->op == AND ? l != 0.0 && r != 0.0 : l != 0.0 || r != 0.0;
+        }
+        }
+    }
+    return stack[top];
+}
+
+/* chatscene.world.control */
+static void pedals(double speed, double wish, Body *b) {
+    double error = wish - speed;
+    if (error >= -0.1) {
+        double throttle = 0.06 + 0.5 * error;
+        b->throttle = throttle < 1.0 ? throttle : 1.0;
+        b->brake = 0.0;
+    } else {
+        double brake = -0.3 * error;
+        b->throttle = 0.0;
+        b->brake = brake < 1.0 ? brake : 1.0;
+    }
+}
+
+static double allowed(const Line *line, const double *caps, Agent *agent, const Body *b, double speed) {
+    double offset;
+    project(line, b->x, b->y, &agent->near, &agent->along, &offset);
+    double cap = caps ? caps[agent->near] : INFINITY;
+    return cap < speed ? cap : speed;
+}
+
+static double steering(const Line *line, const Agent *agent, const Body *b, double left) {
+    double look = 0.6 * fabs(b->speed), ahead = agent->along + (look > 4.0 ? look : 4.0);
+    int64_t i = segment_at(line, ahead);
+    double d = ahead - line->s[i], px = line->x[i] + d * line->hx[i], py = line->y[i] + d * line->hy[i];
+    if (left != 0.0) {
+        double direction = atan2(line->hy[i], line->hx[i]);
+        px -= left * sin(direction);
+        py += left * cos(direction);
+    }
+    double dx = px - b->x, dy = py - b->y, bearing = atan2(dy, dx) - b->heading, distance = hypotenuse(dx, dy);
+    double curvature = 2.0 * sin(bearing) / (1e-3 > distance ? 1e-3 : distance);
+    double wheel = atan(b->limits.wheelbase * curvature), steer = -wheel / b->limits.wheel_angle;
+    steer = steer < 1.0 ? steer : 1.0;
+    return steer > -1.0 ? steer : -1.0;
+}
+
+/* A phase begins: its values and arguments are computed. */
+static void enter(World *w, Agent *agent, const Phase *phase) {
+    for (int i = 0; i < phase->values; i++)
+        agent->local[phase->first_local + i] = evaluated(w, agent, phase->value[i]);
+    for (int i = 0; i < ARGUMENTS && phase->argument[i].count; i++)
+        agent->argument[i] = evaluated(w, agent, phase->argument[i]);
+    if (phase->end == AFTER) agent->seconds = evaluated(w, agent, phase->condition) / w->dt;
+    agent->since = w->step;
+    agent->entered = 1;
+    agent->begun = 0;
+}
+
+/* The primitive of a phase begins to act. */
+static void begin(World *w, Agent *agent, const Phase *phase) {
+    const Body *b = &w->body[agent->body];
+    double offset, own, others;
+    int32_t near;
+    agent->near = agent->other_near = -1;
+    agent->along = agent->turned = 0.0;
+    agent->before = b->heading;
+    agent->begun = 1;
+    if (phase->primitive == KEEP_STATION) {
+        near = -1;
+        project(&w->line[phase->path], b->x, b->y, &near, &own, &offset);
+        near = -1;
+        project(&w->line[phase->path], w->body[phase->other].x, w->body[phase->other].y, &near, &others, &offset);
+        agent->ahead = own - others;
+    }
+    if (phase->primitive == MOVE_AHEAD) {
+        agent->course = b->heading + agent->argument[1];
+        double *p = agent->straight;
+        p[0] = b->x;
+        p[1] = b->x + 60.0 * cos(agent->course);
+        p[2] = b->y;
+        p[3] = b->y + 60.0 * sin(agent->course);
+        p[4] = 0.0;
+        p[5] = hypotenuse(p[1] - p[0], p[3] - p[2]);
+        p[6] = (p[1] - p[0]) / p[5];
+        p[7] = (p[3] - p[2]) / p[5];
+    }
+}
+
+/* chatscene.world.places.followingSpeed; lengths and widths as of bodies */
+static double following(const World *w, const Agent *agent, const Line *line, double wish) {
+    const Body *b = &w->body[agent->body];
+    double along, at, beside;
+    int32_t near = -1;
+    project(line, b->x, b->y, &near, &along, &beside);
+    for (int64_t i = 0; i < w->bodies; i++) {
+        const Body *o = &w->body[i];
+        if (i == agent->body || hypotenuse(o->x - b->x, o->y - b->y) > 40.0) continue;
+        int32_t from = near;
+        project(line, o->x, o->y, &from, &at, &beside);
+        if (at > along && fabs(beside) < 1.3 + 0.5 * o->limits.width) {
+            double room = at - along - 0.5 * (b->limits.length + o->limits.length) - 3.0;
+            double speed = o->speed < 0.0 ? 0.0 : o->speed;
+            double able = room > 0.0 ? sqrt(pow(speed, 2.0) + 2 * 2.5 * room) : 0.0;
+            wish = able < wish ? able : wish;
+        }
+    }
+    return wish;
+}
+
+/* chatscene/world/behaviors.scenic: what the body is asked for this step; 0 if the primitive has ended. */
+static int acts(World *w, Agent *agent, const Phase *phase, Body *b) {
+    const Line *line = phase->path >= 0 ? &w->line[phase->path] : 0;
+    const double *a = agent->argument, *caps = phase->caps;
+    const Body *other = phase->other >= 0 ? &w->body[phase->other] : 0;
+    Line straight = {2, agent->straight, agent->straight + 2, agent->straight + 4, agent->straight + 6,
+                     agent->straight + 7};
+    double arc, offset, steer = 0.0, wish;
+    int reverse = 0;
+    if (!agent->begun) begin(w, agent, phase);
+    else if (phase->primitive == TURN_OFF) {
+        agent->turned += remainder(b->heading - agent->before, TAU);
+        agent->before = b->heading;
+    }
+    switch (phase->primitive) {
+    case DRIVE_PATH:
+        pedals(b->speed, allowed(line, caps, agent, b, a[0]), b);
+        steer = steering(line, agent, b, 0.0 + a[1]);
+        break;
+    case BRAKE_ON_PATH:
+        allowed(line, caps, agent, b, 0.0);
+        steer = steering(line, agent, b, 0.0 + a[1]);
+        b->throttle = 0.0;
+        b->brake = a[0];
+        break;
+    case THROTTLE_ON_PATH:
+        allowed(line, caps, agent, b, a[2]);
+        steer = steering(line, agent, b, 0.0 + a[1]);
+        b->throttle = b->speed < a[2] ? a[0] : 0.0;
+        b->brake = 0.0;
+        break;
+    case SWERVE_ON_PATH:
+        allowed(line, caps, agent, b, a[0]);
+        pedals(b->speed, a[0], b);
+        steer = steering(line, agent, b, 0.0 + a[1]);
+        break;
+    case WEAVE_ON_PATH: {
+        double time = (double)(w->step - agent->since) * w->dt;
+        double left = a[1] * sin(2 * PI * time / a[2]);
+        pedals(b->speed, allowed(line, caps, agent, b, a[0]), b);
+        steer = steering(line, agent, b, left + 0.0);
+        break;
+    }
+    case PACE_ON_PATH:
+    case KEEP_STATION: {
+        int keeps = phase->primitive == KEEP_STATION;
+        double ahead = keeps ? agent->ahead : a[0], top = keeps ? 25.0 : a[1], least = keeps ? a[0] : a[2];
+        project(line, other->x, other->y, &agent->other_near, &arc, &offset);
+        allowed(line, caps, agent, b, top);
+        wish = other->speed + 0.8 * (arc + ahead - agent->along);
+        wish = wish > least ? wish : least;
+        wish = top < wish ? top : wish;
+        pedals(b->speed, allowed(line, caps, agent, b, wish), b);
+        steer = steering(line, agent, b, 0.0);
+        break;
+    }
+    case WAIT_FOR: /* the other is the ego, and the way that it has to go is its route */
+        if (!agent->passed) {
+            int32_t near = -1;
+            project(&w->line[0], other->x, other->y, &near, &arc, &offset);
+            if (a[1] - arc > -8) {
+                b->throttle = 0.0;
+                b->brake = 1.0;
+                break;
+            }
+            agent->passed = 1;
+        }
+        /* fall through */
+    case FOLLOW_TRAFFIC:
+        wish = following(w, agent, line, a[0]);
+        pedals(b->speed, allowed(line, caps, agent, b, wish), b);
+        steer = steering(line, agent, b, 0.0);
+        break;
+    case REVERSE_STRAIGHT:
+        pedals(-b->speed, a[0], b);
+        reverse = 1;
+        break;
+    case REVERSE_TURNING:
+        pedals(-b->speed, a[0], b);
+        steer = a[1];
+        reverse = 1;
+        break;
+    case TURN_OFF: {
+        if (!(fabs(agent->turned) < fabs(a[0]))) return 0;
+        double wheel = atan(b->limits.wheelbase / a[2]) / b->limits.wheel_angle;
+        steer = -copysign(wheel < 1.0 ? wheel : 1.0, a[0]);
+        pedals(b->speed, a[1], b);
+        break;
+    }
+    case MOVE_AHEAD:
+        if (b->kind == WALKER) {
+            b->course = agent->course;
+            b->target_speed = a[0];
+            return 1;
+        }
+        pedals(b->speed, allowed(&straight, 0, agent, b, a[0]), b);
+        steer = steering(&straight, agent, b, 0.0);
+        break;
+    default: /* PARK, HALT */
+        if (b->kind == WALKER) {
+            b->course = b->heading;
+            b->target_speed = 0.0;
+            return 1;
+        }
+        b->throttle = 0.0;
+        b->brake = 1.0;
+    }
+    b->steer = steer;
+    b->reverse = reverse;
+    return 1;
+}
+
+/* One step of an agent's plan. It reads poses alone, and writes what is asked of its own body. */
+static void behave(World *w, Agent *agent) {
+    for (int turn = 0; turn < MOST_TURNS; turn++) {
+        if (agent->phase < 0 || agent->phase >= agent->phases) return;
+        const Phase *phase = &agent->list[agent->phase];
+        if (!agent->entered) enter(w, agent, phase);
+        int over = phase->end == UNTIL ? evaluated(w, agent, phase->condition) != 0.0
+            : phase->end == AFTER ? (double)(w->step - agent->since) >= agent->seconds : 0;
+        if (!over && acts(w, agent, phase, &w->body[agent->body])) return;
+        agent->entered = agent->begun = agent->passed = 0;
+        agent->phase++;
+        if (agent->phase == agent->phases && agent->loop >= 0) agent->phase = agent->loop;
+    }
+    w->fault = TURNS_IN_PLACE;
+}
+
+/* chatscene.ego.observation */
+static double heading_error(double hx, double hy, double heading) {
+    double cross = hx * sin(heading) - hy * cos(heading);
+    return asin(cross > 1.0 ? 1.0 : cross < -1.0 ? -1.0 : cross);
+}
+
+static void see_four_numbers(World *w) {
+    const Body *ego = &w->body[0];
+    double at[4];
+    int ahead = 0;
+    for (int64_t i = 1; i < w->bodies && !ahead; i++) {
+        const Body *o = &w->body[i];
+        if (!o->seen_as_vehicle) continue;
+        double dx = o->x - ego->x, dy = o->y - ego->y;
+        if (dx * dx + dy * dy < SIGHT * SIGHT && dx * ego->cos + dy * ego->sin > 0.0)
+            ahead = same_lane(w, ego->x, ego->y, o->x, o->y);
+    }
+    segment(&w->line[0], w->near + PREVIEW, at);
+    w->seen[0] = at[2] * (ego->y - at[1]) - at[3] * (ego->x - at[0]);
+    w->seen[1] = heading_error(at[2], at[3], ego->heading);
+    w->seen[2] = fabs(ego->speed);
+    w->seen[3] = ahead ? 1.0 : 0.0;
+}
+
+static void see_actor(const World *w, const Body *ego, const Body *o, double *out) {
+    const Line *line = &w->line[0];
+    double along, beside, at[4];
+    int32_t near = w->near;
+    project(line, o->x, o->y, &near, &along, &beside);
+    if (along <= 0.0) {
+        segment(line, 0, at);
+        along = (o->x - at[0]) * at[2] + (o->y - at[1]) * at[3];
+        along = 0.0 < along ? 0.0 : along;
+    } else if (along >= line->s[line->points - 1]) {
+        segment(line, (int64_t)near + 1, at);
+        double more = (o->x - at[0]) * at[2] + (o->y - at[1]) * at[3];
+        along += 0.0 > more ? 0.0 : more;
+    }
+    double dx = o->x - ego->x, dy = o->y - ego->y, turned = o->heading - ego->heading;
+    out[0] = 1.0;
+    out[1] = along - w->along;
+    out[2] = beside;
+    out[3] = dx * ego->cos + dy * ego->sin;
+    out[4] = dy * ego->cos - dx * ego->sin;
+    out[5] = o->speed * cos(turned);
+    out[6] = o->speed * sin(turned);
+    out[7] = remainder(turned, TAU);
+    out[8] = o->half_length;
+    out[9] = o->half_width;
+    out[10] = o->walks ? 1.0 : 0.0;
+}
+
+static const double AHEAD[5] = {5.0, 10.0, 15.0, 20.0, 30.0};
+
+static void see_actors(World *w) {
+    const Body *ego = &w->body[0];
+    const Line *line = &w->line[0];
+    double *seen = w->seen, at[4], distance[NEAREST];
+    int64_t found[NEAREST], count = 0;
+    segment(line, w->near, at);
+    double left = line->s[line->points - 1] - w->along;
+    seen[0] = ego->speed;
+    seen[1] = w->offset;
+    seen[2] = heading_error(at[2], at[3], ego->heading);
+    seen[3] = left < HORIZON ? left : HORIZON;
+    for (int i = 0; i < 5; i++) {
+        double s = w->along + AHEAD[i];
+        int64_t k = segment_at(line, s);
+        double d = s - line->s[k];
+        double dx = line->x[k] + d * line->hx[k] - ego->x, dy = line->y[k] + d * line->hy[k] - ego->y;
+        seen[4 + 2 * i] = dx * ego->cos + dy * ego->sin;
+        seen[5 + 2 * i] = dy * ego->cos - dx * ego->sin;
+    }
+    for (int64_t i = 1; i < w->bodies; i++) { /* the nearest, by distance and then by order */
+        const Body *o = &w->body[i];
+        double d = hypotenuse(o->x - ego->x, o->y - ego->y);
+        if (!(d < (o->sight < RANGE ? o->sight : RANGE))) continue;
+        int64_t k = count < NEAREST ? count++ : NEAREST;
+        while (k > 0 && d < distance[k - 1]) {
+            if (k < NEAREST) { distance[k] = distance[k - 1]; found[k] = found[k - 1]; }
+            k--;
+        }
+        if (k < NEAREST) { distance[k] = d; found[k] = i; }
+    }
+    for (int64_t k = 0; k < NEAREST; k++) {
+        double *out = seen + OWN + PER_ACTOR * k;
+        if (k < count) see_actor(w, ego, &w->body[found[k]], out);
+        else for (int j = 0; j < PER_ACTOR; j++) out[j] = 0.0;
+    }
+}
+
+/* `SteppedSession._look`: what is kept of a state, what the ego sees of it, whether it is the last. */
+static void locate(World *w) { project(&w->line[0], w->body[0].x, w->body[0].y, &w->near, &w->along, &w->offset); }
+
+static void see(World *w) {
+    if (w->preset == ACTORS) see_actors(w); else see_four_numbers(w);
+}
+
+static void look(World *w) {
+    const Body *ego = &w->body[0];
+    locate(w);
+    if (w->row) {
+        double *row = w->row + 4 * w->moving * w->step;
+        for (int64_t i = 0; i < w->bodies; i++) {
+            const Body *b = &w->body[i];
+            if (b->kind == THING) continue;
+            row[0] = b->x;
+            row[1] = b->y;
+            row[2] = b->heading;
+            row[3] = b->speed;
+            row += 4;
+        }
+        w->offsets[w->step] = w->offset;
+    }
+    see(w);
+    for (int64_t i = 1; i < w->bodies; i++) {
+        const Body *o = &w->body[i];
+        if (!touch(ego, o)) { w->touching &= ~(1ULL << i); continue; }
+        if (!(w->touching >> i & 1) && w->contacts < w->most_contacts) {
+            Contact *contact = &w->contact[w->contacts++];
+            contact->step = w->step;
+            contact->other = i;
+            contact->side = contact_side(ego, o);
+            contact->speed = hypotenuse(ego->before * ego->cos - o->before * o->cos,
+                                        ego->before * ego->sin - o->before * o->sin);
+        }
+        w->touching |= 1ULL << i;
+    }
+    w->ending = w->touching && !w->through ? COLLISION : w->along >= w->arrival ? ARRIVED
+        : w->step >= w->limit ? TIMEOUT : GOES_ON;
+}
+
+/* chatscene.terms.order.Order.allows and chatscene.simulate.obedience.obeyed */
+static void obey(const World *w, Body *ego) {
+    double time = (double)w->step * w->dt + w->dt, along = w->along + ego->speed * w->dt, most = INFINITY;
+    for (int64_t i = 0; i < w->orders; i++) {
+        const Order *o = &w->order[i];
+        if (time >= o->till) continue;
+        double wait = o->since - time, way = o->place - along;
+        double in_time = o->at_most + o->braking * (0.0 > wait ? 0.0 : wait);
+        double in_place = sqrt(pow(o->at_most, 2.0) + 2.0 * o->braking * (0.0 > way ? 0.0 : way));
+        double allows = in_place > in_time ? in_place : in_time;
+        most = allows < most ? allows : most;
+    }
+    if (most == 0.0 && ego->speed < 0.1) {
+        ego->throttle = 0.0;
+        ego->brake = 1.0;
+        return;
+    }
+    const Limits *limits = &ego->limits;
+    if (ego->speed + (limits->throttle * ego->throttle - limits->brake * ego->brake) * w->dt <= most) return;
+    double needed = ((ego->speed - most) / w->dt - limits->drag) / limits->brake;
+    needed = 0.0 > needed ? 0.0 : needed;
+    needed = 1.0 < needed ? 1.0 : needed;
+    ego->throttle = 0.0;
+    ego->brake = needed > ego->brake ? needed : ego->brake;
+}
+
+/* `SteppedSession.step`, after the action has become pedals. */
+void step_world(World *w, double throttle, double brake, double steer) {
+    Body *ego = &w->body[0];
+    ego->throttle = throttle;
+    ego->brake = brake;
+    ego->steer = steer;
+    if (w->orders) obey(w, ego);
+    for (int64_t i = 0; i < w->agents; i++) behave(w, &w->agent[i]);
+    if (w->fault) return;
+    for (int64_t i = 0; i < w->bodies; i++) {
+        if (w->body[i].kind == VEHICLE) step_vehicle(&w->body[i], w->dt);
+        else if (w->body[i].kind == WALKER) step_walker(&w->body[i], w->dt);
+    }
+    w->step++;
+    look(w);
+}
+
+/* chatscene.ego.policy.controls */
+static void press(World *w, double acceleration, double steering_) {
+    acceleration = acceleration < -1.0 ? -1.0 : acceleration;
+    acceleration = 1.0 < acceleration ? 1.0 : acceleration;
+    steering_ = steering_ < -1.0 ? -1.0 : steering_;
+    double steer = 0.3 * (1.0 < steering_ ? 1.0 : steering_);
+    if (acceleration > 0.0) step_world(w, acceleration, 0.0, steer);
+    else step_world(w, 0.0, -acceleration * w->hardest, steer);
+}
+
+static double within_one(double value) {
+    value = value < 1.0 ? value : 1.0;
+    return value > -1.0 ? value : -1.0;
+}
+
+/* chatscene.ego.rule_based */
+static void rule_based(const double *seen, double *acceleration, double *steer) {
+    double wish = fabs(seen[1]) < 0.15 ? 7.5 : 5.5, a = 0.5 * (wish - seen[2]);
+    if (seen[3] != 0.0) a = -1.0;
+    *acceleration = within_one(a);
+    *steer = within_one(0.35 * seen[0] + 1.6 * seen[1]);
+}
+
+/* Runs a world to its end with an ego by rule; how many steps it took. */
+int64_t run_world(World *w, int64_t ego) {
+    int64_t first = w->step;
+    double acceleration = 0.0, steer = 0.0;
+    see(w);
+    while (w->ending == GOES_ON && !w->fault) {
+        if (ego == RULE_BASED) rule_based(w->seen, &acceleration, &steer);
+        press(w, acceleration, steer);
+    }
+    return w->step - first;
+}
+
+/* Runs many worlds, one after the other; how many steps they took together. */
+int64_t run_worlds(World *const *worlds, int64_t count, int64_t ego) {
+    int64_t steps = 0;
+    for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], ego);
+    return steps;
+}

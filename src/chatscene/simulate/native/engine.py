@@ -1,0 +1,292 @@
+"""The engine's library: where it comes from, whether it computes as Python does here, and its structures.
+
+A wheel brings it compiled. Where there is none of the present source beside it, as in a checkout, the machine's C
+compiler makes one into the user's cache; where there is no compiler either, there is no engine, and that is said.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import math
+import os
+import random
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable
+from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_uint64
+from functools import lru_cache
+from pathlib import Path
+
+from chatscene.files.caches import cache_folder, keep, only_mine
+
+SOURCE = Path(__file__).with_name("engine.c")
+PACKAGED = Path(__file__).with_name("engine.so")
+COMPILERS = ("cc", "gcc", "clang")
+# Nothing that changes a number: no contraction to fused operations, no fast mathematics, and the functions whose
+# results a compiler may know better (`pow` to a product, sine and cosine in one) called as Python calls them.
+FLAGS = (
+    "-O3", "-std=c11", "-fPIC", "-shared", "-ffp-contract=off", "-fno-builtin-pow", "-fno-builtin-sin",
+    "-fno-builtin-cos",
+)  # fmt: skip
+COMPILING = 120.0  # [s]
+CHECKED = 4000  # numbers on which each function is held against Python's
+ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK = 6, 8, 80, 32, 64  # as in engine.c
+
+_Doubles = POINTER(c_double)
+
+
+class NoEngine(Exception):  # noqa: N818 - reads as what it says
+    """There is no engine on this machine; the message says why in a line."""
+
+
+class Line(Structure):
+    """A line: its points, their arc lengths, and the direction of each segment."""
+
+    _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("x", "y", "s", "hx", "hy")))
+
+
+class Body(Structure):
+    """A body and what is asked of it."""
+
+    _fields_ = (
+        *(
+            (name, c_double)
+            for name in (
+                *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
+                *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight"),
+                *("length", "width", "throttle_limit", "brake_limit", "top_speed", "wheelbase", "wheel_angle"),
+                *("wheel_rate", "lateral", "drag"),
+            )
+        ),
+        *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle")),
+    )
+
+
+class Instruction(Structure):
+    """One step of a program for a stack."""
+
+    _fields_ = (("op", c_int32), ("a", c_int32), ("b", c_int32), ("unused", c_int32), ("value", c_double))
+
+
+class Code(Structure):
+    """A stretch of instructions."""
+
+    _fields_ = (("start", c_int64), ("count", c_int64))
+
+
+class Phase(Structure):
+    """A phase of a plan."""
+
+    _fields_ = (
+        *((name, c_int32) for name in ("primitive", "path", "other", "end", "values", "first_local")),
+        ("value", Code * LOCALS),
+        ("argument", Code * ARGUMENTS),
+        ("condition", Code),
+        ("caps", _Doubles),
+    )
+
+
+class Agent(Structure):
+    """Somebody with a plan, and how far he is in it."""
+
+    _fields_ = (
+        *((name, c_int32) for name in ("body", "phase", "phases", "loop", "entered", "begun")),
+        ("since", c_int64),
+        *((name, c_int32) for name in ("near", "other_near", "passed", "unused")),
+        *((name, c_double) for name in ("along", "seconds", "ahead", "turned", "before", "course")),
+        ("argument", c_double * ARGUMENTS),
+        ("local", c_double * LOCALS),
+        ("straight", c_double * 8),
+        ("list", POINTER(Phase)),
+    )
+
+
+class Order(Structure):
+    """An order to the ego."""
+
+    _fields_ = tuple((name, c_double) for name in ("at_most", "since", "till", "place", "braking"))
+
+
+class Area(Structure):
+    """A polygon of a lane: its rings, and its bounds."""
+
+    _fields_ = (
+        *((name, c_int64) for name in ("ring_start", "rings", "lane")),
+        *((name, c_double) for name in ("low_x", "low_y", "high_x", "high_y")),
+    )
+
+
+class Ring(Structure):
+    """Corners of a polygon."""
+
+    _fields_ = (("start", c_int64), ("points", c_int64))
+
+
+class Contact(Structure):
+    """When the ego began to touch whom, where, and how fast they met."""
+
+    _fields_ = (("step", c_int64), ("other", c_int64), ("side", c_int64), ("speed", c_double))
+
+
+class World(Structure):
+    """A scene, and where it is in it."""
+
+    _fields_ = (
+        *(
+            (name, c_int64)
+            for name in ("bodies", "agents", "areas", "orders", "limit", "step", "moving", "contacts", "most_contacts")
+        ),
+        *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
+        *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest")),
+        ("touching", c_uint64),
+        ("body", POINTER(Body)),
+        ("agent", POINTER(Agent)),
+        ("line", POINTER(Line)),
+        ("code", POINTER(Instruction)),
+        ("area", POINTER(Area)),
+        ("ring", POINTER(Ring)),
+        ("corner", _Doubles),
+        ("order", POINTER(Order)),
+        ("row", _Doubles),
+        ("offsets", _Doubles),
+        ("contact", POINTER(Contact)),
+        ("seen", c_double * SEEN),
+    )
+
+
+class Engine:
+    """The loaded library, checked.
+
+    Args:
+        library: What was compiled of the present source.
+
+    Raises:
+        NoEngine: It computes something else than Python on this machine.
+    """
+
+    def __init__(self, library: ctypes.CDLL) -> None:
+        library.size_of.restype = c_int64
+        library.size_of.argtypes = (c_int64,)
+        library.evaluate.restype = None
+        library.evaluate.argtypes = (c_int64, c_int64, _Doubles, _Doubles, _Doubles)
+        library.step_world.restype = None
+        library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
+        library.run_world.restype = c_int64
+        library.run_world.argtypes = (POINTER(World), c_int64)
+        library.run_worlds.restype = c_int64
+        library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, c_int64)
+        self._library = library
+        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World)):
+            if library.size_of(i) != ctypes.sizeof(structure):
+                raise NoEngine(f"its {structure.__name__} has another size than is expected")
+        if wrong := [name for name, count in self._differences().items() if count]:
+            raise NoEngine(f"its {', '.join(wrong)} differ from Python's on this machine")
+
+    def step(self, world: World, throttle: float, brake: float, steer: float) -> None:
+        """One step of a scene."""
+        self._library.step_world(ctypes.byref(world), throttle, brake, steer)
+
+    def run(self, world: World, ego: int) -> int:
+        """Run a scene to its end with an ego by rule; how many steps it took."""
+        steps: int = self._library.run_world(ctypes.byref(world), ego)
+        return steps
+
+    def run_many(self, worlds: list[World], ego: int) -> int:
+        """Run scenes to their ends, one after the other; how many steps they took together."""
+        pointers = (POINTER(World) * len(worlds))(*(ctypes.pointer(world) for world in worlds))
+        steps: int = self._library.run_worlds(pointers, len(worlds), ego)
+        return steps
+
+    def _differences(self) -> dict[str, int]:
+        """On how many of `CHECKED` numbers each function differs from Python's."""
+        draw = random.Random(0)
+        scales = [10.0 ** draw.uniform(-4, 4) for _ in range(CHECKED)]
+        a = [scale * draw.uniform(-1, 1) for scale in scales]
+        b = [scale * draw.uniform(-1, 1) for scale in scales]
+        numbers = c_double * CHECKED
+        first, second, out = numbers(*a), numbers(*b), numbers()
+        found: dict[str, int] = {}
+        for i, (name, of) in enumerate(_PYTHON.items()):
+            self._library.evaluate(i, CHECKED, first, second, out)
+            found[name] = sum(of(x, y) != z for x, y, z in zip(a, b, out, strict=True))
+        return found
+
+
+_PYTHON: dict[str, Callable[[float, float], float]] = {
+    "sine": lambda x, _: math.sin(x),
+    "cosine": lambda x, _: math.cos(x),
+    "tangent": lambda x, _: math.tan(x),
+    "arc tangent": lambda x, _: math.atan(x),
+    "arc sine": lambda x, _: math.asin(math.sin(x)),
+    "arc tangent of two": math.atan2,
+    "hypotenuse": math.hypot,
+    "modulo": lambda x, y: x % y,
+    "square": lambda x, _: x**2,
+    "fourth power": lambda x, _: x**4,
+    "remainder": lambda x, _: math.remainder(x, 2.0 * math.pi),
+}  # in the order of `evaluate` in engine.c
+
+
+@lru_cache(maxsize=1)
+def load_engine() -> Engine:
+    """The engine of the present source, loaded and checked once per process.
+
+    Raises:
+        NoEngine: There is none for this machine.
+    """
+    digest = source_digest()
+    library = _opened(PACKAGED, digest) or _opened(_kept(digest), digest)
+    if library is None:
+        raise NoEngine("what was compiled of it cannot be loaded")
+    return Engine(library)
+
+
+def source_digest() -> str:
+    """What a library must say that it was compiled from."""
+    return hashlib.blake2b(SOURCE.read_bytes() + " ".join(FLAGS).encode(), digest_size=8).hexdigest()
+
+
+def compile_engine(target: Path) -> None:
+    """Compile the engine.
+
+    Raises:
+        NoEngine: There is no compiler, or it fails.
+    """
+    compiler = next((found for name in COMPILERS if (found := shutil.which(name))), None)
+    if compiler is None:
+        raise NoEngine(f"none came with this installation, and there is no C compiler ({', '.join(COMPILERS)})")
+    command = [compiler, *FLAGS, f'-DSOURCE_DIGEST="{source_digest()}"', str(SOURCE), "-o", str(target), "-lm"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=COMPILING, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise NoEngine(f"the C compiler {compiler} does not run: {error}") from error
+    if done.returncode:
+        raise NoEngine(f"the C compiler {compiler} fails: {done.stderr.strip().splitlines()[:1]}")
+
+
+def _kept(digest: str) -> Path:
+    """The library in this user's cache, compiled now if it is not there.
+
+    Raises:
+        NoEngine: It cannot be compiled, or there is no folder that nobody else can write to.
+    """
+    if (folder := only_mine(cache_folder("engines"))) is None:
+        raise NoEngine("no compiled engine came with this installation, and there is no folder to keep one in")
+    path = folder / f"engine-{digest}-{os.uname().machine}.so"
+    if not path.exists():
+        with tempfile.TemporaryDirectory() as made:
+            compile_engine(target := Path(made) / "engine.so")
+            keep(path, target.read_bytes())
+    return path
+
+
+def _opened(path: Path, digest: str) -> ctypes.CDLL | None:
+    """A library, if it can be loaded and was compiled of the present source."""
+    try:
+        library = ctypes.CDLL(str(path))
+        library.source_digest.restype = ctypes.c_char_p
+        return library if library.source_digest() == digest.encode() else None
+    except (OSError, AttributeError):
+        return None

@@ -1,0 +1,191 @@
+"""The simulator `native`: scenes of plans in the engine, all others in the embedded one, with the same numbers."""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from chatscene.ego.observation import Observation
+from chatscene.ego.policy import EgoPolicy, controls
+from chatscene.ego.rule_based import RuleBased
+from chatscene.errors import ProgramError
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.native.binding import Bound, bind
+from chatscene.simulate.native.code import NotCovered
+from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
+from chatscene.simulate.session import SteppedSession
+from chatscene.simulate.simulator import Session, Simulator, load_simulator
+from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.route import Route
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+NAME, REFERENCE = "native", "embedded"
+ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT}  # as engine.c numbers them
+SIDES = ("front", "rear", "left", "right")
+RULES: dict[type, int] = {RuleBased: 1}  # egos that the engine knows
+
+
+class NativeSession:
+    """A scene in the engine; see `chatscene.simulate.simulator.Session` for the contract.
+
+    Args:
+        reference: The same scene, opened by the embedded simulator, no step made: what is kept of a drive is its.
+        bound: The scene as arrays.
+        engine: What steps it.
+
+    Attributes:
+        observation: What the ego sees now.
+        ending: Why it ended, or None while it goes on.
+        rejection: Always empty: a program that can reject a drive while it runs is not covered.
+        step_number: How many steps were made.
+    """
+
+    rejection = ""
+
+    def __init__(self, reference: SteppedSession, bound: Bound, engine: Engine) -> None:
+        self._reference = reference
+        self._bound = bound
+        self._engine = engine
+        self.observation: Observation = reference.observation
+        self.ending: Ending | None = None
+        self.step_number = 0
+
+    @property
+    def along(self) -> float:
+        """Arc length of the ego on its route [m]."""
+        return self._bound.world.along
+
+    @property
+    def offset(self) -> float:
+        """Lateral offset of the ego from its route [m, positive = left]."""
+        return self._bound.world.offset
+
+    @property
+    def speed(self) -> float:
+        """Speed of the ego [m/s]."""
+        return self._bound.world.body[0].speed
+
+    def step(self, action: Any) -> None:
+        """Drive one step.
+
+        Raises:
+            EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
+            ProgramError: A plan comes to no act: its phases end as they begin, without end.
+        """
+        self._reference.check_open()
+        self._engine.step(self._bound.world, *controls(action, self._reference.pedals))
+        self._look()
+
+    def drive(self, ego: EgoPolicy) -> bool:
+        """Let an ego that the engine knows drive to the end; False if it does not know it, and nothing was done.
+
+        Raises:
+            EgoError: The session was ended by another in the same process.
+            ProgramError: As for `step`.
+        """
+        rule = RULES.get(type(ego))
+        if rule is None:
+            return False
+        self._reference.check_open()
+        self._engine.run(self._bound.world, rule)
+        self._look()
+        return True
+
+    def _look(self) -> None:
+        world = self._bound.world
+        if world.fault:
+            raise ProgramError("a plan comes to no act: its phases end as they begin, without end")
+        self.step_number = world.step
+        self.ending = ENDINGS.get(world.ending)
+        size = len(self._reference.observation)
+        self.observation = np.array(world.seen[:size])
+
+    def episode(self, scene_id: str, ego: str) -> Episode:
+        """Everything that happened so far, with the events that follow from the tracks."""
+        bound, world = self._bound, self._bound.world
+        states = world.step + 1
+        self._reference.take_over(
+            rows=bound.rows[:states].ravel().tolist(),
+            offsets=bound.offsets[:states].tolist(),
+            contacts=[(c.step, c.other, SIDES[c.side], c.speed) for c in world.contact[: world.contacts]],
+            step=world.step,
+            along=world.along,
+            ending=self.ending,
+        )
+        return self._reference.episode(scene_id, ego)
+
+    def close(self) -> None:
+        """Give the process free for another session."""
+        self._reference.close()
+
+
+class NativeSimulator:
+    """Runs in the engine what it covers; see `chatscene.simulate.simulator.Simulator` for the contract.
+
+    Args:
+        map_path: The map everything runs on.
+        settings: Step and limits.
+
+    Attributes:
+        identity: What it is: the physics of the embedded simulator.
+        missing: Why there is no engine on this machine; empty if there is one.
+        not_covered: How many scenes took the embedded path, by reason.
+    """
+
+    def __init__(self, map_path: Path, settings: SimulationSettings) -> None:
+        self._embedded: Simulator = load_simulator(map_path, replace(settings, simulator=REFERENCE))
+        self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
+        self.not_covered: Counter[str] = Counter()
+        self.missing = ""
+        self._engine: Engine | None = None
+        try:
+            self._engine = load_engine()
+        except NoEngine as error:
+            self.missing = str(error)
+            warnings.warn(
+                f"the native engine is not there, and the embedded simulator runs everything: {error}",
+                RuntimeWarning,
+                stacklevel=2,
+            )
+
+    def route(self, program: ScenicProgram, index: int) -> Route:
+        """The route a program's geometry picks under this index."""
+        return self._embedded.route(program, index)
+
+    def routes(self, program: ScenicProgram) -> int:
+        """How many routes the map has for a program's geometry, at most ten."""
+        return self._embedded.routes(program)
+
+    def route_in(self, program: ScenicProgram, scene: Scene) -> Route:
+        """The route of the ego in a scene."""
+        return self._embedded.route_in(program, scene)
+
+    def open(
+        self,
+        program: ScenicProgram,
+        scene: Scene,
+        *,
+        observation: str = "safebench",
+        pedals: str = "safebench",
+        through_collisions: bool = False,
+    ) -> Session | Rejected:
+        """Start a session: Scenic places the scene, the engine steps it if it can."""
+        opened = self._embedded.open(
+            program, scene, observation=observation, pedals=pedals, through_collisions=through_collisions
+        )
+        if isinstance(opened, Rejected) or self._engine is None or opened.ending is not None:
+            return opened
+        assert isinstance(opened, SteppedSession)
+        try:
+            return NativeSession(opened, bind(opened, program), self._engine)
+        except NotCovered as reason:
+            self.not_covered[str(reason)] += 1
+            return opened
+        except BaseException:
+            opened.close()
+            raise

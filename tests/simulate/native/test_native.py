@@ -1,0 +1,187 @@
+"""The native engine gives the embedded simulator's numbers, and says what it does not cover."""
+
+from __future__ import annotations
+
+import shutil
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from chatscene.ego.planner import Planner
+from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.errors import MapError
+from chatscene.library.compatibility import compatibility
+from chatscene.library.load import load_library
+from chatscene.maps.network import resolve_map
+from chatscene.program.assemble import assemble
+from chatscene.program.sample import scene_at
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.native import engine
+from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
+from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.terms.episode import Episode
+from chatscene.terms.plan import PRIMITIVES
+from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.testing.simulators import differences
+
+TOWN, SETTINGS = resolve_map("town"), SimulationSettings()
+HEAD = """model chatscene.world.model
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute{ego}
+behavior AdvBehavior():
+{behavior}
+other = new {kind} at pointOn(egoRoute, 25, {left}), facing directionOn(egoRoute, 25), with behavior AdvBehavior()
+{more}
+"""
+PHASES = {
+    "DrivePath": "do DrivePath(egoRoute, 7, 1) until distanceLeft(egoRoute, self, 60) < 2\n    do Halt()",
+    "BrakeOnPath": "do DrivePath(egoRoute, 9) for 1.5 seconds\n    do BrakeOnPath(egoRoute, 0.6)",
+    "ThrottleOnPath": "do ThrottleOnPath(egoRoute, 0.7, top=12) until self.pose[3] > 11\n    do BrakeOnPath(egoRoute)",
+    "SwerveOnPath": "do SwerveOnPath(egoRoute, 8, 2.5) until abs(offsetFrom(egoRoute, self)) > 2\n    do Halt()",
+    "WeaveOnPath": "do WeaveOnPath(egoRoute, 7, 1.5, 3)",
+    "PaceOnPath": "do PaceOnPath(egoRoute, ego, 8, top=14, least=2)",
+    "KeepStation": "do KeepStation(egoRoute, ego) for 4 seconds\n    do BrakeOnPath(egoRoute, 0.8)",
+    "FollowTraffic": "do FollowTraffic(egoRoute, 8)",
+    "WaitFor": "do WaitFor(ego, egoRoute, 8)",
+    "ReverseStraight": "do ReverseStraight(3) until gap(self, ego) < 12\n    do Park()",
+    "ReverseTurning": "do ReverseTurning(3, 0.3)",
+    "TurnOff": "do TurnOff(-1.2, 4, radius=7)\n    do ReverseStraight(2)",
+    "Park": "do Park() until headway(egoRoute, ego, self) < 12\n    do DrivePath(egoRoute, 10)",
+    "MoveAhead": "start = 0.5 * gap(self, ego)\n    do MoveAhead(5, 0.2) until gap(self, ego) < start\n    do Halt()",
+    "Halt": "while True:\n        do DrivePath(egoRoute, 6) for 1 seconds\n        do Halt() until self.pose[3] < 0.1",
+}
+
+
+def _program(behavior: str, kind: str = "Car", left: float = 0.0, ego: str = "", more: str = "") -> ScenicProgram:
+    source = HEAD.format(behavior=f"    {behavior}", kind=kind, left=left, ego=ego, more=more)
+    return ScenicProgram(scenario_id="native", source=source, parameters=(), snippet_ids=(), digest=source)
+
+
+def _scene(route: int = 0) -> Scene:
+    return Scene(id="native/0", scenario_id="native", route=route, block=0, seed=0, values={})
+
+
+@pytest.fixture(scope="module")
+def native() -> NativeSimulator:
+    simulator = NativeSimulator(TOWN, SETTINGS)
+    if simulator.missing:
+        pytest.skip(simulator.missing)
+    return simulator
+
+
+def _agrees(
+    native: NativeSimulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, **how: bool
+) -> Episode | None:
+    """The episode of both simulators, which must be one, and which the engine must have stepped."""
+    before = native.not_covered.copy()
+    mine = simulate(native, program, scene, ego, **how)
+    theirs = simulate(load_simulator(TOWN, SETTINGS), program, scene, ego, **how)
+    if isinstance(mine, Rejected) or isinstance(theirs, Rejected):
+        assert mine == theirs
+        return None
+    assert native.not_covered == before
+    assert differences(mine, theirs) == []
+    return mine
+
+
+def test_every_primitive_has_a_case_here() -> None:
+    assert PHASES.keys() == PRIMITIVES.keys()
+
+
+@pytest.mark.parametrize("primitive", sorted(PHASES))
+def test_a_primitive_moves_its_actor_as_in_the_embedded_simulator(native: NativeSimulator, primitive: str) -> None:
+    assert _agrees(native, _program(PHASES[primitive]), _scene(), load_ego("rule-based"))
+
+
+def test_somebody_on_foot_walks_as_in_the_embedded_simulator(native: NativeSimulator) -> None:
+    program = _program("do MoveAhead(1.5, 1.2) until gap(self, ego) < 9\n    do Halt()", "Pedestrian", -4.0)
+    assert _agrees(native, program, _scene(), load_ego("rule-based"))
+
+
+def test_an_ego_that_the_engine_does_not_know_sees_the_same_and_drives_the_same(native: NativeSimulator) -> None:
+    episode = _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), Planner())
+    assert episode is not None
+    assert len(episode.ego_track.x) > 20
+
+
+def test_an_ordered_ego_on_ice_at_night_is_held_to_its_orders(native: NativeSimulator) -> None:
+    program = _program(
+        PHASES["BrakeOnPath"],
+        ego=", with orders (Order(at_most=3, place=20), Order(at_most=0, since=5, till=8))",
+        more="param surface = 'ice', light = 'night'",
+    )
+    assert _agrees(native, program, _scene(), load_ego("rule-based"))
+
+
+def test_two_act_and_things_stand_and_the_drive_goes_on_through_a_contact(native: NativeSimulator) -> None:
+    more = (
+        "new Cone at pointOn(egoRoute, 12, 0.5), facing directionOn(egoRoute, 12)\n"
+        "new Truck at pointOn(egoRoute, 60), facing directionOn(egoRoute, 60), with behavior FollowTraffic(egoRoute, 6)"
+    )
+    episode = _agrees(
+        native, _program(PHASES["PaceOnPath"], more=more), _scene(), load_ego("rule-based"), through_collisions=True
+    )
+    assert episode is not None
+    assert episode.collision is not None
+
+
+@pytest.mark.parametrize("share", (0.3, 0.8))
+def test_a_sample_of_the_library_gives_the_same_numbers(native: NativeSimulator, share: float) -> None:
+    joint = compatibility(load_library())
+    compared = 0
+    for b in range(5, len(joint.behaviors), 61):
+        g, s = np.argwhere(joint.mask[b])[0].tolist()
+        behavior, spawn = joint.behaviors[b], joint.spawns[s]
+        kind = sorted(set(behavior.adversaries) & set(spawn.adversaries))[0]
+        parts = SubDescriptions(behavior="", geometry="", spawn="")
+        scenario = Scenario(id="sample", text="sample", base=None, parts=parts, slots=Slots())
+        program = assemble(scenario, (behavior, joint.geometries[g], spawn), kind)
+        with suppress(MapError):  # a place that this map has not
+            compared += (
+                _agrees(native, program, scene_at(program, 0, share, name="0"), load_ego("rule-based")) is not None
+            )
+    assert compared >= 2
+
+
+def test_what_is_no_plan_takes_the_embedded_path_and_is_counted(native: NativeSimulator) -> None:
+    program = _program("while True:\n        take DriveAction(0.5, 0, 0)")
+    before = native.not_covered["a behavior that is no plan"]
+    session = native.open(program, _scene())
+    assert not isinstance(session, NativeSession | Rejected)
+    session.close()
+    assert native.not_covered["a behavior that is no plan"] == before + 1
+
+
+def test_without_an_engine_one_line_says_so_and_everything_runs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(engine, "PACKAGED", tmp_path / "engine.so")
+    monkeypatch.setattr(engine, "cache_folder", tmp_path.joinpath)
+    monkeypatch.setattr(shutil, "which", {}.get)
+    engine.load_engine.cache_clear()
+    try:
+        with pytest.warns(RuntimeWarning, match="the native engine is not there.*no C compiler"):
+            simulator = NativeSimulator(TOWN, SETTINGS)
+    finally:
+        engine.load_engine.cache_clear()
+    assert isinstance(simulate(simulator, _program(PHASES["Park"]), _scene(), load_ego("rule-based")), Episode)
+
+
+def test_a_library_of_another_source_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    stale = tmp_path / "engine.so"
+    try:
+        engine.compile_engine(stale)
+    except engine.NoEngine as error:
+        pytest.skip(str(error))
+    monkeypatch.setattr(engine, "PACKAGED", stale)
+    monkeypatch.setattr(engine, "cache_folder", tmp_path.joinpath)
+    monkeypatch.setattr(engine, "source_digest", lambda: "another")
+    engine.load_engine.cache_clear()
+    try:
+        engine.load_engine()
+    finally:
+        engine.load_engine.cache_clear()
+    assert (tmp_path / "engines").exists()
