@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 from urllib.parse import quote
 
 from chatscene.measure.score import wilson
+from chatscene.report.accounting import parts_of
 from chatscene.report.highlight import highlight
 from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.templates import fill_section
@@ -182,6 +183,7 @@ def _scenario(scenario: Row) -> Row:
     facts = scenario.get("slots", {}) | scenario.get("surroundings", {})
     return {
         "text": scenario["text"],
+        "parts": parts_of(scenario["text"], scenario.get("words", [])) if scenario.get("words") else [],
         "confidence": scenario.get("confidence"),
         "base": scenario.get("base"),
         "slots": [(_words(name), _slot(value)) for name, value in facts.items()],

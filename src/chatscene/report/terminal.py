@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 from chatscene.errors import OfferedReading
 from chatscene.interpret.readings import offered
+from chatscene.read.accounting import words_of
+from chatscene.report.accounting import in_words, parts_of
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
 from chatscene.terms.plan import Foreign
@@ -46,6 +48,9 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     for name, value in scenario.surroundings.said().items():
         slots.add_row(name, value.row.said)
     console.print(slots)
+    if words := words_of(scenario, retrieval.unused):
+        parts = parts_of(scenario.text, [one.as_dict() for one in words])
+        console.print(f"[dim]{_plain(in_words(parts))}[/]")
     if around := surroundings_in_words(scenario.surroundings):
         console.print(f"[yellow]as said[/]  {_plain(around)}")
     _print_doubts(console, scenario, retrieval)

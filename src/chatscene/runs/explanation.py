@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from chatscene.errors import RunError
 from chatscene.interpret.readings import offered
+from chatscene.read.accounting import words_of
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.record import first_problem
 from chatscene.runs.workspace import Workspace, read_record, write_program
@@ -49,6 +50,7 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
         "surroundings": {name: value.value for name, value in scenario.surroundings.said().items()},
+        "words": [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())],
         "readings": [one.as_dict() for one in offered(scenario.readings)],
         "notes": [*map(str, scenario.notes), *(retrieval.notes if retrieval else ())],
         "unused": [

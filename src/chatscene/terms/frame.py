@@ -137,6 +137,35 @@ class Mention:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Word:
+    """A word of a text, with what became of it; one of which neither a fact nor a reason is known was not read.
+
+    Attributes:
+        text: As it was written.
+        start: Where it begins.
+        end: Where it ends.
+        fact: The fact that it gave: a slot, ``light``, ``weather`` or ``surface``, a measure, ``the ego``, ``contact``.
+        besides: Why it is without effect, if that is known.
+    """
+
+    text: str
+    start: int
+    end: int
+    fact: str = ""
+    besides: str = ""
+
+    @property
+    def unread(self) -> bool:
+        """Whether it was not read."""
+        return not self.fact and not self.besides
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script: with its fact, with why it is without effect, or as not read."""
+        became = {"fact": self.fact} if self.fact else {"besides": self.besides} if self.besides else {"unread": True}
+        return {"text": self.text, "start": self.start, "end": self.end, **became}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Account:
     """What was made out of an account of a conflict, read clause by clause.
 

@@ -1,0 +1,63 @@
+"""A text with its words marked by the facts that they gave, in parts that a page or a terminal shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Any
+
+_COLOURS = 8  # that the style sheet has for facts
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """A part of a text: words that one fact was read from, that are without effect, or that were not read.
+
+    Attributes:
+        text: As it was written, with what stands between its words.
+        before: What stands before it, between words.
+        fact: The fact that it gave.
+        besides: Why it is without effect.
+        colour: The number of the fact's colour.
+    """
+
+    text: str
+    before: str = ""
+    fact: str = ""
+    besides: str = ""
+    colour: int = 0
+
+    @property
+    def unread(self) -> bool:
+        """Whether it was not read."""
+        return bool(self.text) and not self.fact and not self.besides
+
+
+def parts_of(text: str, words: Sequence[Mapping[str, Any]]) -> list[Part]:
+    """A text in parts, of which the last may only hold what stands behind all words.
+
+    Args:
+        text: As it was read.
+        words: What became of each word, as in `explanation.json`.
+    """
+    found: list[Part] = []
+    facts: dict[str, int] = {}
+    at = 0
+    for (fact, besides), group in groupby(words, key=lambda word: (word.get("fact", ""), bool(word.get("besides")))):
+        together = list(group)
+        start, end = together[0]["start"], together[-1]["end"]
+        why = ", ".join(dict.fromkeys(word["besides"] for word in together)) if besides else ""
+        colour = facts.setdefault(fact, len(facts) % _COLOURS) if fact else 0
+        found.append(Part(text=text[start:end], before=text[at:start], fact=fact, besides=why, colour=colour))
+        at = end
+    return [*found, Part(text="", before=text[at:])]
+
+
+def in_words(parts: Sequence[Part]) -> str:
+    """A text with its parts marked in words: ``(side: from the left)``, ``{not read: phone}``."""
+    told: list[str] = []
+    for part in parts:
+        shown = f"({part.fact.replace('_', ' ')}: {part.text})" if part.fact else part.text
+        told += [part.before, f"{{not read: {part.text}}}" if part.unread else shown]
+    return "".join(told)
