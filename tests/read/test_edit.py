@@ -15,6 +15,7 @@ HIDDEN = "A pedestrian steps out from behind a parked car on the right."
 TURNING = "We turn right at a junction and a cyclist crosses from the left."
 TWO = "A car brakes ahead of us and a truck drives behind us."
 RAIN = "A motorcycle cuts in from the left in rain at night."
+BIKE = "A cyclist crosses the street from the right."
 RUNS_LIGHT = "A car from the left runs the red light."
 
 
@@ -77,6 +78,13 @@ def after(text: str, edit: str) -> dict[str, str]:
         (BRAKES, "emergency braking at 8 m/s²", {"deceleration": "at 8 m/s²"}),
         (BRAKES, "don't brake, just go slowly", {"actions": "slow"}),
         (BRAKES, "change lanes before it brakes", {"actions": "change-lane then brake"}),
+        (BIKE, "let the kid hesitate in the middle of the street", {"actions": "cross then hesitate"}),
+        (BIKE, "let a car drive behind us", {"others": "car follow (behind)"}),
+        (BIKE, "hidden between parked cars", {"occluder": "parked-car"}),
+        (BRAKES, "make it a lorry with a trailer", {"adversary": "truck"}),
+        (BRAKES, "from behind a second car tailgates us", {"others": "car tailgate (behind)"}),
+        (BRAKES, "make the gap smaller", {"distance": "smaller"}),
+        (CUTS_IN, "it should start 15 m behind us", {"position": "behind-beside", "distance": "15 m behind us"}),
         ("An oncoming cyclist comes towards us.", "he brakes", {"actions": "oncoming then brake"}),
     ],
 )

@@ -15,14 +15,15 @@ from typing import Any
 from chatscene.errors import EditRefused
 from chatscene.read import lexicon
 from chatscene.read.canonical import canonical
-from chatscene.read.edit_words import Mark, Named, Word, words_at
-from chatscene.read.edited_facts import OF_EGO, ActWish, Wishes, edited
+from chatscene.read.edit_words import Mark, Named, Word, plainer, scanned
+from chatscene.read.edited_facts import ActWish, Wishes, edited
 from chatscene.read.parse import parse, start_of
 from chatscene.read.phrases import Sort, Where
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.edit import Edit, Facts
 from chatscene.terms.scenario import (
+    Control,
     EgoState,
     Maneuver,
     Measure,
@@ -38,7 +39,6 @@ from chatscene.terms.scenario import (
 
 LONGEST = 500  # characters
 
-_WORD = re.compile(r"\S+")
 _HALFWAY = re.compile(r"half|midway|middle|in mid|moment|briefly|on its way")
 _NOT = re.compile(r"\bnot\b|n't\b|\bwithout\b|\bfails?\b")
 _IT = re.compile(r"\b(?:it|him|her|them|this|that)\b")
@@ -58,7 +58,7 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     Raises:
         EditRefused: It has words that mean nothing here, contradicts itself or what stays, or changes nothing.
     """
-    plain = canonical(_plain(text)).removesuffix(".")
+    plain = canonical(plainer(text)).removesuffix(".")
     if not plain or len(plain) > LONGEST:
         raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
     words, unread = scanned(plain, facts.slots)
@@ -75,77 +75,6 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     if after == facts:
         raise EditRefused(f"nothing to change: this is so already ({', '.join(wishes.named()) or 'no fact is named'})")
     return Edit(text=" ".join(text.split()), facts=after, named=wishes.named(), unused=tuple(wishes.unused))
-
-
-_REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
-    (re.compile(said, re.IGNORECASE), meant)
-    for said, meant in (
-        (r"[\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOTATION MARK}`]", "'"),
-        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
-        (r"\bcut-in", "cut in"),
-        (r"\blet's\b", "let us"),
-        (r"\bwon't\b", "will not"),
-        (r"\bcan't\b", "can not"),
-        (r"n't\b", " not"),
-        (r"\b(it|he|she|that|there|who|what|this)'s\b", r"\1 is"),
-        (r"'s(?= (?:\w+ing|behind|in|on|at|from|ahead|beside|not|now|a|an|the)\b)", " is"),
-        (r"\b(it|he|she|they|that)'ll\b", r"\1 will"),
-        (r"\bthe (?:front|first|lead|leading) (?!one)(\w+)", r"the \1 ahead"),
-        (r"\bthe (?:rear|back|following) (?!one|side|of)(\w+)", r"the \1 behind"),
-        (r"\.{2,}|\s[\N{EN DASH}\N{EM DASH}-]\s|[!?]", ", "),
-        (r"[\"()\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}]", " "),
-    )
-)
-
-
-def _plain(text: str) -> str:
-    """An edit without short forms, arrows and marks that say nothing."""
-    for said, meant in _REWRITES:
-        text = said.sub(meant, text)
-    return text.strip(" ,")
-
-
-def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
-    """The words of an edit that mean something, and those that mean nothing, in order.
-
-    Args:
-        text: Lower case.
-        slots: The facts at hand: of words with two meanings, the one that is so already is meant.
-    """
-    found: list[Word] = []
-    unread: list[str] = []
-    ego, at, gap = False, 0, True
-    while at < len(text):
-        if text[at] == " ":
-            at += 1
-            continue
-        end, best = at, None
-        for until, word in words_at(text, at):
-            if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego):
-                continue
-            if until > end or (until == end and _is_done(word, slots) and best and best.mark is Mark.ACT):
-                end, best = until, word
-        if best is None:
-            match = _WORD.match(text, at)
-            assert match is not None  # a space was skipped
-            if gap or not unread:
-                unread.append(match[0])
-            else:
-                unread[-1] += f" {match[0]}"
-            at, gap = match.end(), False
-            continue
-        found.append(best)
-        at, gap = end, True
-        if best.mark is Mark.EGO:
-            ego = True
-        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark is Mark.SET and _IT.search(best.said)):
-            ego = False
-    return found, unread
-
-
-def _is_done(word: Word, slots: Slots) -> bool:
-    """Whether words name what the adversary does already."""
-    return word.mark is Mark.ACT and word.value in slots.actions
 
 
 @dataclass
@@ -280,7 +209,7 @@ class _Hearing:
         marks = [one.mark for one in self._clause(at)]
         hides = self._hides(word)
         joins = named.article in _ANOTHER or Mark.ADD in marks[: marks.index(Mark.USER)] or Mark.ALSO in marks
-        joins |= at > 0 and self.words[at - 1].said == "with" and not self.changing
+        joins |= self._comes_with(at) or self._is_let_in(word, at)
         replaces = any(one.mark in (Mark.OLD, Mark.INSTEAD, Mark.CHANGE) for one in self.words)
         if self.old or hides or not joins or replaces or named.article == _DEFINITE:
             return 0
@@ -294,6 +223,9 @@ class _Hearing:
             " ,"
         )
         rest = rest if named.article else f"a {rest}"
+        for before in self._clause(at)[: self._clause(at).index(word)]:
+            if before.mark is Mark.WHERE and self.found.take_back(before.value):
+                rest = f"{rest} {before.said}"  # "from behind, another car …"
         one = _parsed(rest) or self._made_out(rest, named)
         if one is None:
             raise EditRefused(
@@ -303,6 +235,20 @@ class _Hearing:
             )
         self.found.add_other(one, rest)
         return end
+
+    def _comes_with(self, at: int) -> bool:
+        """Whether somebody comes "with" all else; a lorry with a trailer is one."""
+        before = [word.mark for word in self.words[max(at - 2, 0) : at]]
+        return at > 0 and self.words[at - 1].said == "with" and not self.changing and before[0] is not Mark.USER
+
+    def _is_let_in(self, word: Word, at: int) -> bool:
+        """Whether somebody is to do something that the adversary does not: "let a car drive behind us"."""
+        let = at > 0 and self.words[at - 1].mark is Mark.SET and not _IT.search(self.words[at - 1].said)
+        other = word.value.kind is not self.slots.adversary and bool(word.value.article)
+        does = next((one for one in self.words[at + 1 :] if one.mark is not Mark.FILLER), None)
+        drives = does is not None and does.mark is Mark.WHERE and self.words[at + 1].mark is Mark.FILLER
+        acts = does is not None and does.mark is Mark.ACT and does.value not in self.slots.actions
+        return let and other and (acts or drives)
 
     def _made_out(self, text: str, named: Named) -> Slots | None:
         """Somebody who joins, by the words of edits; if no act is said, who is ahead or parked stands."""
@@ -343,23 +289,22 @@ class _Hearing:
         if self.old and not (named.kind is self.slots.adversary and self._acts_next(at)):
             self._goes(named, word)
             return
-        known = [self.slots.adversary, *(one.adversary for one in self.slots.others)]
-        if named.kind in known and (named.article == _DEFINITE or (not named.article and self._acts_next(at))):
-            self.whose = self._which(named.kind, at)
-        elif named.article == _DEFINITE and not self._stated(at):
-            raise self._nobody(word)
-        elif self.whose == 1:
-            self.found.wish("other adversary", named.kind, word.said)
-        else:
-            self.whose = 0
-            self.found.wish("adversary", named.kind, word.said)
-            if named.several or (named.article == "one" and self.slots.group):
+        if not self._is_known(named, word, at):
+            fact = "other adversary" if self.whose == 1 else "adversary"
+            self.whose = self.whose or 0
+            self.found.wish(fact, named.kind, word.said)
+            if self.whose == 0 and (named.several or (named.article == "one" and self.slots.group)):
                 self.found.wish("group", named.several or None, word.said)
         for sort, value in named.traits:
             if sort is Sort.WHERE:
                 self.found.place(Where(str(value)), word.said)
             elif sort is Sort.ACT and isinstance(value, Action):
                 self.found.acts.append(ActWish(action=value, said=word.said, order=Mark.ALSO))
+
+    def _is_the_rider(self, kind: AdversaryKind) -> bool:
+        """Whether somebody is called by what sits on the wheels: "the kid" on a bike."""
+        row = None if self.slots.adversary is None else self.slots.adversary.row
+        return kind.row.manner is Manner.WALKS and row is not None and row.manner in (Manner.RIDES, Manner.WALKS)
 
     def _which(self, kind: AdversaryKind, at: int) -> int:
         """Who of a kind is spoken of: the one that is where the next words say, if they do."""
@@ -376,6 +321,20 @@ class _Hearing:
         """Whether an act is named next, so that whoever is named is only the one who does it or not."""
         rest = (word.mark for word in self.words[at + 1 :] if word.mark not in (Mark.FILLER, Mark.SET, Mark.DROP))
         return next(rest, None) is Mark.ACT
+
+    def _is_known(self, named: Named, word: Word, at: int) -> bool:
+        """Whether somebody is named who is there already, and so only spoken of."""
+        known = [self.slots.adversary, *(one.adversary for one in self.slots.others)]
+        definite = named.article == _DEFINITE
+        if named.kind in known and (definite or (not named.article and self._acts_next(at))):
+            self.whose = self._which(named.kind, at)
+            return True
+        if definite and named.kind not in known and self._is_the_rider(named.kind):
+            self.whose = 0
+            return True
+        if definite and (self._acts_next(at) or not self._stated(at)):
+            raise self._nobody(word)
+        return False
 
     def _goes(self, named: Named, word: Word) -> None:
         """Somebody is to go."""
@@ -446,6 +405,8 @@ class _Hearing:
     def _site(self, word: Word) -> None:
         """A place with how it is controlled, or a site with what the ego does there."""
         value, besides = word.value if isinstance(word.value, tuple) else (word.value, None)
+        if value is self.slots.site and not self.old and len(self.words) > 1:
+            return  # "in the middle of the crosswalk"
         self._fact(str(word.mark), value, word)
         if besides is not None:
             self._fact("control" if word.mark is Mark.PLACE else "maneuver", besides, word)
@@ -465,7 +426,9 @@ class _Hearing:
                 self.found.place(where, word.said)
 
     def _fact(self, name: str, value: Any, word: Word) -> None:
-        if self.old:
+        if self.old and name == "control" and self.slots.control in (None, value):
+            self.found.wish(name, Control.NONE, word.said)
+        elif self.old:
             self.found.old(name, value, word.said)
         else:
             self.found.wish(name, value, word.said)
@@ -589,6 +552,12 @@ class _Hearing:
         if self.whose == 1:
             raise EditRefused(f"{said!r}: numbers can be set of the adversary alone")
         self.found.number(number.measure, None if self.old else number, said)
+        behind = self.slots.position in _SEEN_AT[Where.BEHIND]
+        if isinstance(number, Quantity) and number.measure is Measure.DISTANCE:
+            if "behind" in said and not behind:
+                self.found.place(Where.BEHIND, said)
+            elif behind and ("ahead" in said or "front" in said):
+                self.found.place(Where.AHEAD, said)
 
 
 _TO_A_SIDE = (Action.SWERVE, Action.CHANGE_LANE, Action.U_TURN)

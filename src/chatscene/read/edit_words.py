@@ -17,7 +17,7 @@ from chatscene.read import lexicon
 from chatscene.read.inflection import any_form
 from chatscene.read.parse import SEVERAL
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
-from chatscene.read.quantities import number_at, quantity_at
+from chatscene.read.quantities import WALKING_PACE, number_at, quantity_at
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import (
@@ -30,6 +30,7 @@ from chatscene.terms.scenario import (
     Quantity,
     Shift,
     Site,
+    Slots,
 )
 from chatscene.terms.surroundings import Light, Surface, Weather
 
@@ -124,7 +125,7 @@ _PRONOUN = r"(?:it|him|her|them|that|this|he|she|they)"
 _CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
 
 _MARKS: tuple[tuple[Mark, Any, str], ...] = (
-    (Mark.SET, None, rf"{_CAUSE} {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
+    (Mark.SET, None, rf"(?:{_CAUSE}|place|position|locate|move|start|spawn|shift) {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
     (Mark.OLD, None, r"instead of|rather than|in place of|not|as opposed to|in lieu of"),
     (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|switch|convert|turn(?= the )|substitute"),
     (Mark.NEW, None, r"(?:with|by|for|to|into|become|becomes)(?= |$)"),
@@ -149,18 +150,19 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SIDED, ("right", None), r"(?:from )?(?:the )?right to (?:the )?left"),
     (Mark.ACT, Action.WEAVE, r"wobbl\w*(?: from side to side)?|sway\w*"),
     (Mark.ACT, Action.BRAKE, r"(?:an? )?emergency (?:braking|brake|stop)|[hit] the brakes(?: hard)?|[step] on the brakes?"),
+    (Mark.ACT, Action.FOLLOW, r"(?:[stay]|[keep]|[remain]) (?:in|to) (?:its|his|her|their|the) (?:own )?lane"),
     (Mark.ACT, Action.STAND, r"broken[- ]down|not moving|motionless|parked(?= (?:in|on|ahead))"),
     (Mark.STATE, EgoState.SLOW, r"(?:[go]|[drive]|[move])? ?(?:very |quite |more )?slowly|slow|slower"),
     (Mark.ACT, Action.TAILGATE, r"[follow] (?:us )?(?:(?:too|very|right|so|dangerously) )?close(?:ly)?(?: behind(?: us)?)?"),
     (Mark.WHERE, Where.BEHIND, r"[follow] us"),
-    (Mark.ACT, Action.NARROW, r"(?:only )?(?:partly|partially|half|halfway) (?:in|on|into|onto|across) (?:our|the) lane"),
+    (Mark.ACT, Action.NARROW, r"(?:only )?(?:partly|partially|half|halfway) (?:in|on|into|onto|across) (?:our|the) lane|[block] (?:only |just )?(?:a |one )?(?:half|part)(?: of)? (?:our|the) lane"),
     (Mark.ACT, Action.ONCOMING, r"oncoming|[come] (?:towards|at) us|from the front|[come] the other way"),
     (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
     (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|(?:have|had)(?: just)? stopped|[be] not moving|not moving|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
     (Mark.MANEUVER, Maneuver.STRAIGHT, r"[go] straight(?: (?:on|ahead|through|over))?|straight (?:on|ahead|through)|[drive] straight(?: (?:on|ahead|through))?|[keep] straight(?: on)?|[stay] in (?:our|the|its) lane"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
-    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
+    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|between|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
     (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
     (Mark.OCCLUDER, None, r"(?:the |an? |any )?(?:occluder|occlusion|cover|view blocker|obstruction)"),
     (Mark.LEADER, True, r"(?:with|behind|following|add|we follow) (?:an?|the|another) slow(?:er)?(?:[- ]moving)? (?:car|vehicle|truck|lorry|van|bus)(?: (?:ahead|in front)(?: of us)?)?(?: that we follow)?|(?:the |an? |any )?(?:slow )?(?:lead(?:ing)? (?:car|vehicle)|leader)(?: (?:ahead|in front)(?: of us)?)?"),
@@ -174,9 +176,10 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.FAR, Distance.FAR, r"(?:(?:very|quite|from|start|starts|starting) )?far (?:away|off|ahead|behind)(?: (?:from|of) us)?|in the distance|a long way (?:off|away|ahead|behind)|at (?:a )?(?:long|great|large) (?:distance|range)"),
     (Mark.FAR, Distance.NEAR, r"(?:(?:very|quite|start|starts|starting|right) )?(?:close by|nearby|close to us|near us|close up|close at hand)|a short (?:way|distance) (?:off|away|ahead)|at (?:a )?(?:short|close) (?:distance|range)"),
     (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
-    (Mark.CONTROL, Control.STOP_SIGN, r"(?:with )?(?:a |the |any )?stop[- ]signs?(?: controlled)?|(?:all|four|two)[- ]way stop"),
+    (Mark.CONTROL, Control.STOP_SIGN, r"(?:with )?(?:a |the |any )?stop[- ]signs?(?: controlled)?|(?:all|two)[- ]way stop"),
     (Mark.CONTROL, Control.NONE, r"un-?signali(?:s|z)ed|uncontrolled|unregulated|without (?:any )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|no (?:traffic )?(?:lights?|signals?)(?: or signs?)?|without any control|no control"),
     (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|three[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, (Place.FOUR_WAY, Control.STOP_SIGN), r"(?:at )?(?:a |the )?four[- ]way stop"),
     (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|four[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
     (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
@@ -206,10 +209,10 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
 _ADVERB = r"(?: (?:than (?:that|before|now|it is|it was)|to us|from us|behind us|ahead of us|in front of us|ahead|behind|at us))?"
 _SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
-    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
-    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her) (?:walking |driving |riding )?speed"),
-    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller gap|closer|nearer|less far)"),
-    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger) gap|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
+    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
+    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed"),
+    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller(?: gap)?|tighter|closer|nearer|less far)"),
+    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger)(?: gap)?|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
     (Measure.TRIGGER, False, r"later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
     (Measure.TRIGGER, True, r"earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
     (Measure.DECELERATION, True, r"harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
@@ -359,6 +362,9 @@ _CHANGED = {
 }
 
 
+_PACE = re.compile(r"(?:at |with )?(?:a )?walking (?:pace|speed)(?! (?:to|of|by)\b)(?![\w'])")
+
+
 def _percent(text: str, at: int) -> tuple[Shift, int] | None:
     """By what share of what it was something is to be another, and where that ends."""
     if match := _PERCENT.match(text, at):
@@ -377,6 +383,8 @@ def _number(text: str, at: int) -> tuple[Quantity | Shift, int] | None:
     """A number with its unit, and where it ends; by how much something is another, if that is said."""
     if (shift := _percent(text, at)) is not None:
         return shift
+    if pace := _PACE.match(text, at):
+        return Quantity(measure=Measure.SPEED, value=WALKING_PACE, said=pace[0]), pace.end()
     told, bare = quantity_at(text, at), number_at(text, at)
     if bare is None or (told is not None and told[1] >= bare[1]):
         return told
@@ -387,3 +395,81 @@ def _number(text: str, at: int) -> tuple[Quantity | Shift, int] | None:
                 said = text[at : by.end()]
                 return Shift(measure=measure, more=more, by=quantity.value, said=said), by.end()
     return quantity, end
+
+
+# A whole edit
+
+OF_EGO = (Mark.MANEUVER, Mark.STATE, Mark.MOVES)
+"""What is said of the ego alone."""
+
+_WORD = re.compile(r"\S+")
+_IT = re.compile(r"\b(?:it|him|her|them|this|that)\b")
+_REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
+    (re.compile(said, re.IGNORECASE), meant)
+    for said, meant in (
+        (r"[\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOTATION MARK}`]", "'"),
+        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
+        (r"\bcut-in", "cut in"),
+        (r"\blet's\b", "let us"),
+        (r"\bwon't\b", "will not"),
+        (r"\bcan't\b", "can not"),
+        (r"n't\b", " not"),
+        (r"\b(it|he|she|that|there|who|what|this)'s\b", r"\1 is"),
+        (r"'s(?= (?:\w+ing|behind|in|on|at|from|ahead|beside|not|now|a|an|the)\b)", " is"),
+        (r"\b(it|he|she|they|that)'ll\b", r"\1 will"),
+        (r"\bthe (?:front|first|lead|leading) (?!one)(\w+)", r"the \1 ahead"),
+        (r"\bthe (?:rear|back|following) (?!one|side|of)(\w+)", r"the \1 behind"),
+        (r"\.{2,}|\s[\N{EN DASH}\N{EM DASH}-]\s|[!?]", ", "),
+        (r"[\"()\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}]", " "),
+    )
+)
+
+
+def plainer(text: str) -> str:
+    """An edit without short forms, arrows and marks that say nothing."""
+    for said, meant in _REWRITES:
+        text = said.sub(meant, text)
+    return text.strip(" ,")
+
+
+def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
+    """The words of an edit that mean something, and those that mean nothing, in order.
+
+    Args:
+        text: Lower case.
+        slots: The facts at hand: of words with two meanings, the one that is so already is meant.
+    """
+    found: list[Word] = []
+    unread: list[str] = []
+    ego, at, gap = False, 0, True
+    while at < len(text):
+        if text[at] == " ":
+            at += 1
+            continue
+        end, best = at, None
+        for until, word in words_at(text, at):
+            if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego):
+                continue
+            if until > end or (until == end and _is_done(word, slots) and best and best.mark is Mark.ACT):
+                end, best = until, word
+        if best is None:
+            match = _WORD.match(text, at)
+            assert match is not None  # a space was skipped
+            if gap or not unread:
+                unread.append(match[0])
+            else:
+                unread[-1] += f" {match[0]}"
+            at, gap = match.end(), False
+            continue
+        found.append(best)
+        at, gap = end, True
+        if best.mark is Mark.EGO:
+            ego = True
+        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark is Mark.SET and _IT.search(best.said)):
+            ego = False
+    return found, unread
+
+
+def _is_done(word: Word, slots: Slots) -> bool:
+    """Whether words name what the adversary does already."""
+    return word.mark is Mark.ACT and word.value in slots.actions

@@ -28,9 +28,6 @@ from chatscene.terms.scenario import (
 )
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 
-OF_EGO = (Mark.MANEUVER, Mark.STATE, Mark.MOVES)
-"""What is said of the ego alone."""
-
 _MORE, _LESS = 1.25, 0.8  # what "faster" and "slower" make of a number that was said
 
 _ON_THE_WAY = frozenset(
@@ -126,6 +123,13 @@ class Wishes:
     def place(self, where: Where, said: str, of: int = 0) -> None:
         """Somebody is to start somewhere."""
         self.where.setdefault(of, []).append((where, said))
+
+    def take_back(self, where: Where) -> bool:
+        """Forget that the adversary is to start somewhere; whether it was."""
+        kept = [one for one in self.where.get(0, []) if one[0] is not where]
+        found = len(kept) < len(self.where.get(0, []))
+        self.where = {**self.where, 0: kept} if kept else {of: said for of, said in self.where.items() if of != 0}
+        return found
 
     def number(self, measure: Measure, number: Quantity | Shift | None, said: str) -> None:
         """A number is to be another one, or none.
@@ -379,7 +383,9 @@ def _start(before: Slots, slots: Slots, wishes: Wishes, of: int) -> Position | N
         return _start_unsaid(before, slots)
     if slots.position is not None and all(slots.position in _CONSISTENT.get(where, ()) for where, _ in said):
         return slots.position
-    found = start_of(replace(slots, position=None), frozenset(where for where, _ in said))
+    stays = {Where.NEXT_LANE} if before.position in _CONSISTENT[Where.NEXT_LANE] else set[Where]()
+    lane = stays if {where for where, _ in said} <= {Where.AHEAD, Where.BEHIND} else set[Where]()
+    found = start_of(replace(slots, position=None), frozenset(where for where, _ in said) | lane)
     if found is None:
         words = ", ".join(repr(one) for _, one in said)
         raise EditRefused(f"{words}: a {slots.adversary} that does this cannot start there")
@@ -393,6 +399,8 @@ def _start_unsaid(before: Slots, slots: Slots) -> Position | None:
     if changed == {"side"}:
         in_lane = before.side is None and now in _IN_LANE
         return start_of(unplaced, frozenset((_IN_LANE[now],))) or now if in_lane and now is not None else now
+    if changed == {"place"} and (now is not Position.CROSSING or slots.place in JUNCTIONS):
+        return now
     other_manner = _manner(before) is not _manner(slots) and slots.place in JUNCTIONS
     if not changed and not other_manner:
         return now

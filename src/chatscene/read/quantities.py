@@ -82,6 +82,7 @@ _AT_PLACE: tuple[tuple[Measure, re.Pattern[str]], ...] = (
         re.compile(rf"(?:about |some |just |only )?{_NUMBER}[ -]?{_LENGTH} (?:away|ahead|in front|behind)(?: of us| from us| us)?(?!\w)"),
     ),
 )  # fmt: skip
+WALKING_PACE = 1.4  # [m/s]
 _WALKING_PACE = re.compile(r"at (?:a )?walking (?:pace|speed)")
 
 
@@ -93,7 +94,7 @@ def quantity_at(text: str, start: int) -> tuple[Quantity, int] | None:
         start: Where it must begin.
     """
     if pace := _WALKING_PACE.match(text, start):
-        return Quantity(measure=Measure.SPEED, value=1.4, said=pace[0]), pace.end()
+        return Quantity(measure=Measure.SPEED, value=WALKING_PACE, said=pace[0]), pace.end()
     found = [(m, measure) for measure, pattern in _AT_PLACE if (m := pattern.match(text, start))]
     if not found:
         return None
