@@ -40,8 +40,9 @@ from chatscene.testing.simulators import differences
 
 BESIDE = (
     "ahead-in-lane-far=car.ahead.stand",
-    "oncoming=car.oncoming.keep-lane",
+    "ahead-in-lane-far=truck.ahead.slow",
     "roadside-right=pedestrian.right.cross",
+    "roadside-left=pedestrian.left.cross.stop",
 )
 MAPS = ("town", "outskirts")
 
@@ -80,9 +81,10 @@ def programs(count: int, beside: int, rng: np.random.Generator) -> Iterator[Scen
             kind: AdversaryKind = kinds[rng.integers(len(kinds))]
             parts = SubDescriptions(behavior=behavior.id, geometry=geometry.id, spawn=spawn.id)
             scenario = Scenario(id=f"gate-{made}", text="gate", base=None, parts=parts, slots=Slots())
-            if rng.integers(100) < beside:
-                spawn = placed_again(f"{spawn.id}+{BESIDE[rng.integers(len(BESIDE))]}", library_with().get)
+            who = BESIDE[rng.integers(len(BESIDE))] if rng.integers(100) < beside else ""
             try:
+                if who:
+                    spawn = placed_again(f"{spawn.id}+{who}", library_with().get)
                 yield assemble(scenario, (behavior, geometry, spawn), kind)
             except ChatSceneError:
                 continue  # a part that does not fit who is beside

@@ -18,8 +18,11 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.native import engine
+from chatscene.simulate.native import building, engine
+from chatscene.simulate.native.binding import bind
+from chatscene.simulate.native.building import NoEngine, compile_engine
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
+from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.plan import PRIMITIVES
@@ -94,6 +97,7 @@ def test_every_primitive_has_a_case_here() -> None:
 @pytest.mark.parametrize("primitive", sorted(PHASES))
 def test_a_primitive_moves_its_actor_as_in_the_embedded_simulator(native: NativeSimulator, primitive: str) -> None:
     assert _agrees(native, _program(PHASES[primitive]), _scene(), load_ego("rule-based"))
+    assert _agrees(native, _program(PHASES[primitive], left=2.5), _scene(1), load_ego("idm"))
 
 
 def test_somebody_on_foot_walks_as_in_the_embedded_simulator(native: NativeSimulator) -> None:
@@ -146,6 +150,21 @@ def test_a_sample_of_the_library_gives_the_same_numbers(native: NativeSimulator,
     assert compared >= 2
 
 
+def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: NativeSimulator) -> None:
+    embedded = load_simulator(TOWN, SETTINGS)
+    session = embedded.open(_program(PHASES["FollowTraffic"]), _scene())
+    assert isinstance(session, SteppedSession)
+    first = bind(session, _program(PHASES["FollowTraffic"]))
+    session.close()
+    engine.load_engine().run(first.copy().world, 1)
+    assert first.world.step == 0
+    many = [first.copy() for _ in range(3)]
+    engine.load_engine().run_many([one.world for one in many], 1)
+    assert first.world.step == 0
+    assert many[0].world.step > 20
+    assert all(np.array_equal(one.rows, many[0].rows) for one in many)
+
+
 def test_what_is_no_plan_takes_the_embedded_path_and_is_counted(native: NativeSimulator) -> None:
     program = _program("while True:\n        take DriveAction(0.5, 0, 0)")
     before = native.not_covered["a behavior that is no plan"]
@@ -173,12 +192,13 @@ def test_without_an_engine_one_line_says_so_and_everything_runs(
 def test_a_library_of_another_source_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     stale = tmp_path / "engine.so"
     try:
-        engine.compile_engine(stale)
-    except engine.NoEngine as error:
+        compile_engine(stale)
+    except NoEngine as error:
         pytest.skip(str(error))
     monkeypatch.setattr(engine, "PACKAGED", stale)
     monkeypatch.setattr(engine, "cache_folder", tmp_path.joinpath)
-    monkeypatch.setattr(engine, "source_digest", lambda: "another")
+    for module in (engine, building):
+        monkeypatch.setattr(module, "source_digest", lambda: "another")
     engine.load_engine.cache_clear()
     try:
         engine.load_engine()

@@ -17,6 +17,7 @@ from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.simulate.native import engine
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.session import ARRIVAL, SteppedSession
+from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
 from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
@@ -58,13 +59,24 @@ class Bound:
         world: What the engine steps.
         rows: (steps + 1, bodies that move, 4): where each is at each step.
         offsets: (steps + 1,): of the ego from its route [m].
-        kept: What the world points at.
     """
 
     world: engine.World
     rows: NDArray[np.float64]
     offsets: NDArray[np.float64]
-    kept: list[Any]
+
+    def copy(self) -> Bound:
+        """The same scene as far as it is now, to be stepped by itself; what stays as it is, is shared."""
+        world = engine.World.from_buffer_copy(self.world)
+        rows, offsets = self.rows.copy(), self.offsets.copy()
+        bodies = (engine.Body * world.bodies)(*self.world.body[: world.bodies])
+        agents = (engine.Agent * max(world.agents, 1))(*self.world.agent[: world.agents])
+        contacts = (engine.Contact * CONTACTS)(*self.world.contact[:CONTACTS])
+        for name, array in (("body", bodies), ("agent", agents), ("contact", contacts)):
+            setattr(world, name, ctypes.cast(array, ctypes.POINTER(array._type_)))
+        world.row, world.offsets = _pointer(rows), _pointer(offsets)
+        world.kept = [*self.world.kept, bodies, agents, contacts, rows, offsets]
+        return Bound(world, rows, offsets)
 
 
 def bind(session: SteppedSession, program: ScenicProgram) -> Bound:
@@ -124,10 +136,12 @@ class _Binder:
         world.contact, world.most_contacts = self._array(engine.Contact, [engine.Contact()] * CONTACTS), CONTACTS
         world.limit, world.moving, world.through = session.limit, moving, session.through
         world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
+        world.car = _limits(LIMITS["Car"])
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
         offsets[0] = session.offset
-        return Bound(world, rows, offsets, self._kept)
+        world.kept = self._kept
+        return Bound(world, rows, offsets)
 
     def _array(self, kind: Any, items: list[Any]) -> Any:
         """Structures, one after the other, that stay as long as the scene."""
@@ -138,7 +152,7 @@ class _Binder:
     def _doubles(self, values: Any) -> Any:
         array = np.ascontiguousarray(values, dtype=np.float64)
         self._kept.append(array)
-        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        return _pointer(array)
 
     def _line(self, line: Polyline) -> engine.Line:
         return engine.Line(len(line), *(self._doubles(column) for column in line.columns))
@@ -161,13 +175,10 @@ class _Binder:
             "grip",
         ):
             setattr(row, name, getattr(body, name))
-        row.length, row.width = body.length, body.width
         row.kind = kind
+        row.limits = engine.Limits(length=body.length, width=body.width)
         if body.moves:
-            limits = body.limits
-            row.throttle_limit, row.brake_limit, row.drag = limits.throttle, limits.brake, limits.drag
-            for name in ("top_speed", "wheelbase", "wheel_angle", "wheel_rate", "lateral"):
-                setattr(row, name, getattr(limits, name))
+            row.limits = _limits(body.limits)
         if kind == WALKER:
             row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
         row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))
@@ -276,6 +287,15 @@ class _Binder:
 
 def _kind_of(body: Any) -> int:
     return VEHICLE if isinstance(body, Vehicle) else WALKER if isinstance(body, Walker) else THING
+
+
+def _pointer(array: NDArray[np.float64]) -> Any:
+    return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+
+
+def _limits(limits: Limits) -> engine.Limits:
+    names = [name for name, *_ in engine.Limits._fields_]  # pyright: ignore[reportPrivateUsage] - ctypes calls it so
+    return engine.Limits(**{name: getattr(limits, name) for name in names})
 
 
 def _act_of(body: Any, primitive: str) -> str:

@@ -116,6 +116,7 @@ typedef struct {
     int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
     int32_t ending, through, preset, near, fault, unused;
     double dt, arrival, along, offset, hardest;
+    Limits car; /* what drivers by rule take their own car for */
     uint64_t touching;
     Body *body;
     Agent *agent;
@@ -874,6 +875,54 @@ static void rule_based(const double *seen, double *acceleration, double *steer) 
     *steer = within_one(0.35 * seen[0] + 1.6 * seen[1]);
 }
 
+/* chatscene.ego.intelligent_driver */
+static double behind(const Limits *car, double speed, const double *row, double unhindered) {
+    double along = row[1], beside = row[2], vx = row[5], vy = row[6];
+    double c = fabs(cos(row[7])), s = fabs(sin(row[7]));
+    double reach = row[8] * c + row[9] * s, breadth = row[8] * s + row[9] * c;
+    double room = along - reach - car->length / 2, corridor = car->width / 2 + breadth + 0.5;
+    int inside_now = fabs(beside + vy * 0.0) < corridor, meets = 0;
+    if (along < 0.0) return unhindered;
+    for (int i = 0; i <= 10; i++) {
+        double later = i * 0.25, ahead = along + (vx - speed) * later;
+        meets |= fabs(beside + vy * later) < corridor && ahead < speed * 1.0 + reach + car->length
+            && ahead > -reach - car->length;
+    }
+    if (!(inside_now || meets)) return unhindered;
+    double lead = inside_now || vx > 2.0 * fabs(vy) ? (0.0 > vx ? 0.0 : vx) : 0.0, closing = speed - lead;
+    double distance = 0.1 > room - 1.0 ? 0.1 : room - 1.0;
+    double needed = closing > 0.0 ? closing * closing / (2.0 * distance) : 0.0;
+    if (needed > 2.0) return -(car->brake < 1.3 * needed ? car->brake : 1.3 * needed);
+    double wanted = 2.5 + speed * 1.2 + speed * closing / (2.0 * sqrt(2.0 * 2.5));
+    wanted = 2.5 > wanted ? 2.5 : wanted;
+    double kept = unhindered - 2.0 * pow(wanted / (0.5 > room ? 0.5 : room), 2.0);
+    return -2.5 > kept ? -2.5 : kept;
+}
+
+static void intelligent_driver(const Limits *car, const double *seen, double *acceleration, double *steer) {
+    double speed = seen[0], wish = INFINITY;
+    for (int i = 0; i < 5; i++) {
+        double x = seen[4 + 2 * i], y = seen[5 + 2 * i], chord2 = x * x + y * y;
+        if (fabs(y) > 0.05) {
+            double radius = chord2 / (2.0 * fabs(y)), beyond = AHEAD[i] - AHEAD[1];
+            double able = sqrt(3.0 * radius + 2.0 * 2.5 * (0.0 > beyond ? 0.0 : beyond));
+            wish = able < wish ? able : wish;
+        }
+    }
+    wish = wish < 8.0 ? wish : 8.0;
+    double ratio = speed / (0.1 > wish ? 0.1 : wish), slower = -2.0 * (speed - wish);
+    double a = ratio < 1.0 ? 2.0 * (1.0 - pow(ratio, 4.0)) : slower > -2.5 ? slower : -2.5;
+    for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR) {
+        if (!(row[0] > 0.0)) continue;
+        double kept = behind(car, speed, row, a);
+        a = kept < a ? kept : a;
+    }
+    double x = seen[4], y = seen[5], chord2 = x * x + y * y;
+    double wheel = atan(car->wheelbase * (2.0 * y / (1.0 > chord2 ? 1.0 : chord2)));
+    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
+    *steer = within_one(-wheel / car->wheel_angle / 0.3);
+}
+
 /* Runs a world to its end with an ego by rule; how many steps it took. */
 int64_t run_world(World *w, int64_t ego) {
     int64_t first = w->step;
@@ -881,6 +930,7 @@ int64_t run_world(World *w, int64_t ego) {
     see(w);
     while (w->ending == GOES_ON && !w->fault) {
         if (ego == RULE_BASED) rule_based(w->seen, &acceleration, &steer);
+        else intelligent_driver(&w->car, w->seen, &acceleration, &steer);
         press(w, acceleration, steer);
     }
     return w->step - first;

@@ -7,44 +7,42 @@ compiler makes one into the user's cache; where there is no compiler either, the
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import math
 import os
 import random
-import shutil
-import subprocess
 import tempfile
 from collections.abc import Callable
 from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_uint64
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from chatscene.files.caches import cache_folder, keep, only_mine
+from chatscene.simulate.native.building import NoEngine, compile_engine, source_digest
 
-SOURCE = Path(__file__).with_name("engine.c")
-PACKAGED = Path(__file__).with_name("engine.so")
-COMPILERS = ("cc", "gcc", "clang")
-# Nothing that changes a number: no contraction to fused operations, no fast mathematics, and the functions whose
-# results a compiler may know better (`pow` to a product, sine and cosine in one) called as Python calls them.
-FLAGS = (
-    "-O3", "-std=c11", "-fPIC", "-shared", "-ffp-contract=off", "-fno-builtin-pow", "-fno-builtin-sin",
-    "-fno-builtin-cos",
-)  # fmt: skip
-COMPILING = 120.0  # [s]
+PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
 CHECKED = 4000  # numbers on which each function is held against Python's
 ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK = 6, 8, 80, 32, 64  # as in engine.c
 
 _Doubles = POINTER(c_double)
 
 
-class NoEngine(Exception):  # noqa: N818 - reads as what it says
-    """There is no engine on this machine; the message says why in a line."""
-
-
 class Line(Structure):
     """A line: its points, their arc lengths, and the direction of each segment."""
 
     _fields_ = (("points", c_int64), *((name, _Doubles) for name in ("x", "y", "s", "hx", "hy")))
+
+
+class Limits(Structure):
+    """What a body can do."""
+
+    _fields_ = tuple(
+        (name, c_double)
+        for name in (
+            *("length", "width", "throttle", "brake", "top_speed", "wheelbase", "wheel_angle", "wheel_rate"),
+            *("lateral", "drag"),
+        )
+    )
 
 
 class Body(Structure):
@@ -56,10 +54,9 @@ class Body(Structure):
             for name in (
                 *("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip"),
                 *("throttle", "brake", "steer", "wheel", "course", "target_speed", "vx", "vy", "sight"),
-                *("length", "width", "throttle_limit", "brake_limit", "top_speed", "wheelbase", "wheel_angle"),
-                *("wheel_rate", "lateral", "drag"),
             )
         ),
+        ("limits", Limits),
         *((name, c_int32) for name in ("kind", "reverse", "walks", "seen_as_vehicle")),
     )
 
@@ -131,7 +128,13 @@ class Contact(Structure):
 
 
 class World(Structure):
-    """A scene, and where it is in it."""
+    """A scene, and where it is in it.
+
+    Attributes:
+        kept: What it points at, so that this stays as long as the scene.
+    """
+
+    kept: list[Any]
 
     _fields_ = (
         *(
@@ -140,6 +143,7 @@ class World(Structure):
         ),
         *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
         *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest")),
+        ("car", Limits),
         ("touching", c_uint64),
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),
@@ -241,29 +245,6 @@ def load_engine() -> Engine:
     if library is None:
         raise NoEngine("what was compiled of it cannot be loaded")
     return Engine(library)
-
-
-def source_digest() -> str:
-    """What a library must say that it was compiled from."""
-    return hashlib.blake2b(SOURCE.read_bytes() + " ".join(FLAGS).encode(), digest_size=8).hexdigest()
-
-
-def compile_engine(target: Path) -> None:
-    """Compile the engine.
-
-    Raises:
-        NoEngine: There is no compiler, or it fails.
-    """
-    compiler = next((found for name in COMPILERS if (found := shutil.which(name))), None)
-    if compiler is None:
-        raise NoEngine(f"none came with this installation, and there is no C compiler ({', '.join(COMPILERS)})")
-    command = [compiler, *FLAGS, f'-DSOURCE_DIGEST="{source_digest()}"', str(SOURCE), "-o", str(target), "-lm"]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=COMPILING, check=False)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise NoEngine(f"the C compiler {compiler} does not run: {error}") from error
-    if done.returncode:
-        raise NoEngine(f"the C compiler {compiler} fails: {done.stderr.strip().splitlines()[:1]}")
 
 
 def _kept(digest: str) -> Path:

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, controls
+from chatscene.ego.policy import EgoPolicy, controls, observation_of
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import ProgramError
 from chatscene.settings import SimulationSettings
@@ -27,7 +28,7 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 NAME, REFERENCE = "native", "embedded"
 ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT}  # as engine.c numbers them
 SIDES = ("front", "rear", "left", "right")
-RULES: dict[type, int] = {RuleBased: 1}  # egos that the engine knows
+RULES: dict[type, int] = {RuleBased: 1, IntelligentDriver: 2}  # egos that the engine knows, by its numbers
 
 
 class NativeSession:
@@ -89,7 +90,7 @@ class NativeSession:
             ProgramError: As for `step`.
         """
         rule = RULES.get(type(ego))
-        if rule is None:
+        if rule is None or observation_of(ego) != self._reference.preset:
             return False
         self._reference.check_open()
         self._engine.run(self._bound.world, rule)
