@@ -85,6 +85,13 @@ def after(text: str, edit: str) -> dict[str, str]:
         (BRAKES, "from behind a second car tailgates us", {"others": "car tailgate (behind)"}),
         (BRAKES, "make the gap smaller", {"distance": "smaller"}),
         (CUTS_IN, "it should start 15 m behind us", {"position": "behind-beside", "distance": "15 m behind us"}),
+        (WALKS, "I'd rather have a cyclist", {"adversary": "bicycle"}),
+        (WALKS, "opposite direction please", {"side": "left"}),
+        (WALKS, "let her walk slower", {"speed": "slower"}),
+        (WALKS, "reduce its speed by 1 m/s", {"speed": "reduce its speed by 1 m/s"}),
+        (WALKS, "there are three pedestrians", {"group": "yes"}),
+        (BIKE, "let the cyclist slow down while crossing", {"actions": "cross then brake"}),
+        (BRAKES, "instead of braking it stays put", {"actions": "stand"}),
         ("An oncoming cyclist comes towards us.", "he brakes", {"actions": "oncoming then brake"}),
     ],
 )
@@ -147,3 +154,13 @@ def test_a_number_that_was_said_is_what_faster_is_faster_than() -> None:
 def test_how_heavy_a_rain_is_that_is_not_in_a_scene_is_listed_as_not_used() -> None:
     edit = hear_edit("in heavy rain", facts_of(WALKS))
     assert [one.said for one in edit.unused] == ["heavy"]
+
+
+def test_who_is_left_when_the_adversary_goes_is_the_adversary() -> None:
+    told = after(TWO, "remove the car")
+    assert (told["adversary"], told["actions"], told["position"], told["others"]) == (
+        "truck",
+        "follow",
+        "behind",
+        "not said",
+    )

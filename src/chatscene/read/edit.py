@@ -157,6 +157,7 @@ class _Hearing:
             self.whose, self.old = None, self.old and self.changing
         elif mark is Mark.IT:
             self.whose = self.whose or 0
+            self.old = self.old and (self.told is None or self.changing)
         elif mark is Mark.OTHER:
             self._of_the_other(word)
         elif mark is Mark.ONLY:
@@ -211,7 +212,8 @@ class _Hearing:
         joins = named.article in _ANOTHER or Mark.ADD in marks[: marks.index(Mark.USER)] or Mark.ALSO in marks
         joins |= self._comes_with(at) or self._is_let_in(word, at)
         replaces = any(one.mark in (Mark.OLD, Mark.INSTEAD, Mark.CHANGE) for one in self.words)
-        if self.old or hides or not joins or replaces or named.article == _DEFINITE:
+        known = named.several and named.kind is self.slots.adversary  # they are a group
+        if self.old or hides or not joins or replaces or known or named.article == _DEFINITE:
             return 0
         if self.slots.others:
             raise EditRefused(
@@ -239,7 +241,10 @@ class _Hearing:
     def _comes_with(self, at: int) -> bool:
         """Whether somebody comes "with" all else; a lorry with a trailer is one."""
         before = [word.mark for word in self.words[max(at - 2, 0) : at]]
-        return at > 0 and self.words[at - 1].said == "with" and not self.changing and before[0] is not Mark.USER
+        after = {word.mark for word in self.words[at + 1 :]} & {Mark.ACT, Mark.WHERE, Mark.SIDED, Mark.SIDE}
+        after |= {sort for sort, _ in self.words[at].value.traits if sort in (Sort.WHERE, Sort.ACT)}
+        comes = at > 0 and self.words[at - 1].said == "with" and not self.changing
+        return comes and before[0] is not Mark.USER and bool(after)
 
     def _is_let_in(self, word: Word, at: int) -> bool:
         """Whether somebody is to do something that the adversary does not: "let a car drive behind us"."""
@@ -289,12 +294,13 @@ class _Hearing:
         if self.old and not (named.kind is self.slots.adversary and self._acts_next(at)):
             self._goes(named, word)
             return
-        if not self._is_known(named, word, at):
-            fact = "other adversary" if self.whose == 1 else "adversary"
-            self.whose = self.whose or 0
-            self.found.wish(fact, named.kind, word.said)
-            if self.whose == 0 and (named.several or (named.article == "one" and self.slots.group)):
-                self.found.wish("group", named.several or None, word.said)
+        if self._is_known(named, word, at):
+            return
+        fact = "other adversary" if self.whose == 1 else "adversary"
+        self.whose = self.whose or 0
+        self.found.wish(fact, named.kind, word.said)
+        if self.whose == 0 and (named.several or (named.article == "one" and self.slots.group)):
+            self.found.wish("group", named.several or None, word.said)
         for sort, value in named.traits:
             if sort is Sort.WHERE:
                 self.found.place(Where(str(value)), word.said)
@@ -438,8 +444,7 @@ class _Hearing:
             raise EditRefused(f"not understood of the ego: {word.said!r}", words=(word.said,))
         clause, order, action = self._clause(at), self.order, word.value
         marks = {one.mark for one in clause}
-        if _NOT.search(word.said) and action is Action.FOLLOW:
-            self.found.dont(self.slots, word.said, of=self.whose)
+        if self._is_no_act(word, marks):
             return
         if self.whose == 0 and action in _TURNS and self._ego_turns(at):
             self._fact("maneuver", _TURNS[action], word)
@@ -456,6 +461,16 @@ class _Hearing:
         self.found.acts.append(ActWish(action=action, said=word.said, order=order, of=self.whose))
         if order in (Mark.BEFORE, Mark.AFTER):
             self.order = None
+
+    def _is_no_act(self, word: Word, marks: set[Mark]) -> bool:
+        """Whether words that may name an act say something else, which is then taken in."""
+        if word.value is Action.ONCOMING and self._is_from_across(word):
+            self._other_side(word)
+        elif word.value is Action.FOLLOW and _NOT.search(word.said) is not None:
+            self.found.dont(self.slots, word.said, of=self.whose or 0)
+        else:  # "let her walk slower": whatever she does
+            return word.value is Action.FOLLOW and bool(marks & {Mark.SHIFT, Mark.NUMBER}) and not self.old
+        return True
 
     def _order(self, marks: set[Mark], *, halfway: bool) -> Mark | None:
         """Where an act goes, by the other words of its clause."""
@@ -488,10 +503,18 @@ class _Hearing:
             raise EditRefused(f"not understood of the ego: {word.said!r}", words=(word.said,))
         if word is self.described:
             return
+        if where is Where.OPPOSITE and self._is_from_across(word):
+            self._other_side(word)
+            return
         if not self.old:
             self.found.place(where, word.said, of=self.whose)
         elif self.told is None and self.slots.others and not self.changing:
             self.found.drop_other(word.said)
+
+    def _is_from_across(self, word: Word) -> bool:
+        """Whether the opposite direction is the other side: of one who crosses from a side."""
+        crosses = Action.CROSS in self.slots.actions and self.slots.side is not None and self.whose == 0
+        return crosses and "opposite direction" in word.said
 
     def _side(self, side: Side, said: str) -> None:
         if self.whose is None:

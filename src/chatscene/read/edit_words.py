@@ -125,7 +125,7 @@ _PRONOUN = r"(?:it|him|her|them|that|this|he|she|they)"
 _CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
 
 _MARKS: tuple[tuple[Mark, Any, str], ...] = (
-    (Mark.SET, None, rf"(?:{_CAUSE}|place|position|locate|move|start|spawn|shift) {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
+    (Mark.SET, None, rf"(?:place|position|locate|start|spawn)(?= the )|(?:{_CAUSE}|place|position|locate|move|start|spawn|shift) {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
     (Mark.OLD, None, r"instead of|rather than|in place of|not|as opposed to|in lieu of"),
     (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|switch|convert|turn(?= the )|substitute"),
     (Mark.NEW, None, r"(?:with|by|for|to|into|become|becomes)(?= |$)"),
@@ -133,7 +133,7 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.DROP, None, r"no|without(?: any)?|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|did|should|must|shall|will|can|could|would|need|is|are|was) ?not(?: (?:be|have|want))?|never|nobody|no one|no-one|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|nor|neither|stops?(?= the (?:rain|snow|fog))"),
     (Mark.ADD, None, r"add(?: in)?|include|introduce|bring in|there (?:is|are|should be|shall be|has to be)(?: also)?|plus|throw in|put in"),
     (Mark.ALSO, None, r"also|too|as well|additionally|in addition|on top(?: of that)?|besides"),
-    (Mark.THEN, None, r"(?:and )?(?:then|after (?:that|this|it)|afterwards?|later on(?= it)|after which|next|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
+    (Mark.THEN, None, r"(?:and )?(?:then|after (?:that|this|it)|afterwards?|later on(?= it)|after which|next(?= (?:it|he|she|they)\b)|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
     (Mark.FIRST, None, r"first(?: of all)?|at first|initially|to begin with|beforehand"),
     (Mark.BEFORE, None, rf"before(?: {_PRONOUN})?(?= \w)"),
     (Mark.AFTER, None, rf"(?:after|once|when|having)(?: {_PRONOUN})?(?: has)?(?= \w+(?:ing|s|ed)\b)"),
@@ -151,7 +151,7 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.ACT, Action.WEAVE, r"wobbl\w*(?: from side to side)?|sway\w*"),
     (Mark.ACT, Action.BRAKE, r"(?:an? )?emergency (?:braking|brake|stop)|[hit] the brakes(?: hard)?|[step] on the brakes?"),
     (Mark.ACT, Action.FOLLOW, r"(?:[stay]|[keep]|[remain]) (?:in|to) (?:its|his|her|their|the) (?:own )?lane"),
-    (Mark.ACT, Action.STAND, r"broken[- ]down|not moving|motionless|parked(?= (?:in|on|ahead))"),
+    (Mark.ACT, Action.STAND, r"(?:[stay]|[remain]|[keep]) (?:parked|standing|still|put|where it is|stationary)|broken[- ]down|not moving|motionless|parked(?= (?:in|on|ahead))"),
     (Mark.STATE, EgoState.SLOW, r"(?:[go]|[drive]|[move])? ?(?:very |quite |more )?slowly|slow|slower"),
     (Mark.ACT, Action.TAILGATE, r"[follow] (?:us )?(?:(?:too|very|right|so|dangerously) )?close(?:ly)?(?: behind(?: us)?)?"),
     (Mark.WHERE, Where.BEHIND, r"[follow] us"),
@@ -178,9 +178,9 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
     (Mark.CONTROL, Control.STOP_SIGN, r"(?:with )?(?:a |the |any )?stop[- ]signs?(?: controlled)?|(?:all|two)[- ]way stop"),
     (Mark.CONTROL, Control.NONE, r"un-?signali(?:s|z)ed|uncontrolled|unregulated|without (?:any )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|no (?:traffic )?(?:lights?|signals?)(?: or signs?)?|without any control|no control"),
-    (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|three[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|(?:three|3)[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, (Place.FOUR_WAY, Control.STOP_SIGN), r"(?:at )?(?:a |the )?four[- ]way stop"),
-    (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|four[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|(?:four|4)[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
     (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
     (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
@@ -203,7 +203,7 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SURFACE, Surface.SNOW, r"(?:on )?(?:a |the )?(?:snowy|snow-?covered) (?:road|street|surface)|(?:with )?snow on the (?:road|street|ground)"),
     (Mark.ANY, Measure.SPEED, r"(?:at )?(?:any|whatever) speed|no matter how fast"),
     (Mark.ANY, Measure.DISTANCE, r"(?:at )?any distance|anywhere"),
-    (Mark.FILLER, None, r"(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
+    (Mark.FILLER, None, r"(?:in)?to (?:the|a|an) (?:next|neighbou?ring|adjacent|other) lane|let us (?:see|try|have|do|take|use)(?: (?:it|that|this))?(?: with(?= an?))?|(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
 )  # fmt: skip
 
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
@@ -352,7 +352,7 @@ _SHARE = r"(?:by )?(?P<share>\d+(?:[.,]\d+)?) ?(?:%|percent|per cent)"
 _PERCENT = re.compile(_SHARE + _BY.pattern)
 _BY_PERCENT = re.compile(
     r"(?P<verb>increase|raise|reduce|decrease|lower|cut) (?:(?:the|its|his|her) )?(?:\w+ )?(?P<of>speed|distance|gap|deceleration) "
-    + _SHARE
+    + rf"(?:{_SHARE})?"
 )
 _CHANGED = {
     "speed": Measure.SPEED,
@@ -366,7 +366,7 @@ _PACE = re.compile(r"(?:at |with )?(?:a )?walking (?:pace|speed)(?! (?:to|of|by)
 
 
 def _percent(text: str, at: int) -> tuple[Shift, int] | None:
-    """By what share of what it was something is to be another, and where that ends."""
+    """By what share of what it was, or by how much, something is to be another, and where that ends."""
     if match := _PERCENT.match(text, at):
         kinds = [(measure, more) for measure, more, pattern in _shifts() if pattern.fullmatch(match["how"])]
     elif match := _BY_PERCENT.match(text, at):
@@ -374,6 +374,11 @@ def _percent(text: str, at: int) -> tuple[Shift, int] | None:
     else:
         return None
     measure, more = kinds[0]
+    if match["share"] is None:
+        by = number_at(text, match.end()) if text.startswith("by ", match.end()) else None
+        if by is None or by[0].measure is not measure:
+            return None
+        return Shift(measure=measure, more=more, by=by[0].value, said=text[at : by[1]]), by[1]
     share = float(match["share"].replace(",", ".")) / 100
     times = 1.0 + share if more else max(1.0 - share, 0.0)
     return Shift(measure=measure, more=more, times=times, said=match[0]), match.end()
@@ -411,6 +416,8 @@ _REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
         (r"\bcut-in", "cut in"),
         (r"\blet's\b", "let us"),
+        (r"\b(I|we|you|he|she|it|they)'d\b", r"\1 would"),
+        (r"\b(?:an )?(?:additional|extra|one more) (?=\w)", "another "),
         (r"\bwon't\b", "will not"),
         (r"\bcan't\b", "can not"),
         (r"n't\b", " not"),

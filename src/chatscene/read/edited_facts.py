@@ -85,6 +85,7 @@ class Wishes:
         mirrored: The words that mirror everything; empty if none do.
         other: Who joins; None if nobody does.
         dropped: The words by which the other goes; empty if it stays.
+        left: The words by which the adversary goes, where somebody else is left; empty if it stays.
         unused: What was said and no scene has.
     """
 
@@ -98,6 +99,7 @@ class Wishes:
     mirrored: str = ""
     other: tuple[Slots, str] | None = None
     dropped: str = ""
+    left: str = ""
     unused: list[Unused] = field(default_factory=list[Unused])
 
     def wish(self, fact: str, value: Any, said: str) -> None:
@@ -179,6 +181,8 @@ class Wishes:
         besides += [self.other[1]] if self.other else []
         if besides:
             found["others"] = ", ".join(besides)
+        if self.left:
+            found |= dict.fromkeys(("adversary", "actions", "side", "position", "others"), self.left)
         if self.mirrored:
             found["side"] = self.mirrored
         return found
@@ -247,6 +251,20 @@ def _mirrored(slots: Slots, said: str) -> Slots:
 
 
 def _with_facts(slots: Slots, facts: Facts, wishes: Wishes) -> Slots:
+    if slots.others and "adversary" not in wishes.facts and any(name == "adversary" for name, _, _ in wishes.olds):
+        one = slots.others[0]  # who is left is the adversary
+        wishes.left = next(said for name, _, said in wishes.olds if name == "adversary")
+        wishes.olds = [old for old in wishes.olds if old[0] != "adversary"]
+        slots = replace(
+            slots,
+            adversary=one.adversary,
+            actions=one.actions,
+            side=one.side,
+            position=one.position,
+            occluder=None,
+            group=None,
+            others=slots.others[1:],
+        )
     for name, value, said in wishes.olds:
         _is_there(slots, facts.surroundings, name, value, said)
         if name not in wishes.facts and name in _NEEDED:
@@ -341,6 +359,9 @@ def _meant(one: ActWish, acts: list[Action]) -> Action:
 
 def _placed(acts: list[Action], news: list[ActWish], at: int | None) -> list[Action]:
     """Acts with those that are new, each in its place; `at` is the place of one that goes for them."""
+    ordered = any(one.order not in (None, Mark.ALSO, Mark.ON_THE_WAY) for one in news)
+    if (more := [one for one in news if one.action not in acts]) and len(more) < len(news) and not ordered:
+        return _besides(acts, [one.action for one in more])  # "slow down while crossing"
     own = [one.action for one in news]
     if at is not None or not news:
         return [*acts[: at or 0], *own, *acts[at or 0 :]]
