@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 3.04, "unread": 0.61, "share": -10.01, "words": -2.22, "same acts": 0.92, "some acts": -0.08,
-    "same kind": 0.24, "same place": 1.09, "same way": 0.60, "placed": 3.34, "touched": 1.54,
-    "acts": -0.47, "quiet": -0.35, "others": -0.45, "behavior": -0.32, "scope": 0.01,
+    "base": 2.05, "unread": 0.60, "share": -8.90, "words": -2.13, "same acts": 1.03, "some acts": 0.17,
+    "same kind": 0.52, "same place": 0.98, "same way": 0.80, "placed": 3.53, "touched": 1.55,
+    "acts": -0.41, "quiet": -0.10, "others": -0.33, "behavior": -0.22, "scope": -0.02,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little

@@ -54,6 +54,7 @@ _DENIABLE_RULES = frozenset(
     )
 )
 _DENIABLE_PHRASES = frozenset((Sort.ACT, Sort.STATE, Sort.PLACE, Sort.SITE, Sort.MANEUVER))
+_PLACED = (("ahead", Where.AHEAD), ("in front", Where.AHEAD), ("behind", Where.BEHIND))  # by "20 m ahead"
 _COMES_FROM = re.compile(r"from|on|at|in|to|behind")
 
 
@@ -162,6 +163,7 @@ def _number_at(telling: Telling, text: str, at: int, found: _Found | None) -> in
         return None
     if telling.party is not None:
         telling.party.quantities.append(number[0])
+        telling.party.where.update(where for word, where in _PLACED if word in number[0].said)
     return number[1]
 
 
@@ -272,10 +274,12 @@ def _meet(telling: Telling, number: int) -> None:
     """Somebody is only met on the way, and perhaps driven around."""
     party = telling.parties[number]
     party.aside = True
+    if telling.follows:
+        party.where.add(Where.AHEAD)
     for told in telling.pedals:
         if told.because_of == NAMED_NEXT:
             told.because_of = number
     if telling.passes and (Action.STAND in party.acts or Where.EDGE in party.where):
         telling.facts.setdefault("maneuver", Maneuver.BYPASS)
     telling.passed = number if telling.passes else None
-    telling.meets = telling.passes = False
+    telling.meets = telling.passes = telling.follows = False

@@ -232,7 +232,9 @@ def _not_crossing(acts: list[Action], _party: Party, position: Position | None) 
 
 
 def _stopping(acts: list[Action], _party: Party, _position: Position | None) -> list[Action]:
-    """Who crosses, and then stands, stops."""
+    """Who crosses, and then stands, stops; who stops, and then goes on, hesitates."""
+    if Action.STOP in acts and Action.FOLLOW in acts[acts.index(Action.STOP) :]:
+        acts = [Action.HESITATE if one is Action.STOP else one for one in _without(acts, Action.FOLLOW)]
     if Action.CROSS in acts and Action.STAND in acts[acts.index(Action.CROSS) :]:
         return [Action.STOP if one is Action.STAND else one for one in acts]
     return acts

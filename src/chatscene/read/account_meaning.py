@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from chatscene.read.account_rules import KERB, PARTICIPLE, Kind, Rule
@@ -185,6 +186,7 @@ def _compass_side(telling: Telling, _rule: Rule, match: re.Match[str]) -> None:
 
 def _meets(telling: Telling, rule: Rule, match: re.Match[str]) -> None:
     telling.meets, telling.passes = True, rule.kind is Kind.BYPASSES
+    telling.follows = re.match(r"(?:follow|trail|behind|s[ia]t\w* behind)", match[0]) is not None
     stands = re.search(r"\b(?:were|was|are|is|been|just|still) $", match.string[: match.start()]) is not None
     for said, state in _WHILE_MEETING:
         if re.match(rf"(?:com\w+ to an? (?:\w+ )?)?(?:{said})|came to an? (?:\w+ )?(?:{said})", match[0]):
@@ -304,21 +306,57 @@ def _act(telling: Telling, party: Party, rule: Rule, match: re.Match[str]) -> No
     _crossed_site(telling, match)
 
 
+@dataclass(frozen=True, slots=True)
+class _Instead:
+    """Words of one act that mean another, by where it leads and who does it.
+
+    Attributes:
+        of: The act that the rule tells.
+        words: Its words.
+        means: The act that is meant.
+        fits: By whom.
+        where: Where whoever does it is by that; None if the words leave it open.
+    """
+
+    of: Action
+    words: re.Pattern[str]
+    means: Action
+    fits: Callable[[Party], bool] = lambda _: True
+    where: Where | None = None
+
+
+def _drives(party: Party) -> bool:
+    return party.kind.row.manner is Manner.DRIVES
+
+
+def _stands(party: Party) -> bool:
+    return Action.STAND in party.acts
+
+
+def _is_parked(party: Party) -> bool:
+    return Where.EDGE in party.where or _stands(party)
+
+
+_INSTEADS = (
+    _Instead(Action.CUT_IN, re.compile(r"^(?:\w+ly )?(?:swerv|veer|drift)\w* .*(?:left|right)"), Action.SWERVE),
+    _Instead(Action.CUT_IN, re.compile(r"^(?:pull|mov|com|driv|set|swing)"), Action.PULL_OUT, _is_parked),
+    _Instead(Action.CHANGE_LANE, re.compile(r"front of us"), Action.CUT_IN),
+    _Instead(Action.CROSS, re.compile(r"^(?:run|ran|go|rid|roll)\w* in front"), Action.FOLLOW, _drives, Where.AHEAD),
+    _Instead(Action.CROSS, re.compile(r"^leaves? (?:the|our|its) lane"), Action.CHANGE_LANE, _drives, Where.AHEAD),
+    _Instead(Action.CROSS, re.compile(r"^appear"), Action.STAND, _stands),
+    _Instead(Action.CROSS, re.compile(r"kerb|curb"), Action.PULL_OUT, _drives),
+)
+
+
 def _meant(rule: Rule, party: Party, match: re.Match[str]) -> Action:
     """The act that a rule tells, by where it leads and who does it."""
-    action = rule.action
-    assert action is not None
-    if action is Action.CUT_IN and match.groupdict().get("veers", "")[:4] in ("swer", "veer", "drif"):
-        return Action.SWERVE
-    if action is Action.CHANGE_LANE and "front of us" in match[0]:
-        return Action.CUT_IN
-    drives = party.kind.row.manner is Manner.DRIVES
-    if action is Action.CROSS and drives and re.match(r"(?:run|ran|go|rid|roll)\w* in front", match[0]):
-        party.where.add(Where.AHEAD)
-        return Action.FOLLOW
-    if action is Action.CROSS and drives and re.search(r"kerb|curb", match[0]):
-        return Action.PULL_OUT
-    return action
+    assert rule.action is not None
+    for one in _INSTEADS:
+        if one.of is rule.action and one.words.search(match[0]) and one.fits(party):
+            if one.where is not None:
+                party.where.add(one.where)
+            return one.means
+    return rule.action
 
 
 def _cross_by_compass(telling: Telling, party: Party, match: re.Match[str]) -> None:

@@ -194,7 +194,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (
         re.compile(
             r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|"
-            r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|av)\b"
+            r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|(?:own|main) (?:vehicle|car)|av)\b"
         ),
         "the ego",
     ),

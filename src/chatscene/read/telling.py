@@ -113,6 +113,7 @@ class Telling:
         hits: Whether the ego touches whoever is named next.
         meets: Whether whoever is named next is only met.
         passes: Whether it is driven around as well.
+        follows: Whether the ego drives behind it.
         passed: The number of the last one that was.
         pending: Rules on where whoever is named next is.
         deeds: Acts that were told as nouns, of whoever is named next.
@@ -139,6 +140,7 @@ class Telling:
     hits: bool = False
     meets: bool = False
     passes: bool = False
+    follows: bool = False
     passed: int | None = None
     pending: list[tuple[Rule, re.Match[str]]] = field(default_factory=list[tuple[Rule, re.Match[str]]])
     deeds: list[Action] = field(default_factory=list[Action])
