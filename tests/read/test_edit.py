@@ -16,6 +16,7 @@ TURNING = "We turn right at a junction and a cyclist crosses from the left."
 TWO = "A car brakes ahead of us and a truck drives behind us."
 RAIN = "A motorcycle cuts in from the left in rain at night."
 BIKE = "A cyclist crosses the street from the right."
+TURNS = "An oncoming car turns left across our path at a junction."
 RUNS_LIGHT = "A car from the left runs the red light."
 
 
@@ -92,6 +93,11 @@ def after(text: str, edit: str) -> dict[str, str]:
         (WALKS, "there are three pedestrians", {"group": "yes"}),
         (BIKE, "let the cyclist slow down while crossing", {"actions": "cross then brake"}),
         (BRAKES, "instead of braking it stays put", {"actions": "stand"}),
+        (WALKS, "pedestrian should be a cyclist", {"adversary": "bicycle"}),
+        (BRAKES, "car becomes a truck", {"adversary": "truck"}),
+        (TURNS, "make it a truck that turns", {"adversary": "truck"}),
+        (TURNS, "the car should turn earlier", {"trigger": "earlier"}),
+        (TURNS, "turn right instead", {"actions": "turn-right"}),
         ("An oncoming cyclist comes towards us.", "he brakes", {"actions": "oncoming then brake"}),
     ],
 )

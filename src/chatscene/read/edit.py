@@ -188,7 +188,7 @@ class _Hearing:
             self.found.wish("group", None, self.words[at].said)
         elif self.slots.others:
             self.found.drop_other(self.words[at].said)
-        elif any(word.mark in (Mark.LANES, Mark.NUMBER) for word in self.words[at:]):
+        elif any(word.mark in (Mark.LANES, Mark.NUMBER, Mark.ACT, Mark.SHIFT) for word in self.words[at:]):
             return
         else:
             raise EditRefused(f"{self.words[at].said!r}: there is nobody but the {_called(self.slots)}")
@@ -307,6 +307,13 @@ class _Hearing:
             elif sort is Sort.ACT and isinstance(value, Action):
                 self.found.acts.append(ActWish(action=value, said=word.said, order=Mark.ALSO))
 
+    def _is_spoken_of(self, at: int) -> bool:
+        """Whether of somebody without an article more is said: "pedestrian stops", "van becomes a truck"."""
+        after = self.words[at + 1 :]
+        becomes = any(one.mark is Mark.USER and one.value.article for one in after)
+        parted = any(one.mark in (Mark.OLD, Mark.DROP, Mark.JOINT) for one in after)
+        return self._acts_next(at) or (becomes and not parted)
+
     def _is_the_rider(self, kind: AdversaryKind) -> bool:
         """Whether somebody is called by what sits on the wheels: "the kid" on a bike."""
         row = None if self.slots.adversary is None else self.slots.adversary.row
@@ -332,7 +339,7 @@ class _Hearing:
         """Whether somebody is named who is there already, and so only spoken of."""
         known = [self.slots.adversary, *(one.adversary for one in self.slots.others)]
         definite = named.article == _DEFINITE
-        if named.kind in known and (definite or (not named.article and self._acts_next(at))):
+        if named.kind in known and (definite or (not named.article and self._is_spoken_of(at))):
             self.whose = self._which(named.kind, at)
             return True
         if definite and named.kind not in known and self._is_the_rider(named.kind):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
 from typing import Any
@@ -121,6 +121,7 @@ class Named:
     several: bool
 
 
+A_TURN = "a turn"  # to either side: the one that somebody makes already
 _PRONOUN = r"(?:it|him|her|them|that|this|he|she|they)"
 _CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
 
@@ -150,7 +151,8 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SIDED, ("right", None), r"(?:from )?(?:the )?right to (?:the )?left"),
     (Mark.ACT, Action.WEAVE, r"wobbl\w*(?: from side to side)?|sway\w*"),
     (Mark.ACT, Action.BRAKE, r"(?:an? )?emergency (?:braking|brake|stop)|[hit] the brakes(?: hard)?|[step] on the brakes?"),
-    (Mark.ACT, Action.FOLLOW, r"(?:[stay]|[keep]|[remain]) (?:in|to) (?:its|his|her|their|the) (?:own )?lane"),
+    (Mark.ACT, A_TURN, r"[turn](?! (?:to|left|right|back|around|round|off|into|it|them|the)\b)"),
+    (Mark.ACT, Action.FOLLOW, r"(?:[stay]|[remain]|[keep])(?= (?:behind|ahead|beside|alongside) )|(?:[stay]|[keep]|[remain]) (?:in|to) (?:its|his|her|their|the) (?:own )?lane"),
     (Mark.ACT, Action.STAND, r"(?:[stay]|[remain]|[keep]) (?:parked|standing|still|put|where it is|stationary)|broken[- ]down|not moving|motionless|parked(?= (?:in|on|ahead))"),
     (Mark.STATE, EgoState.SLOW, r"(?:[go]|[drive]|[move])? ?(?:very |quite |more )?slowly|slow|slower"),
     (Mark.ACT, Action.TAILGATE, r"[follow] (?:us )?(?:(?:too|very|right|so|dangerously) )?close(?:ly)?(?: behind(?: us)?)?"),
@@ -203,7 +205,7 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SURFACE, Surface.SNOW, r"(?:on )?(?:a |the )?(?:snowy|snow-?covered) (?:road|street|surface)|(?:with )?snow on the (?:road|street|ground)"),
     (Mark.ANY, Measure.SPEED, r"(?:at )?(?:any|whatever) speed|no matter how fast"),
     (Mark.ANY, Measure.DISTANCE, r"(?:at )?any distance|anywhere"),
-    (Mark.FILLER, None, r"(?:in)?to (?:the|a|an) (?:next|neighbou?ring|adjacent|other) lane|let us (?:see|try|have|do|take|use)(?: (?:it|that|this))?(?: with(?= an?))?|(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
+    (Mark.FILLER, None, r"slippery(?= (?:with|from|because of) )|(?:in)?to (?:the|a|an) (?:next|neighbou?ring|adjacent|other) lane|let us (?:see|try|have|do|take|use)(?: (?:it|that|this))?(?: with(?= an?))?|(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
 )  # fmt: skip
 
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
@@ -453,12 +455,7 @@ def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
         if text[at] == " ":
             at += 1
             continue
-        end, best = at, None
-        for until, word in words_at(text, at):
-            if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego):
-                continue
-            if until > end or (until == end and _is_done(word, slots) and best and best.mark is Mark.ACT):
-                end, best = until, word
+        end, best = _longest(text, at, slots, ego=ego)
         if best is None:
             match = _WORD.match(text, at)
             assert match is not None  # a space was skipped
@@ -475,6 +472,19 @@ def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
         elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark is Mark.SET and _IT.search(best.said)):
             ego = False
     return found, unread
+
+
+def _longest(text: str, at: int, slots: Slots, *, ego: bool) -> tuple[int, Word | None]:
+    """The longest words at a place that mean something of whoever is spoken of, and where they end."""
+    end, best = at, None
+    turns = [action for action in slots.actions if action.row.turn]
+    for until, word in words_at(text, at):
+        if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego) or (word.value == A_TURN and not turns):
+            continue
+        meant = replace(word, value=turns[0]) if word.value == A_TURN else word
+        if until > end or (until == end and _is_done(meant, slots) and best and best.mark is Mark.ACT):
+            end, best = until, meant
+    return end, best
 
 
 def _is_done(word: Word, slots: Slots) -> bool:
