@@ -4,8 +4,9 @@
 
 `kept` and `kept-second`: 150 and 160 texts by two writers who knew the facts to tell and not the reader.
 `narratives-kept`: crash narratives, labelled twice by people who did not know it either; their texts are in FOLDER.
-Nothing is driven. Prints of those in scope how many are served with every fact right, with a wrong one, and refused; of
-the others how many are refused; and how well the confidence tells right from wrong among the served.
+Nothing is driven. Prints of those in scope how many are served with every fact right, with a wrong one, and refused,
+and for how many of these one of the readings that are offered is right; of the others how many are refused; and how
+well the confidence tells right from wrong among the served.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from chatscene.studies.facts import differing
 def main(narratives: Path | None) -> None:
     generator, settings = Retrieved(), RetrievalSettings()
     for name in ("kept", "kept-second", "narratives-kept"):
-        counts = dict.fromkeys(("right", "wrong", "refused", "out of scope", "of them refused"), 0)
+        counts = dict.fromkeys(("right", "wrong", "refused", "a reading right", "out of scope", "of them refused"), 0)
         sure: list[tuple[float, bool]] = []
         for _, text, in_scope, said in labelled(name, narratives):
             scenario = generator.read(text, settings)
@@ -39,6 +40,7 @@ def main(narratives: Path | None) -> None:
                 counts["of them refused"] += confidence is None
             elif confidence is None:
                 counts["refused"] += 1
+                counts["a reading right"] += any(not differing(said, one.slots) for one in scenario.readings)
             else:
                 right = not differing(said, scenario.slots)
                 counts["right" if right else "wrong"] += 1

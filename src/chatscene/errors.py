@@ -86,6 +86,8 @@ class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothin
         nearest: The snippets that came nearest, by id, with what they do.
         understood: What was read, fact by fact, in words; empty if that was not asked.
         readings: What the sentence may say instead, each of which can be taken; the likeliest first.
+        text: The sentence as it was read; empty if that was not asked.
+        words: What became of each word of it, as in `explanation.json`.
     """
 
     def __init__(
@@ -102,6 +104,8 @@ class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothin
         self.nearest = dict(nearest or {})
         self.understood = ""
         self.readings: tuple[OfferedReading, ...] = ()
+        self.text = ""
+        self.words: tuple[dict[str, Any], ...] = ()
 
 
 class EditRefused(ChatSceneError):  # noqa: N818 - reads as what it says

@@ -109,6 +109,18 @@ def test_what_cannot_be_stated_is_told_with_what_can(stated: str, said: str) -> 
         read("A car brakes ahead of us.", stated=stated)
 
 
+def test_a_second_road_user_that_was_not_read_is_asked_back() -> None:
+    error = refusal("a cyclist and a pedestrian both cross from the right")
+    assert "another road user" in error.reasons[0]
+    assert {told.split()[1] for told in (one.told for one in error.readings)} == {"pedestrian", "bicycle"}
+    assert [word["text"] for word in error.words if "unread" in word] == ["cyclist"]
+
+
+def test_who_hides_leads_or_stands_in_the_way_is_not_asked_back() -> None:
+    assert confidence("A child runs out from behind a parked lorry on the right.") >= 0.5
+    assert confidence("We go around a parked van while an oncoming car accelerates.") >= 0.5
+
+
 def test_a_reading_that_is_not_there_cannot_be_taken() -> None:
     with pytest.raises(SettingsError, match="there is no reading 1 of this text; there is none to choose"):
         read("The car ahead brakes hard.", reading=1)

@@ -68,6 +68,12 @@ def test_colours_makes_streets_dates_and_feelings_are_without_effect_and_the_res
     assert {found[word] for word in ("pigeon", "flew")} == {"?"}
 
 
+def test_a_red_light_is_no_colour() -> None:
+    found = became("A red van from the left runs the red light.")
+    assert found["red"] == "actions"
+    assert words("A red van from the left runs the red light.")[1].besides == "a colour"
+
+
 def test_an_act_that_nobody_does_in_the_scene_was_not_read() -> None:
     text = "A car from the left cuts in front of us and then brakes."
     assert (became(text)["cuts"], became(text)["brakes"]) == ("actions", "actions")

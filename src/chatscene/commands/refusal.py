@@ -59,11 +59,14 @@ def refuse(error: NothingFits | MeansSomethingElse, text: str, embedder: str, as
     if as_json:
         say(json.dumps(refusal(error, text, embedder), indent=1))
         return
+    from chatscene.report.accounting import in_words, parts_of
     from chatscene.report.terminal import readings_in_words
 
     complain(error)
     readings = error.readings if isinstance(error, NothingFits) else ()
     if isinstance(error, NothingFits):
+        if error.words:
+            say(f"  {in_words(parts_of(error.text, error.words))}", err=True)
         if error.understood:
             say(f"  understood: {error.understood}", err=True)
         for name, does in error.nearest.items() if not readings else ():
@@ -92,6 +95,7 @@ def refusal(error: NothingFits | MeansSomethingElse, text: str, embedder: str) -
         "reasons": list(error.reasons) if fits else [str(error)],
         "confidence": error.confidence if fits else None,
         "understood": error.understood if fits else "",
+        "words": list(error.words) if fits else [],
         "readings": [one.as_dict() for one in readings],
         "candidates": error.nearest if fits else {},
         "suggestion": _suggested(text, embedder) if text and not readings else None,

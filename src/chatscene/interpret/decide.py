@@ -9,12 +9,13 @@ from dataclasses import dataclass, replace
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.nearest import likely_by_wording
-from chatscene.interpret.retrieve import retrieve, settle
+from chatscene.interpret.retrieve import left_by_unread, retrieve, settle
 from chatscene.interpret.trust import account_is_right
 from chatscene.interpret.wording import parts_of
 from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.read.reading import read
+from chatscene.read.without_effect import without_effect
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
@@ -76,11 +77,15 @@ def weigh(frame: Frame, settings: RetrievalSettings) -> Weighed:
     """The two readings of a text of which not every phrase has its place."""
     frame = _with_own_behaviors(frame, settings)
     slots = likeliest_together(frame, settings)
+    told = 0.0
+    if frame.account is not None:
+        unread = left_by_unread(understood(frame, concluded(frame.account.slots), ()))
+        told = account_is_right(frame, slots) * unread
     return Weighed(
         frame=frame,
         guessed=slots,
         guess_is_right=trusted(understood(frame, slots, _still_open(frame, slots)), settings),
-        account_is_right=account_is_right(frame, slots),
+        account_is_right=told,
     )
 
 
@@ -198,7 +203,18 @@ def _unused(frame: Frame, slots: Slots) -> tuple[Unused, ...]:
     if any(one.why is Why.LANGUAGE for one in frame.unused):
         return frame.unused
     beside = (Unused(said=one.said, why=Why.ROAD_USER) for one in _others(frame.mentions, slots))
-    return tuple(sorted(dict.fromkeys((*frame.unused, *beside)), key=lambda one: _ORDER[one.why]))
+    told = (_without_effect(one, frame.text) for one in frame.unused)
+    return tuple(sorted(dict.fromkeys((*told, *beside)), key=lambda one: _ORDER[one.why]))
+
+
+def _without_effect(one: Unused, text: str) -> Unused:
+    """The same, listed for what it is if all its words are known to be without effect."""
+    at = text.lower().find(one.said)
+    if one.why not in (Why.WORDS, Why.NUMBER) or at < 0:
+        return one
+    words = re.finditer(r"[^\W_]+(?:['.:][^\W_]+)*", text[: at + len(one.said)])
+    spans = [word.span() for word in words if word.start() >= at]
+    return replace(one, why=Why.BESIDES) if spans and all(without_effect(text, span) for span in spans) else one
 
 
 def _others(mentions: tuple[Mention, ...], slots: Slots) -> list[Mention]:

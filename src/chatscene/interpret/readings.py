@@ -21,8 +21,9 @@ from chatscene.terms.scenario import Component, Maneuver, Reading, Scenario, Slo
 
 SURE = 0.75  # of a text as likely to be read rightly as this, no other readings are sought
 POSSIBLE = 0.05  # a value less likely than this is not thought of
-IN_SCOPE = 0.5
-FAINT = 0.05  # a reading less likely than this is not offered
+FAINTEST = 0.005  # a reading less likely than this is not offered …
+IN_SCOPE = 0.5  # … nor, in a text less likely than this about driving …
+FAINT = 0.05  # … one less likely than this
 MOST_OF_IT = 0.5  # a reading with one fact changed is at most this much as likely
 TRIED = 6  # how many are held against the library, the likeliest first
 _DOUBTED = ("adversary", "side", "position", "occluder", "maneuver")
@@ -58,7 +59,7 @@ def readings_of(weighed: Weighed, settings: RetrievalSettings) -> tuple[Reading,
         settings: Which library.
     """
     served: list[Reading] = []
-    floor = FAINT if weighed.frame.beliefs.in_scope < IN_SCOPE else 0.0
+    floor = FAINT if weighed.frame.beliefs.in_scope < IN_SCOPE else FAINTEST
     likely = [one for one in _different(weighed, settings) if one.probability >= floor]
     for one in likely[:TRIED]:
         if len(served) < MOST_READINGS and _is_served(weighed.frame, one, settings):

@@ -113,7 +113,8 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
         name = next((name for name, other in around if _within(span, other)), "")
         fact, besides = read.get(span[0], ("", ""))
         fact = next((one for one in (fact, *_TOGETHER.get(fact, ())) if one in facts), "").partition("=")[0]
-        if why := next((why for why, other in listed if _within(span, other)), None):
+        why = next((why for why, other in listed if _within(span, other)), None)
+        if why is not None and not (fact and why is Why.BESIDES):  # a red van runs a red light
             fact, besides = "", _LISTED.get(why, "")
         if not name and not besides:
             nothing = without_effect(text, span)

@@ -42,7 +42,12 @@ _SAID: tuple[tuple[str, re.Pattern[str]], ...] = (
             r"|VW|Yamaha|Vespa|Ducati|Kawasaki)(?: [A-Z0-9][\w-]*)?\b"
         ),
     ),
-    (COLOUR, re.compile(rf"\b(?:{_COLOURS})(?:[- ](?:{_COLOURS}))*\b", re.IGNORECASE)),
+    (
+        COLOUR,
+        re.compile(
+            rf"\b(?:{_COLOURS})(?:[- ](?:{_COLOURS}))*\b(?! (?:traffic )?(?:lights?|signals?|phase))", re.IGNORECASE
+        ),
+    ),
     (
         "what somebody felt or thought of it",
         re.compile(

@@ -82,21 +82,27 @@ def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) ->
         console.print(f"[yellow]note[/]  {_plain(note)}")
     for line in grouped((*scenario.unused, *retrieval.unused)).values():
         console.print(f"[yellow]not used[/]  {_plain(line)}")
-    for line in readings_in_words(offered(scenario.readings)):
+    others = [one for one in offered(scenario.readings) if scenario.readings[one.number - 1].slots != scenario.slots]
+    for line in readings_in_words(others, also=True):
         console.print(f"[yellow]{_plain(line)}[/]" if line[0] != " " else _plain(line))
 
 
-def readings_in_words(readings: Sequence[OfferedReading]) -> list[str]:
-    """What a sentence may say, and how to take one of the readings, in lines."""
+def readings_in_words(readings: Sequence[OfferedReading], *, also: bool = False) -> list[str]:
+    """What a sentence may say, and how to take one of the readings, in lines.
+
+    Args:
+        readings: Which.
+        also: Whether it is served as something else.
+    """
     if not readings:
         return []
     ways = " or ".join(f"--reading {one.number}" for one in readings)
     if facts := " or ".join(f"--set {one.settled_by}" for one in readings if one.settled_by):
         ways += f"; or state what is open: {facts}"
     return [
-        "It may say:",
+        "It may also say:" if also else "It may say:",
         *(f"  {one.number}  ({one.probability:.0%})  {one.told}" for one in readings),
-        f"If {'one of these' if len(readings) > 1 else 'this'} is meant: {ways}",
+        f"If {'one of these' if len(readings) > 1 else 'that'} is meant: {ways}",
     ]
 
 

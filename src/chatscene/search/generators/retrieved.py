@@ -17,6 +17,7 @@ from chatscene.library.load import library_with
 from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
+from chatscene.read.accounting import words_of
 from chatscene.read.canonical import canonical
 from chatscene.read.reading import read
 from chatscene.search.explore import Block, explore
@@ -53,6 +54,8 @@ class Retrieved:
         except NothingFits as refusal:
             refusal.understood = str(scenario.slots)
             refusal.readings = offered(scenario.readings)
+            refusal.text = scenario.text
+            refusal.words = tuple(one.as_dict() for one in words_of(scenario))
             raise
         if scenario.slots.ego is not None:
             told = f"the ego is under orders: {ORDERS[scenario.slots.ego].words}"
