@@ -30,6 +30,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import draw, scene_seed
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.native.binding import ORDER
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
 from chatscene.simulate.simulator import Session, Simulator, drive, load_simulator
 from chatscene.terms.actors import AdversaryKind
@@ -61,6 +62,7 @@ class Tally:
     native: float = 0.0
     reasons: Counter[str] = field(default_factory=Counter)
     endings: Counter[str] = field(default_factory=Counter)
+    primitives: Counter[str] = field(default_factory=Counter)
     programs: set[str] = field(default_factory=set)
     differing: list[str] = field(default_factory=list)
 
@@ -137,6 +139,9 @@ def compare(
         return
     tally.compared += 1
     tally.programs.add(program.digest)
+    world = session._bound.world
+    for agent in world.agent[: world.agents]:  # of a loop, its phases count as begun in one round at most
+        tally.primitives.update(ORDER[agent.list[i].primitive] for i in range(min(agent.phase + 1, agent.phases)))
     tally.endings[str(mine.ending)] += 1
     tally.steps += session.step_number
     tally.agent_steps += session.step_number * int(sum(bool(np.ptp(t.x) or np.ptp(t.y)) for t in mine.tracks))
@@ -153,6 +158,7 @@ def show(name: str, tally: Tally) -> None:
         f"\n{name}: {tally.tried} drives tried, {tally.rejected} rejected by both alike, {tally.compared} compared "
         f"of {len(tally.programs)} programs, {tally.identical} identical; endings {dict(tally.endings)}"
     )
+    print("  phases begun:", ", ".join(f"{primitive} {times}" for primitive, times in tally.primitives.most_common()))
     for reason, times in tally.reasons.most_common():
         print(f"  not covered, {times} drives: {reason}")
     for line in tally.differing[:20]:

@@ -11,7 +11,7 @@ import pytest
 
 from chatscene.ego.planner import Planner
 from chatscene.ego.policy import EgoPolicy, load_ego
-from chatscene.errors import MapError
+from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
@@ -163,6 +163,11 @@ def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: Nativ
     assert first.world.step == 0
     assert many[0].world.step > 20
     assert all(np.array_equal(one.rows, many[0].rows) for one in many)
+
+
+def test_a_plan_that_comes_to_no_act_is_stuck(native: NativeSimulator) -> None:
+    with pytest.raises(StuckBehavior, match="comes to no act"):
+        simulate(native, _program("while True:\n        do Park() for 0 seconds"), _scene(), load_ego("idm"))
 
 
 def test_what_is_no_plan_takes_the_embedded_path_and_is_counted(native: NativeSimulator) -> None:

@@ -14,7 +14,7 @@ from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, controls, observation_of
 from chatscene.ego.rule_based import RuleBased
-from chatscene.errors import ProgramError
+from chatscene.errors import StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
@@ -76,7 +76,7 @@ class NativeSession:
 
         Raises:
             EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
-            ProgramError: A plan comes to no act: its phases end as they begin, without end.
+            StuckBehavior: A plan comes to no act, since its phases end as they begin.
         """
         self._reference.check_open()
         self._engine.step(self._bound.world, *controls(action, self._reference.pedals))
@@ -87,7 +87,7 @@ class NativeSession:
 
         Raises:
             EgoError: The session was ended by another in the same process.
-            ProgramError: As for `step`.
+            StuckBehavior: As for `step`.
         """
         rule = RULES.get(type(ego))
         if rule is None or observation_of(ego) != self._reference.preset:
@@ -100,7 +100,7 @@ class NativeSession:
     def _look(self) -> None:
         world = self._bound.world
         if world.fault:
-            raise ProgramError("a plan comes to no act: its phases end as they begin, without end")
+            raise StuckBehavior("a plan comes to no act: its phases end as they begin", within=f"step {world.step}")
         self.step_number = world.step
         self.ending = ENDINGS.get(world.ending)
         size = len(self._reference.observation)
