@@ -3,8 +3,8 @@
     python benchmarks/confidence.py --narratives FOLDER/dev.jsonl
 
 Texts that the classifier did not learn from, with the facts that people wrote down for them: `benchmarks/texts/`
-(`first`, `second`, `everyday`, `classes` and `protocols`, a writer each; labels of crash narratives by their ids, whose
-texts are in FOLDER, without which they are left out), and of the packaged sentences the ones held out, those out of
+(`first`, `second`, `everyday`, `classes`, `protocols` and `claims`, a writer each; labels of crash narratives by their
+ids, whose texts are in FOLDER, without which they are left out), and of the packaged sentences the ones held out, those out of
 scope, and those to fit with that the classifier has not seen. Prints the weights (`trust.ACCOUNT`,
 `retrieve.CONFIDENCE`) and, by cross-validation over the styles of writing, how many texts of each set are served
 rightly and wrongly at some thresholds, how well right is told from wrong, and the calibration error.
@@ -54,7 +54,7 @@ class Row:
 
 def known(narratives: Path | None) -> Iterator[tuple[str, str, str, bool, Slots]]:
     """Group, style, text, whether it is in scope, and its facts."""
-    for name in ("first", "second", "everyday", "classes", "protocols", "narratives"):
+    for name in ("first", "second", "everyday", "classes", "protocols", "claims", "narratives"):
         for one in labelled(name, narratives):
             yield name, *one
     packaged = {name: load_sentences(name) for name in ("held-out", "out-of-scope")}

@@ -122,7 +122,7 @@ _PART = rf"(?:(?!of\b|and\b|we\b|us\b)[\w'/-]+ ){{0,5}}?{_PART_NOUN}(?: {_PART_N
 _OWN_PART = rf"(?:(?:front|rear|left|right|lower|upper|cent(?:er|re)|back|driver|passenger|side|outer|inner|own|wing|near|off)(?:'s)?[-/ ])*{_PART_NOUN}(?: {_PART_NOUN})*"
 _HIT = (
     rf"(?:{any_form('make')} (?:\w+ ){{0,2}}contact(?: again)?|(?:came|comes|come|coming) in(?:to)? (?:\w+ )?contact"
-    rf"|{any_form('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge')}|struck"
+    rf"|{any_form('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge', 'shunt', 'bump', 'broadside')}|struck"
     r"|(?:runs?|ran|running|rode|rides?|drives?|drove|driving|slams?|slammed|slamming|smash(?:es|ed)|ploughs?|ploughed|plows?|plowed|bangs?|backs?|backed|revers(?:es|ed|ing)|backing|rolls?|rolled) (?:straight |right )?into)"
 )
 _INTO = r"(?: (?:with|into|against|on|up against|to|at))*"
@@ -409,6 +409,8 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(do|does|did|is|was|wo|ca|has|would|could)(?:nt|n t)\b", r"\1 not"),
         (r"\b(it|he|she|they) not (?=\w)", r"\1 does not "),
         (r"\binfront\b", "in front"),
+        (r"(?<![\w-])op(?=(?:'s)? (?!-))\b", "the other car"),
+        (r"\b(?:id|insured) states:? ", ""),
         (r"\b(?:shall|should|must) be\b", "is"),
         (r"\b(?:shall|should|must) (?!not\b)", ""),
         (r"\b(?:mannequin|jaywalker)\b", "pedestrian"),

@@ -183,6 +183,10 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
+    (re.compile(r"\bn/b\b"), "northbound"),
+    (re.compile(r"\bs/b\b"), "southbound"),
+    (re.compile(r"\be/b\b"), "eastbound"),
+    (re.compile(r"\bw/b\b"), "westbound"),
     (re.compile(r"\bw/o\b"), "without"),
     (re.compile(r"\bw/"), "with "),
     (re.compile(r"\bveh\b\.?"), "vehicle"),
@@ -193,12 +197,12 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\b(?:rhs|r/h side)\b"), "right side"),
     (
         re.compile(
-            r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|"
+            r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|u1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|"
             r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|(?:own|main) (?:vehicle|car)|av)\b"
         ),
         "the ego",
     ),
-    (re.compile(r"\b(?:the )?(?:vehicle (?:2|two|b)|v2|unit (?:2|two))\b"), "the other vehicle"),
+    (re.compile(r"\b(?:the )?(?:vehicle (?:2|two|b)|v2|u2|unit (?:2|two))\b"), "the other vehicle"),
     (re.compile(r"\b(?:the )?(?:pov|principal other vehicle|target vehicle|gvt)\b"), "the other vehicle"),
     (re.compile(r"\b(?:ept[ac]?|pedestrian target|child target)\b"), "pedestrian"),
     (re.compile(r"\b(?:ebt[a]?|bicyclist target|cyclist target)\b"), "cyclist"),
