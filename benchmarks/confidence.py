@@ -4,8 +4,8 @@
 
 Texts that the classifier did not learn from, with the facts that people wrote down for them: `benchmarks/texts/`
 (`first`, `second`, `everyday`, `classes`, `protocols` and `claims`, a writer each; labels of crash narratives by their
-ids, whose texts are in FOLDER, without which they are left out), and of the packaged sentences the ones held out, those out of
-scope, and those to fit with that the classifier has not seen. Prints the weights (`trust.ACCOUNT`,
+ids, whose texts are in FOLDER, without which they are left out), and of the packaged sentences the ones held out, those
+out of scope, and those to fit with that the classifier has not seen. Prints the weights (`trust.ACCOUNT`,
 `retrieve.CONFIDENCE`) and, by cross-validation over the styles of writing, how many texts of each set are served
 rightly and wrongly at some thresholds, how well right is told from wrong, and the calibration error.
 """

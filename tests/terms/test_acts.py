@@ -35,6 +35,7 @@ ELSEWHERE = {
     "read/account_slots.py": "acts by which one who is spoken of as on foot drives",
     "interpret/trust.py": "acts that say little of a reading",
     "studies/facts.py": "acts that a reader may leave out or say otherwise without being wrong",
+    "read/accounting.py": "acts that other facts may hold as well",
     "read/decompose.py": "what the reader makes of several acts heard at once",
     "sentences/grammar/deed_pairs.py": "phrases that say two acts at once",
     "sentences/grammar/adversary_clause.py": "where two acts are one phrase",
