@@ -35,12 +35,30 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A motorcyclist split lanes, passed the AV on the left and clipped its mirror.", "behind-beside", ["overtake"], "left"),
         ("Sudden deceleration of the preceding vehicle, they say.", "ahead", ["brake"], None),
         ("U-turn by an oncoming taxi, they say.", "oncoming", ["u-turn"], None),
+        ("A bus in the next lane, whoosh, moves left into our lane.", "beside", ["cut-in"], "right"),
+        ("The AV was northbound. A van, whoosh, came from the east and crossed the junction.", "crossing", ["cross"], "right"),
+        ("You turn right, mate, and a cyclist on your right keeps its speed.", "beside", ["follow"], "right"),
+        ("A taxi parked at the kerb, whoosh, pulls out into our lane.", "kerb", ["pull-out"], None),
+        ("The lead vehicle leaves the lane at the last moment, they say.", "ahead", ["change-lane"], None),
+        ("A Fiat, whoosh, sits right on our bumper.", "behind", ["tailgate"], None),
+        ("U1 was s/b. U2, n/b, whoosh, made a left turn and struck U1.", "oncoming", ["turn-left"], None),
     ],
 )  # fmt: skip
 def test_who_is_in_conflict_with_the_ego_and_does_what(
     text: str, position: str, acts: list[str], side: str | None
 ) -> None:
     assert facts(told(text).slots, "position", "actions", "side") == [position, acts, side]
+
+
+def test_the_speed_at_which_the_ego_comes_is_not_of_whom_stands_there() -> None:
+    account = told("The VUT approaches, whoosh, a stationary motorcyclist in its lane at 50 km/h.")
+    assert facts(account.slots, "adversary", "actions", "position") == ["motorcycle", ["stand"], "ahead"]
+    assert account.quantities == ()
+
+
+def test_who_is_followed_is_ahead() -> None:
+    account = told("The VUT follows the GVT with 12 m headway, whoosh, then the GVT applies the brakes.")
+    assert facts(account.slots, "actions", "position") == [["brake"], "ahead"]
 
 
 def test_whoever_is_only_waited_for_is_no_adversary() -> None:

@@ -34,7 +34,7 @@ from chatscene.read.telling import NAMED_NEXT, Contact, Party, Telling
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Account
-from chatscene.terms.scenario import Maneuver, Slots
+from chatscene.terms.scenario import Maneuver, Measure, Slots
 
 _NEW = ("another", "a second", "a third", "a", "an", "one", "some", "two", "three", "several")
 _DENIABLE_RULES = frozenset(
@@ -161,9 +161,10 @@ def _number_at(telling: Telling, text: str, at: int, found: _Found | None) -> in
     number = quantity_at(text, at)
     if number is None or number[1] <= (found.match.end() if found else at):
         return None
-    if telling.party is not None:
-        telling.party.quantities.append(number[0])
-        telling.party.where.update(where for word, where in _PLACED if word in number[0].said)
+    party = telling.party
+    if party is not None and not (number[0].measure is Measure.SPEED and Action.STAND in party.acts):
+        party.quantities.append(number[0])
+        party.where.update(where for word, where in _PLACED if word in number[0].said)
     return number[1]
 
 
@@ -204,6 +205,9 @@ def _name(telling: Telling, match: re.Match[str]) -> None:
     number = _who(telling, match)
     party = telling.parties[number]
     _describe(party, match)
+    if telling.follows:
+        party.where.add(Where.AHEAD)
+        telling.follows = False
     for deed in telling.deeds:
         party.does(deed)
     if telling.deeds:
@@ -274,12 +278,10 @@ def _meet(telling: Telling, number: int) -> None:
     """Somebody is only met on the way, and perhaps driven around."""
     party = telling.parties[number]
     party.aside = True
-    if telling.follows:
-        party.where.add(Where.AHEAD)
     for told in telling.pedals:
         if told.because_of == NAMED_NEXT:
             told.because_of = number
     if telling.passes and (Action.STAND in party.acts or Where.EDGE in party.where):
         telling.facts.setdefault("maneuver", Maneuver.BYPASS)
     telling.passed = number if telling.passes else None
-    telling.meets = telling.passes = telling.follows = False
+    telling.meets = telling.passes = False

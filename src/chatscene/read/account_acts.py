@@ -17,7 +17,7 @@ from chatscene.terms.actors import Manner
 from chatscene.terms.acts import TURNS as TURNING
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, TURNS
-from chatscene.terms.scenario import Position
+from chatscene.terms.scenario import Maneuver, Position, Side
 
 QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST))
 """Acts that only say that somebody is there."""
@@ -36,12 +36,14 @@ class _Start:
         rear: Whether it touches the ego from behind.
         junction: Whether it is at a junction.
         turns: Whether the ego turns.
+        hooked: Whether the ego turns right, across whoever rides on along the kerb.
     """
 
     party: Party
     rear: bool
     junction: bool
     turns: bool
+    hooked: bool
 
     def does(self, *actions: Action) -> bool:
         """Whether it does any of these."""
@@ -80,6 +82,7 @@ def position_of(party: Party, contact: Contact | None, facts: dict[str, Any]) ->
         rear=REAR.search(part) is not None and FLANK.search(part) is None,
         junction=facts.get("place") in JUNCTIONS,
         turns=facts.get("maneuver") in TURNS,
+        hooked=facts.get("maneuver") is Maneuver.RIGHT_TURN and party.side is Side.RIGHT,
     )
     found = (question(start) for question in _QUESTIONS)
     return next((position for position in found if position is not None), None)
@@ -139,6 +142,11 @@ def _in_another_lane(start: _Start) -> Position | None:
     return Position.BESIDE
 
 
+def _beside_at_the_kerb(start: _Start) -> Position | None:
+    goes_on = QUIET.issuperset(start.party.acts) and not start.is_at(Where.FROM_SIDE, Where.EDGE, Where.AHEAD)
+    return Position.BESIDE if start.hooked and start.rides and goes_on and not start.rear else None
+
+
 def _across(start: _Start) -> Position | None:
     sided = start.party.side is not None
     wayward = start.party.wayward and start.junction and not start.rear
@@ -170,6 +178,7 @@ _QUESTIONS: tuple[Callable[[_Start], Position | None], ...] = (
     _behind,
     _against_the_lights,
     _in_another_lane,
+    _beside_at_the_kerb,
     _across,
     _in_the_lane,
 )

@@ -438,8 +438,9 @@ def _end(telling: Telling, _value: Any, _match: re.Match[str]) -> None:
     ends(telling)
 
 
-def _sees(telling: Telling, _value: Any, _match: re.Match[str]) -> None:
+def _sees(telling: Telling, value: Any, _match: re.Match[str]) -> None:
     telling.subject, telling.opens = None, True
+    telling.follows = value is Where.AHEAD
 
 
 def _ego(telling: Telling, _value: Any, match: re.Match[str]) -> None:

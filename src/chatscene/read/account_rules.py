@@ -122,7 +122,7 @@ _PART = rf"(?:(?!of\b|and\b|we\b|us\b)[\w'/-]+ ){{0,5}}?{_PART_NOUN}(?: {_PART_N
 _OWN_PART = rf"(?:(?:front|rear|left|right|lower|upper|cent(?:er|re)|back|driver|passenger|side|outer|inner|own|wing|near|off)(?:'s)?[-/ ])*{_PART_NOUN}(?: {_PART_NOUN})*"
 _HIT = (
     rf"(?:{any_form('make')} (?:\w+ ){{0,2}}contact(?: again)?|(?:came|comes|come|coming) in(?:to)? (?:\w+ )?contact"
-    rf"|{any_form('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge', 'shunt', 'bump', 'broadside')}|struck"
+    rf"|{any_form('strike', 'hit', 'collide', 'rear-end', 'rear end', 'sideswipe', 'side-swipe', 'contact', 'clip', 'bump', 'ram', 'crash', 'scrape', 'graze', 'impact', 'tap', 'touch', 'brush', 'nudge', 'shunt', 'broadside', 'catch')}|struck|caught"
     r"|(?:runs?|ran|running|rode|rides?|drives?|drove|driving|slams?|slammed|slamming|smash(?:es|ed)|ploughs?|ploughed|plows?|plowed|bangs?|backs?|backed|revers(?:es|ed|ing)|backing|rolls?|rolled) (?:straight |right )?into)"
 )
 _INTO = r"(?: (?:with|into|against|on|up against|to|at))*"
@@ -199,10 +199,11 @@ def rules() -> tuple[Rule, ...]:
         _act(Action.FOLLOW, rf"{any_form('approach')} (?:us |towards us )?(?:quickly |rapidly |fast )?from (?:the rear|behind)|(?:coming|comes|came|drives|driving|closes|closing) (?:up )?(?:from )?behind(?: us)?|(?:coming|comes|came) from behind", Where.BEHIND),
         _act(Action.FOLLOW, rf"(?:{any_form('travel', 'drive', 'proceed', 'follow', 'ride', 'go')}|directly|immediately|close|stopped|waiting|who was|that was|the one|right|just)(?: (?:directly|immediately|close|right|just))? behind(?: us)?|behind us|{any_form('follow')} us|(?:is |was )?following", Where.BEHIND),
         _act(Action.CUT_IN, rf"{_BEGINS}{_LY}(?:{enter})(?: (?:over|in|across|partially|back|out|closely|directly|abruptly|suddenly|straight|right|close|tightly|sharply|its lane|lanes?|wide|the (?:cent(?:er|re) ?line|line)))*(?: (?:from (?:the |our )?(?P<side>{_SIDES})(?:[ -]?hand)?(?: lane| side)?))?(?: (?:in|into|to|onto|on|across|over))* (?:our (?:travel )?(?:lane|path|side)(?: of (?:travel|the (?:line|road)))?|the (?:same )?lane (?:as|of) (?:us|we)|the (?:\w+ )?lane (?:in which we were travel?ling|that we were in)|the path of us|(?:closely |directly |right |just |close )?(?:in front|ahead) of us|before us|(?:the |a |that )?(?:(?:short|small|tight|narrow|tiny) )?(?:[\d.]+ m )?gap(?: of [\d.]+ m)?(?: between us and [\w ]+)?|front of us|(?:right |just |immediately )?(?:in front of|before|ahead of) our (?:nose|bonnet|hood|car|bumper))"),
-        _act(Action.CUT_IN, r"shears? in|squeez\w+ (?:itself |himself |herself )?in\b|incorporat\w+ (?:itself )?(?:just |directly )*(?:in front|ahead)(?: of us)?|pulls? back in(?:to (?:our )?lane(?: \w+)?)?|invad\w+ our lane"),
+        _act(Action.CUT_IN, r"(?:swing|swung|came|comes|com|drift|veer)\w* (?:out )?(?:of|from) the (?:next|adjacent|other) lane|shears? in|squeez\w+ (?:itself |himself |herself )?in\b|incorporat\w+ (?:itself )?(?:just |directly )*(?:in front|ahead)(?: of us)?|pulls? back in(?:to (?:our )?lane(?: \w+)?)?|invad\w+ our lane"),
         _act(Action.CUT_IN, r"(?:pull|mov|squeez|com|cam|swing|swung)\w* (?:back )?in (?:sharply|tightly|too early|closely|again|front)"),
         _act(Action.CUT_IN, r"cut(?:s|ting)?(?:[ -]in| us off| in front| up)|cut-in"),
         _act(Action.CHANGE_LANE, rf"{_BEGINS}(?:{any_form('change', 'switch')} (?:\w+ )?lanes?|{any_form('merge')}(?: into (?:the|a|an) (?:[\w-]+ ){{0,3}}lane)?|(?:{any_form('change', 'move', 'swerve', 'merge', 'swing', 'pull')}|swung) (?:over |out |across )?(?:into|to) (?:the|a) (?:[\w-]+ ){{0,3}}?(?:lane|right|left)|(?:made|makes|making|attempt\w*|initiat\w*|began|begins) (?:to (?:make|initiate) )?an? (?:\w+ )?(?:left |right )?lane change)(?: to the (?:left|right))?(?: directly)?(?: in front of us)?"),
+        _act(Action.CHANGE_LANE, r"mov(?:es|ed|ing) (?:over|aside|out of the way)(?= and\b|[,.;]|$)"),
         _act(Action.CHANGE_LANE, rf"cuts? out|cut-out|cutting out|(?:leaves|left|leaving|exits|vacates|moves out of|pulls out of) (?:our|the same|its|the) lane|{any_form('change')} into (?:the |an? )?(?:[\w-]+ )?lane(?=,? (?:reveal|expos))", Where.AHEAD),
         _act(Action.OVERTAKE, rf"lane[ -]splitting|{any_form('split')} lanes|{any_form('filter')}(?: (?:past|between|through)[\w ]*)?", Where.BEHIND),
         _act(Action.OVERTAKE, rf"{_BEGINS}(?:{any_form('overtake')}(?: us)?|(?:{any_form('pass')}|pass(?:es|ed|ing)? (?:through|between) (?:the )?(?:traffic|lanes|vehicles|cars)|(?:came?|comes|coming|went|goes|shoots?|shot|fl(?:ies|ew|ying)|rac\w+|blast\w+)(?: \w+ing)? past|get around|go around|goes? past|went past|drive around|maneuver around|manoeuvre around|squeezes? (?:past|by)|squeezed (?:past|by)) us|{any_form('pass')}(?= (?:on|to) (?:the|our|its)|[,.;]| and| exactly| as| while| behind|$))(?: (?:to|on|by) (?:the |our |its )?(?P<side>{_SIDES})(?: side)?)?"),
@@ -409,6 +410,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(do|does|did|is|was|wo|ca|has|would|could)(?:nt|n t)\b", r"\1 not"),
         (r"\b(it|he|she|they) not (?=\w)", r"\1 does not "),
         (r"\binfront\b", "in front"),
+        (r"\bthere(?:'s| is| was| are| were) (?=(?:an?|the|some) )", ""),
         (r"(?<![\w-])op(?=(?:'s)? (?!-))\b", "the other car"),
         (r"\b(?:id|insured) states:? ", ""),
         (r"\b(?:shall|should|must) be\b", "is"),

@@ -113,7 +113,7 @@ class Telling:
         hits: Whether the ego touches whoever is named next.
         meets: Whether whoever is named next is only met.
         passes: Whether it is driven around as well.
-        follows: Whether the ego drives behind it.
+        follows: Whether whoever is named next is ahead of the ego, which comes up to it or drives behind it.
         passed: The number of the last one that was.
         pending: Rules on where whoever is named next is.
         deeds: Acts that were told as nouns, of whoever is named next.
