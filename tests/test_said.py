@@ -124,7 +124,7 @@ def test_what_is_always_so_needs_no_word(text: str) -> None:
         ("A car cuts in from the left and then another car jams on its anchors.", "another car", Why.ROAD_USER),
         ("We drive at 50 km/h and the car ahead brakes.", "50 km/h", Why.NUMBER),
         ("The car ahead brakes hard, forcing us to swerve.", "forcing us to swerve", Why.REACTION),
-        ("The white car ahead brakes hard.", "white", Why.WORDS),
+        ("The white car ahead brakes hard.", "white", Why.BESIDES),
     ],
 )
 def test_what_is_not_used_is_listed(text: str, said: str, why: Why) -> None:

@@ -163,7 +163,7 @@ def run(
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
-    chatscene run "a van pushes in" --set side=left
+    chatscene run "a van cuts in" --set side=left
     chatscene run --report claim.txt --out runs/claim
     chatscene run --program mine.scenic --routes 4
     chatscene run --program theirs.scenic --map Town05.xodr --as-written

@@ -93,7 +93,7 @@ NOMINAL: dict[BaseScenario, Nominal] = {
         speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, turns=_CROSSES,
     ),
     BaseScenario.UNPROTECTED_LEFT_TURN: Nominal(
-        adversary=AdversaryKind.CAR, geometry="left-turn-junction-unsignalised", spawn="oncoming-at-junction",
+        adversary=AdversaryKind.CAR, geometry="left-turn-four-way", spawn="oncoming-at-junction",
         speed=12.0, trigger=45.0, left=_TO_MEETING, turns=_CROSSES,
     ),
     BaseScenario.RIGHT_TURN: Nominal(
