@@ -13,6 +13,7 @@ from chatscene.read.accounting import words_of
 from chatscene.report.accounting import in_words, parts_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
+from chatscene.terms.edit import with_edits
 from chatscene.terms.frame import Word
 
 CLAIM = (
@@ -88,6 +89,13 @@ def test_words_stand_where_they_say_and_make_up_the_text_again(text: str) -> Non
     assert all(scenario.text[one.start : one.end] == one.text for one in told)
     parts = parts_of(scenario.text, [one.as_dict() for one in told])
     assert "".join(part.before + part.text for part in parts) == scenario.text
+
+
+def test_an_edit_was_read_by_itself_and_leaves_no_word_unread() -> None:
+    text = with_edits("A car cuts in from the left.", ("make it a lorry", "at night (no moon)"))
+    marks = became(text)
+    assert marks["cuts"] == "actions"
+    assert {marks[word] for word in ("edited", "make", "lorry", "night", "moon")} == {"-"}
 
 
 def test_a_person_reads_the_marks_in_words() -> None:

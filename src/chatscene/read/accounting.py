@@ -19,12 +19,14 @@ from chatscene.read.phrases import Sort, phrases, road_user
 from chatscene.read.quantities import quantity_at
 from chatscene.read.without_effect import ALWAYS, without_effect
 from chatscene.terms.acts import Action
+from chatscene.terms.edit import EDITED
 from chatscene.terms.frame import Word
 from chatscene.terms.scenario import Scenario, Unused, Why
 
 EGO = "the ego"
 CONTACT = "contact"
 _JOINS = "says nothing alone"
+_OF_EDIT = "an edit, read by itself"
 _UNSAID = (Action.FOLLOW, Action.STAND, Action.ONCOMING, Action.BLOCK, Action.STOP, Action.SLOW)
 """Acts that other facts may hold as well, so that they need not stand among those that were decided on."""
 _OF_SORT = {
@@ -107,9 +109,13 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
     around = list(_surroundings(lower))
     listed = [(one.why, span) for one in (*scenario.unused, *unused) for span in _spans(lower, one.said)]
     facts = _decided(scenario)
+    edits = [match.span() for match in EDITED.finditer(text)]
     told: list[Word] = []
     for match in _WORD.finditer(text):
         span = match.span()
+        if any(_within(span, other) for other in edits):
+            told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=_OF_EDIT))
+            continue
         name = next((name for name, other in around if _within(span, other)), "")
         fact, besides = read.get(span[0], ("", ""))
         fact = next((one for one in (fact, *_TOGETHER.get(fact, ())) if one in facts), "").partition("=")[0]
