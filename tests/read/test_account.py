@@ -56,6 +56,11 @@ def test_the_speed_at_which_the_ego_comes_is_not_of_whom_stands_there() -> None:
     assert account.quantities == ()
 
 
+def test_a_telegram_has_stop_for_a_full_stop_and_may_leave_out_on_the() -> None:
+    account = told("PED LEFT CURB STOP RUNS OUT STOP HALTS MIDWAY STOP EGO STRAIGHT ROAD")
+    assert facts(account.slots, "actions", "side", "position") == [["cross", "stop"], "left", "roadside"]
+
+
 def test_who_is_followed_is_ahead() -> None:
     account = told("The VUT follows the GVT with 12 m headway, whoosh, then the GVT applies the brakes.")
     assert facts(account.slots, "actions", "position") == [["brake"], "ahead"]

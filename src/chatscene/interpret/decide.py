@@ -20,7 +20,7 @@ from chatscene.settings import RetrievalSettings
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
-from chatscene.terms.scenario import Component, Scenario, Slots, Unused, Why
+from chatscene.terms.scenario import Component, Measure, Scenario, Slots, Unused, Why
 from chatscene.terms.slots import SLOTS
 
 KNOWN = 0.1  # what the likeliest behavior does is said if that behavior is as likely as this
@@ -108,6 +108,8 @@ def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
     slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
     slots = settle(frame, slots, library)
+    if any(one.measure is Measure.DISTANCE for one in frame.quantities):
+        slots = replace(slots, distance=None)  # the number says it
     return concluded(replace(slots, **{name: getattr(frame.outright, name) for name in frame.stated}))
 
 

@@ -73,8 +73,8 @@ def _waits_at_line(state: EgoState | None, spawn: Snippet) -> bool:
 
 
 def _lit(geometry: Snippet, behavior: Snippet, state: EgoState | None) -> Snippet:
-    """A geometry whose light is red for an ego that stands there, unless the adversary has that red itself."""
-    if state is not EgoState.STANDS or "crossSignal" in behavior.requires:
+    """A geometry whose light is red for an ego that stands or stops there, unless the adversary has that red itself."""
+    if state not in (EgoState.STANDS, EgoState.STOPS) or "crossSignal" in behavior.requires:
         return geometry
     source = geometry.source.replace("param signals = 'ego-green'", "param signals = 'ego-red'")
     return replace(geometry, source=source.replace('crossSignal = "red"', 'crossSignal = "green"'))

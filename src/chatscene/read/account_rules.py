@@ -410,6 +410,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(do|does|did|is|was|wo|ca|has|would|could)(?:nt|n t)\b", r"\1 not"),
         (r"\b(it|he|she|they) not (?=\w)", r"\1 does not "),
         (r"\binfront\b", "in front"),
+        (r"(?<!\bthe )(?<!\ba )(?<!\ban )(?<!\bour )\b(left|right) (kerb|curb|sidewalk|pavement)\b", r"at the \1 \2"),
         (r"\bthere(?:'s| is| was| are| were) (?=(?:an?|the|some) )", ""),
         (r"(?<![\w-])op(?=(?:'s)? (?!-))\b", "the other car"),
         (r"\b(?:id|insured) states:? ", ""),
