@@ -11,16 +11,11 @@ from typing import TYPE_CHECKING, Unpack
 import click
 
 from chatscene.commands.library import (
-    EGO_AGAIN,
-    EMBEDDER_AGAIN,
-    GENERATOR_AGAIN,
+    AGAIN,
     JSON,
-    LIBRARY_AGAIN,
     MAP_WITH_SITE,
-    MODEL_AGAIN,
     READING,
-    SAMPLER_AGAIN,
-    SIMULATOR_AGAIN,
+    Again,
     Reading,
     console,
     progress,
@@ -48,13 +43,7 @@ EDITS = click.option(
     help="Folder of the new run; default: a new one beside RUN.",
 )
 @click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
-@EGO_AGAIN
-@GENERATOR_AGAIN
-@SAMPLER_AGAIN
-@SIMULATOR_AGAIN
-@LIBRARY_AGAIN
-@EMBEDDER_AGAIN
-@MODEL_AGAIN
+@AGAIN
 @JSON
 def edit(
     folder: Path,
@@ -63,14 +52,8 @@ def edit(
     dry_run: bool,
     out: Path | None,
     jobs: int,
-    ego: tuple[str, ...],
-    generator: tuple[str, ...],
-    sampler: tuple[str, ...],
-    simulator: tuple[str, ...],
-    library: tuple[str, ...],
-    embedder: tuple[str, ...],
-    language_model: tuple[str, ...],
     as_json: bool,
+    **again: Unpack[Again],
 ) -> None:
     """Change what EDIT names in the situation of RUN, show the difference, and run it with the same settings.
 
@@ -87,13 +70,7 @@ def edit(
         raise click.UsageError("say what to change, as an EDIT, or --undo")
     run = api.Run(
         folder,
-        ego=ego,
-        generator=generator,
-        sampler=sampler,
-        simulator=simulator,
-        library=library,
-        embedder=embedder,
-        language_model=language_model,
+        **again,
     )
     if text is None:
         say(json.dumps({"folder": str(run.edited_from.folder)}) if as_json else str(run.edited_from.folder))

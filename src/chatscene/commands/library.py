@@ -103,6 +103,27 @@ MODEL_AGAIN = click.option("--language-model", multiple=True, help=f"The languag
 EGO_AGAIN = click.option(
     "--ego", multiple=True, help="The ego again, if the run names one that may run code of its own; repeat for several."
 )
+
+
+class Again(TypedDict):
+    """What a record names and must be told again, since it may run code; the names are those of `chatscene.api.Run`."""
+
+    ego: tuple[str, ...]
+    generator: tuple[str, ...]
+    sampler: tuple[str, ...]
+    simulator: tuple[str, ...]
+    library: tuple[str, ...]
+    embedder: tuple[str, ...]
+    language_model: tuple[str, ...]
+
+
+def AGAIN(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
+    """Options for everything that a record may name."""
+    return EGO_AGAIN(
+        GENERATOR_AGAIN(SAMPLER_AGAIN(SIMULATOR_AGAIN(LIBRARY_AGAIN(EMBEDDER_AGAIN(MODEL_AGAIN(command))))))
+    )
+
+
 OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
 
 

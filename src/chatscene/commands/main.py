@@ -18,19 +18,18 @@ from chatscene.commands.coverage import coverage
 from chatscene.commands.editing import EDITS, chat, edit
 from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
+    AGAIN,
     CHOOSING,
     EGO_AGAIN,
-    EMBEDDER_AGAIN,
     GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
     MAP,
     MAP_WITH_SITE,
-    MODEL_AGAIN,
     PHYSICS_OPTION,
     READING,
-    SAMPLER_AGAIN,
     SIMULATOR_AGAIN,
+    Again,
     Chosen,
     console,
     library,
@@ -215,25 +214,13 @@ def run(
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
-@EGO_AGAIN
-@GENERATOR_AGAIN
-@SAMPLER_AGAIN
-@SIMULATOR_AGAIN
-@LIBRARY_AGAIN
-@EMBEDDER_AGAIN
-@MODEL_AGAIN
+@AGAIN
 @JSON
 def resume(
     folder: Path,
     jobs: int | None,
-    ego: tuple[str, ...],
-    generator: tuple[str, ...],
-    sampler: tuple[str, ...],
-    simulator: tuple[str, ...],
-    library: tuple[str, ...],
-    embedder: tuple[str, ...],
-    language_model: tuple[str, ...],
     as_json: bool,
+    **again: Unpack[Again],
 ) -> None:
     """Continue the work in DIR after it was killed or failed; the result is that of an uninterrupted one.
 
@@ -252,14 +239,8 @@ def resume(
         done = api.resume(
             folder,
             jobs=jobs or 1,
-            ego=ego,
-            generator=generator,
-            sampler=sampler,
-            simulator=simulator,
-            library=library,
-            embedder=embedder,
-            language_model=language_model,
             progress=progress(),
+            **again,
         )
     say_any: dict[runs.Kind, Callable[[Any, bool], None]] = {
         runs.Kind.RUN: _say_done,
