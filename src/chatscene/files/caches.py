@@ -12,7 +12,7 @@ from platformdirs import user_cache_path
 from chatscene.files.atomic import write_whole
 
 
-def cache_folder(kind: Literal["code", "engines", "maps", "replies", "vectors"]) -> Path:
+def cache_folder(kind: Literal["code", "engines", "maps", "replies", "vectors", "words"]) -> Path:
     """The folder of one kind of kept files, where this operating system has such; it need not exist."""
     return user_cache_path("chatscene", appauthor=False) / kind
 

@@ -6,16 +6,27 @@ blurs: "brakes twice" from "brakes".
 
 from __future__ import annotations
 
+import hashlib
 import re
+import zipfile
+from bisect import bisect_left
 from collections import Counter
+from dataclasses import dataclass
 from functools import lru_cache
+from io import BytesIO
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chatscene.files.bounded import check_archive
+from chatscene.files.caches import cache_folder, keep
+from chatscene.models.encoders import embedding
 from chatscene.models.encoders.embedding import plain
+
+MANY = 1000  # wordings; to count fewer takes as long as to look for them in the cache
 
 _SILENT = frozenset(
     (
@@ -37,40 +48,147 @@ def _terms(text: str) -> Counter[str]:
     return Counter([*words, *(f"{a} {b}" for a, b in pairwise(words))])
 
 
+@dataclass(frozen=True, slots=True)
+class _Counts:
+    """Which terms stand in which wordings, term by term in alphabetical order.
+
+    Attributes:
+        terms: The terms, a line each.
+        starts: (T + 1,) where in `terms` each begins, and behind the last.
+        rarity: (T,) the weight of each.
+        ends: (T,) where in `rows` and `times` those of each end.
+        rows: (P,) the wordings that have it.
+        times: (P,) how often each has it.
+        lengths: (N,) of the wordings, as rows of weights.
+    """
+
+    terms: bytes
+    starts: NDArray[np.int64]
+    rarity: NDArray[np.float64]
+    ends: NDArray[np.int64]
+    rows: NDArray[np.int32]
+    times: NDArray[np.int32]
+    lengths: NDArray[np.float64]
+
+    def number(self, term: str) -> int | None:
+        """The number of a term; None if no wording has it."""
+        wanted, count = term.encode(), len(self.rarity)
+        found = bisect_left(range(count), wanted, key=self._term)
+        return found if found < count and self._term(found) == wanted else None
+
+    def _term(self, number: int) -> bytes:
+        return self.terms[self.starts[number] : self.starts[number + 1] - 1]
+
+    def shares(self, number: int) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+        """The wordings that have a term, and its share of each."""
+        own = slice(self.ends[number - 1] if number else 0, self.ends[number])
+        rows = self.rows[own]
+        return rows, self.times[own].astype(float) * self.rarity[number] / self.lengths[rows]
+
+
 class WordingIndex:
     """Wordings, each owned by a snippet; searched by the words they share with a text."""
 
     def __init__(self, wordings: tuple[str, ...], owners: tuple[int, ...]) -> None:
         self._wordings = wordings
         self._owners = np.array(owners)
-        self._numbers: dict[str, int] = {}  # of the terms
-        each, times, sizes = list[int](), list[int](), list[int]()
-        for text in wordings:
-            terms = _terms(text)
-            each.extend(self._numbers.setdefault(term, len(self._numbers)) for term in terms)
-            times.extend(terms.values())
-            sizes.append(len(terms))
-        term, row = np.array(each, np.intp), np.repeat(np.arange(len(wordings)), sizes)
-        seen = np.bincount(term, minlength=len(self._numbers))
-        self._rarity = np.log((1 + len(wordings)) / (1 + seen)) + 1
-        weight = np.array(times, float) * self._rarity[term]
-        length = np.sqrt(np.bincount(row, weight**2, minlength=len(wordings)))
-        by_term = np.argsort(term, kind="stable")
-        # Of each term, one after another: the rows that have it, and its share of them.
-        self._rows, self._shares = row[by_term], (weight / length[row])[by_term]
-        self._ends = np.cumsum(seen)
+        self._counts = _counted(wordings) if len(wordings) < MANY else _kept(wordings)
 
     def search(self, text: str) -> tuple[NDArray[np.float64], list[str]]:
         """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
-        terms = {self._numbers[term]: times for term, times in _terms(text).items() if term in self._numbers}
-        weights = {number: times * float(self._rarity[number]) for number, times in terms.items()}
+        counts = self._counts
+        found = ((counts.number(term), times) for term, times in _terms(text).items())
+        weights = {number: times * float(counts.rarity[number]) for number, times in found if number is not None}
         length = float(np.sqrt(sum(w * w for w in weights.values()))) or 1.0
         scores = np.zeros(len(self._wordings))
         for number, weight in weights.items():
-            own = slice(self._ends[number - 1] if number else 0, self._ends[number])
-            scores[self._rows[own]] += self._shares[own] * (weight / length)
+            rows, shares = counts.shares(number)
+            scores[rows] += shares * (weight / length)
         best, rows = best_of_each(scores, self._owners)
         return best, [self._wordings[row] for row in rows]
+
+
+def _counted(wordings: tuple[str, ...]) -> _Counts:
+    numbers: dict[str, int] = {}
+    each, times, sizes = list[int](), list[int](), list[int]()
+    for text in wordings:
+        terms = _terms(text)
+        each.extend(numbers.setdefault(term, len(numbers)) for term in terms)
+        times.extend(terms.values())
+        sizes.append(len(terms))
+    ordered = sorted(numbers)
+    place = np.empty(len(numbers), np.intp)
+    place[[numbers[term] for term in ordered]] = np.arange(len(numbers))
+    term, row = place[np.array(each, np.intp)], np.repeat(np.arange(len(wordings)), sizes)
+    seen = np.bincount(term, minlength=len(numbers))
+    rarity = np.log((1.0 + len(wordings)) / (1.0 + seen)) + 1.0
+    weight = np.array(times, float) * rarity[term]
+    by_term = np.argsort(term, kind="stable")
+    return _Counts(
+        terms="".join(f"{one}\n" for one in ordered).encode(),
+        starts=np.cumsum([0, *(len(one) + 1 for one in ordered)]),
+        rarity=rarity,
+        ends=np.cumsum(seen),
+        rows=row[by_term].astype(np.int32),
+        times=np.array(times, np.int32)[by_term],
+        lengths=np.sqrt(np.bincount(row, weight**2, minlength=len(wordings))),
+    )
+
+
+def _kept(wordings: tuple[str, ...]) -> _Counts:
+    """The counts of many wordings, from the user's cache folder if they are there, and put there if not.
+
+    The file is named by a hash of the wordings and of the code that counts. One that is missing, damaged or cannot be
+    written costs time and nothing else.
+    """
+    path = cache_folder("words") / f"{_digest(wordings)}.npz"
+    counts = _load(path, len(wordings))
+    if counts is None:
+        counts = _counted(wordings)
+        content = BytesIO()
+        arrays = {name: getattr(counts, name) for name in _FORM}
+        np.savez(content, terms=np.frombuffer(counts.terms, np.uint8), **arrays)
+        keep(path, content.getvalue())
+    return counts
+
+
+_FORM = {"starts": np.int64, "rarity": np.float64, "ends": np.int64, "rows": np.int32, "times": np.int32,
+         "lengths": np.float64}  # fmt: skip
+
+
+def _digest(wordings: tuple[str, ...]) -> str:
+    digest = hashlib.blake2b(digest_size=16)
+    for module in (__file__, embedding.__file__):  # which say what a term is
+        digest.update(Path(module).read_bytes())
+    digest.update("\0".join(wordings).encode())
+    return digest.hexdigest()
+
+
+def _load(path: Path, size: int) -> _Counts | None:
+    """Stored counts of so many wordings; none if there are none that could be."""
+    try:
+        check_archive(path)
+        with np.load(path, allow_pickle=False) as arrays:
+            read = {name: arrays[name] for name in ("terms", *_FORM)}
+    except (OSError, ValueError, KeyError, EOFError, MemoryError, zipfile.BadZipFile):
+        return None
+    if any(read[name].ndim != 1 or read[name].dtype != dtype for name, dtype in _FORM.items()):
+        return None
+    counts = _Counts(**{**read, "terms": read["terms"].tobytes()})
+    starts, ends, rows, count = counts.starts, counts.ends, counts.rows, len(counts.rarity)
+    whole = (
+        len(starts) == count + 1
+        and len(ends) == count
+        and len(rows) == len(counts.times)
+        and len(counts.lengths) == size
+        and starts[0] == 0
+        and starts[-1] == len(counts.terms)
+        and bool(np.all(np.diff(starts) > 0))
+        and (len(rows) == 0 if count == 0 else ends[0] >= 0 and ends[-1] == len(rows))
+        and bool(np.all(np.diff(ends) >= 0))
+        and bool(np.all((rows >= 0) & (rows < size)))
+    )
+    return counts if whole else None
 
 
 def best_of_each(scores: NDArray[Any], owners: NDArray[np.intp]) -> tuple[NDArray[Any], NDArray[np.intp]]:

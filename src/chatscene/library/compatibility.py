@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,7 @@ ARMS = {
     "trafficFromRight": ("trafficFromLeft", Maneuver.LEFT_TURN),
     "oncomingTraffic": (None, Maneuver.LEFT_TURN),
 }
+_SHARED = tuple(name for name, row in SLOTS.items() if row.shared)
 Mask = NDArray[np.bool_]
 
 
@@ -41,7 +43,7 @@ def agree(one: object, other: object) -> bool:
 
 def contradiction(one: Slots, other: Slots) -> str | None:
     """The first slot on which two sets of facts disagree, in words."""
-    for slot in (name for name, row in SLOTS.items() if row.shared):
+    for slot in _SHARED:
         a, b = getattr(one, slot), getattr(other, slot)
         if not agree(a, b):
             return f"{slot}: {a} against {b}"
@@ -153,39 +155,64 @@ def compatibility(library: Library) -> Compatibility:
     b, g, s = (library.of(component) for component in (Component.BEHAVIOR, Component.GEOMETRY, Component.SPAWN))
     if not (b and g and s):
         return Compatibility(b, g, s, np.zeros((len(b), len(g), len(s)), bool))
-    (b1, bi), (g1, gi), (s1, si) = (_names(snippets) for snippets in (b, g, s))
-    closed = np.array([[[_closed((x, y, z)) for z in s1] for y in g1] for x in b1], bool)[np.ix_(bi, gi, si)]
-    kinds = np.array(
-        [[bool(set(x.adversaries) & set(y.adversaries)) and _follows(x, y) for y in s] for x in b]
-    ).reshape(len(b), len(s))
-    caused = np.array([[_has_cause(x, y) for y in s] for x in g]).reshape(len(g), len(s))
-    pairs = _pairwise(b, g)[:, :, None] & (_pairwise(b, s) & kinds)[:, None, :] & (_pairwise(g, s) & caused)[None, :, :]
+    follows = _pairs(b, s, lambda x: (x.adversaries, x.requires, x.provides), _goes_with)
+    caused = _pairs(g, s, lambda x: (x.slots.maneuver, x.slots.blocker), _has_cause)
+    goes_on = _pairs(g, s, lambda x: (x.requires, x.provides, x.slots.maneuver), _goes_on)
     straight = np.array([_only_straight(x) for x in b])
-    goes_on = np.array([[_goes_on(x, y) for y in s] for x in g]).reshape(len(g), len(s))
-    return Compatibility(b, g, s, closed & pairs & (goes_on[None, :, :] | ~straight[:, None, None]))
+    pairs = _agreeing(b, g)[:, :, None] & (_agreeing(b, s) & follows)[:, None, :] & (_agreeing(g, s) & caused)[None]
+    return Compatibility(b, g, s, _closed(b, g, s) & pairs & (goes_on[None] | ~straight[:, None, None]))
 
 
-_Names = tuple[frozenset[str], frozenset[str]]  # what a part requires, what it provides
+_One = TypeVar("_One", bound=Hashable)
 
 
-def _names(snippets: Sequence[Snippet]) -> tuple[list[_Names], list[int]]:
-    """The different contracts of names among some snippets, and which of them each has: they are few."""
-    each = [(frozenset(x.requires) - set(HEADER_PROVIDES), frozenset(x.provides)) for x in snippets]
-    different = list(dict.fromkeys(each))
-    return different, [different.index(names) for names in each]
+def _different(each: Iterable[_One]) -> tuple[list[_One], list[int]]:
+    """The different ones, and which of them each is."""
+    numbers: dict[_One, int] = {}
+    places = [numbers.setdefault(one, len(numbers)) for one in each]
+    return list(numbers), places
 
 
-def _closed(triple: tuple[_Names, _Names, _Names]) -> bool:
-    """Whether each part finds what it requires with the others."""
-    return all(
-        requires <= frozenset().union(*(given for j, (_, given) in enumerate(triple) if j != i))
-        for i, (requires, _) in enumerate(triple)
-    )
+def _closed(*shelves: Sequence[Snippet]) -> Mask:
+    """(B, G, S): whether each part finds what it requires with the others.
+
+    Different contracts of names are few.
+    """
+    wanted = frozenset(name for shelf in shelves for x in shelf for name in x.requires) - set(HEADER_PROVIDES)
+    each = [_different((wanted & set(x.requires), wanted & set(x.provides)) for x in shelf) for shelf in shelves]
+    missing = np.zeros([len(names) for names, _ in each], bool)
+    for name in wanted:
+        b, g, s = (np.array([[name in of for of in one] for one in names], bool).T for names, _ in each)
+        (b_needs, b_gives), (g_needs, g_gives), (s_needs, s_gives) = b, g, s
+        missing |= b_needs[:, None, None] & ~(g_gives[:, None] | s_gives)
+        missing |= (g_needs[:, None] & ~s_gives) & ~b_gives[:, None, None]
+        missing |= (~g_gives[:, None] & s_needs) & ~b_gives[:, None, None]
+    return ~missing[np.ix_(*(places for _, places in each))]
 
 
-def _pairwise(ones: Sequence[Snippet], others: Sequence[Snippet]) -> Mask:
-    """Whether two parts tune different parameters and do not contradict each other."""
-    names = {x.id: {p.name for p in x.parameters} for x in (*ones, *others)}
-    return np.array(
-        [[not names[a.id] & names[c.id] and contradiction(a.slots, c.slots) is None for c in others] for a in ones]
-    ).reshape(len(ones), len(others))
+def _pairs(
+    ones: Sequence[Snippet],
+    others: Sequence[Snippet],
+    told: Callable[[Snippet], Hashable],
+    holds: Callable[[Snippet, Snippet], bool],
+) -> Mask:
+    """(N, M) what holds of each two snippets, worked out once for all of which the same is told."""
+    (a, i), (b, j) = (_different(told(x) for x in snippets) for snippets in (ones, others))
+    first, second = ({told(x): x for x in snippets} for snippets in (ones, others))
+    return np.array([[holds(first[x], second[y]) for y in b] for x in a], bool)[np.ix_(i, j)]
+
+
+def _agreeing(ones: Sequence[Snippet], others: Sequence[Snippet]) -> Mask:
+    """(N, M) whether two parts tune different parameters and do not contradict each other."""
+    tuned, too = ([frozenset(p.name for p in x.parameters) for x in snippets] for snippets in (ones, others))
+    (a, i), (b, j) = _different(tuned), _different(too)
+    fit = np.array([[not x & y for y in b] for x in a], bool)[np.ix_(i, j)]
+    for slot in _SHARED:
+        (a, i), (b, j) = (_different(getattr(x.slots, slot) for x in snippets) for snippets in (ones, others))
+        fit &= np.array([[agree(x, y) for y in b] for x in a], bool)[np.ix_(i, j)]
+    return fit
+
+
+def _goes_with(behavior: Snippet, spawn: Snippet) -> bool:
+    """Whether a behavior is for a spawn's adversary and for where that starts."""
+    return bool(set(behavior.adversaries) & set(spawn.adversaries)) and _follows(behavior, spawn)
