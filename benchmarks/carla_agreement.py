@@ -20,7 +20,7 @@ from shown import texts_in
 from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError
 from chatscene.maps.network import resolve_map
-from chatscene.search.generator import climb
+from chatscene.search.climb import climb
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator

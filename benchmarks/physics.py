@@ -32,7 +32,8 @@ from chatscene.errors import ChatSceneError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran, drive
 from chatscene.runs.parallel import spread
-from chatscene.search.generator import climb, load_generator
+from chatscene.search.climb import climb
+from chatscene.search.generator import load_generator
 from chatscene.search.select import Candidate, select
 from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.embedded.dynamics import VehicleBody, make_body

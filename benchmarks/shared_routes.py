@@ -12,7 +12,8 @@ from contextlib import suppress
 
 from chatscene.errors import MapError
 from chatscene.maps.network import resolve_map
-from chatscene.search.generator import Generator, load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import Generator, load_generator
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.scenario import BaseScenario
 

@@ -22,7 +22,8 @@ from chatscene import pipeline, runs
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.program.meaning import check_meaning
-from chatscene.search.generator import simulator_of
+from chatscene.runs.rebuild import rebuild
+from chatscene.search.climb import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings, Settings
@@ -96,7 +97,7 @@ def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str
             for name, row in rows.items()
         ]
         chosen = {rule: select(candidates, count=settings.search.keep, selection=rule) for rule in RULES}
-        scenario, program = pipeline.rebuild(run)
+        scenario, program = rebuild(run)
         route = simulator_of(Retrieved(), resolve_map("town"), settings).route(program, 0)
         done = {
             one.scene_id: not check_meaning(scenario.slots, runs.read_episode(run, one.scene_id), route, through=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import re
 import runpy
+import subprocess
+import sys
 import tomllib
 from typing import Any
 
@@ -67,3 +69,17 @@ def test_a_sentence_is_read_once_and_nobody_but_the_generator_comes_back() -> No
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8").split("## The walk of a scene")[0]
     told = set(re.findall(r"^\| `(\w+)` \| `(\w+)` \|", page, re.MULTILINE))
     assert told == {(there.removesuffix(".py"), here) for there, here, _ in stays if there}
+
+
+HEAVY = ("scenic", "trimesh", "scipy", "shapely", "PIL", "pyarrow", "matplotlib", "jinja2", "networkx", "torch", "onnx")
+READS = """
+import sys
+import chatscene
+chatscene.explain("A cyclist rides out from the left and stops in front of us.").as_dict()
+print(*(name for name in sys.argv[1:] if name in sys.modules))
+"""
+
+
+def test_reading_a_sentence_loads_nothing_that_drives_draws_or_trains() -> None:
+    told = subprocess.run([sys.executable, "-c", READS, *HEAVY], capture_output=True, text=True, check=True)
+    assert told.stdout.split() == []

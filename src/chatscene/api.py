@@ -13,18 +13,12 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from chatscene import pipeline, runs
+from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
-from chatscene.interpret.conflicts import conflicts_in, read_report
 from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
-from chatscene.report.summary import Summary
-from chatscene.report.understood import Understood
+from chatscene.report.understood import Understood, understand
 from chatscene.runs.progress import Progress, silent
-from chatscene.runs.rebuild import map_of, rebuild
-from chatscene.runs.replay import Replayed
-from chatscene.runs.replay import replay as replay_scene
-from chatscene.runs.tables import EPISODES, SCENES, Table, read_table
 from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.conflict import Conflict
@@ -36,6 +30,9 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.report.summary import Summary
+    from chatscene.runs.replay import Replayed
+    from chatscene.runs.tables import Table
     from chatscene.search.generators.foreign import ForeignProgram
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
@@ -96,11 +93,15 @@ class Run:
     @property
     def summary(self) -> Summary:
         """How many scenes were driven, collided and were kept, and who drove."""
+        from chatscene.report.summary import Summary
+
         return Summary.of(self._record)
 
     @property
     def scenes(self) -> Table:
         """A row per scene, driven or rejected, with the columns of `scenes.parquet`: an Arrow table."""
+        from chatscene.runs.tables import SCENES, read_table
+
         return read_table(self._workspace.file("scenes.parquet"), SCENES)
 
     @property
@@ -147,9 +148,7 @@ class Run:
         if record.program is not None:
             raise EditRefused(f"{self.folder} is a run of a program of one's own; only a sentence can be edited")
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
-        return pipeline.understand(
-            record.text, runs.settings_of(record), generator=record.generator, edits=record.edits
-        )
+        return understand(record.text, runs.settings_of(record), generator=record.generator, edits=record.edits)
 
     def edit(self, text: str, folder: Name | None = None, *, jobs: int = 1, progress: Progress = silent) -> Run:
         """A new run of the same situation but for what an edit names, with the same settings, seed and ego.
@@ -167,6 +166,8 @@ class Run:
             NothingFits: The library cannot serve the edited situation.
             RunError: The run names what must be repeated.
         """
+        from chatscene import pipeline
+
         record, edited = self._record, self.understood.edit(text)
         follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
         by_default = record.map_name == map_with(edited.before.scenario.slots.site)
@@ -251,6 +252,8 @@ class DrivenScene:
     @property
     def tracks(self) -> Table:
         """A row per actor and step, with the columns of the files in ``episodes/``: an Arrow table."""
+        from chatscene.runs.tables import EPISODES, read_table
+
         place = self.row["scenario_id"], runs.route_index(self.row["route_id"]), self.row["block"]
         return read_table(self._workspace.episodes(*place), EPISODES, scene_id=self.id)
 
@@ -261,6 +264,8 @@ class DrivenScene:
 
     def replay(self) -> Replayed:
         """Simulate it again from its stored values, and compare every number of every track."""
+        from chatscene.runs.replay import replay as replay_scene
+
         return replay_scene(self._workspace.path, self.id, repeated=self._repeated)
 
     def env(
@@ -286,7 +291,9 @@ class DrivenScene:
         """
         from chatscene.learn.env import DrivingEnv
         from chatscene.program.ordinary import Course
-        from chatscene.search.generator import load_generator, simulator_of
+        from chatscene.runs.rebuild import map_of, rebuild
+        from chatscene.search.climb import simulator_of
+        from chatscene.search.generator import load_generator
 
         follow(replace(self._repeated, ego=()), simulators_of=[self._workspace], joining_of=[self._workspace])
         record = runs.read_record(self._workspace)
@@ -376,6 +383,7 @@ def run(
         NothingFits: The library cannot serve the sentence.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
+    from chatscene import pipeline
     from chatscene.search.generators.own_program import generator_for
 
     if sum((bool(text), report is not None, program is not None)) > 1:
@@ -443,7 +451,7 @@ def explain(
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
     if report is not None:
         text = _only_conflict(report, chosen)
-    return pipeline.understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit))
+    return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit))
 
 
 def conflicts(
@@ -467,6 +475,8 @@ def conflicts(
         SettingsError: There is no such file, or it is no text.
         NothingFits: It tells no conflict.
     """
+    from chatscene.interpret.conflicts import conflicts_in, read_report
+
     path = Path(report)
     reading = _reading(RetrievalSettings(), library, embedder, language_model)
     return conflicts_in(read_report(path), reading, path.name, progress)
@@ -553,14 +563,14 @@ def resume(
 
 
 _RESUMES = {
-    runs.Kind.RUN: "chatscene.pipeline",
-    runs.Kind.EVALUATION: "chatscene.studies.evaluation",
-    runs.Kind.BENCHMARK: "chatscene.studies.benchmark",
-    runs.Kind.REPRODUCTION: "chatscene.studies.reproduce",
-    runs.Kind.FINETUNING: "chatscene.learn.finetune",
-    runs.Kind.TRAINING: "chatscene.learn.train",
+    "run": "chatscene.pipeline",
+    "evaluation": "chatscene.studies.evaluation",
+    "benchmark": "chatscene.studies.benchmark",
+    "reproduction": "chatscene.studies.reproduce",
+    "finetuning": "chatscene.learn.finetune",
+    "training": "chatscene.learn.train",
 }
-"""Whose `resume` goes on with each kind of folder; loaded when it does."""
+"""Whose `resume` goes on with each kind of folder (`chatscene.runs.Kind`); loaded when it does."""
 
 
 def replay(
@@ -590,6 +600,8 @@ def replay(
         RunError: The run has no such scene, or it was never driven; or it names what must be repeated.
         SettingsError: The simulator has no window or no recorder.
     """
+    from chatscene.runs.replay import replay as replay_scene
+
     repeated = Repeated(
         ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
     )
@@ -784,6 +796,8 @@ def _reading(
 
 def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
     """The conflict of a report that tells one."""
+    from chatscene.interpret.conflicts import conflicts_in, read_report
+
     found, *others = conflicts_in(read_report(Path(report)), reading, Path(report).name)
     if others:
         raise SettingsError(

@@ -22,7 +22,8 @@ from chatscene.ego.policy import load_ego
 from chatscene.learn.env import DrivingEnv
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course
-from chatscene.search.generator import climb, load_generator, simulator_of
+from chatscene.search.climb import climb, simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.settings import RetrievalSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import routes_of
 

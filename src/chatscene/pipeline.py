@@ -1,7 +1,7 @@
 """The whole method on one screen (paper, figure 1): nine calls, of which a sentence meets the middle six here.
 
 1. describe: a base scenario to sentences, `chatscene.sentences.describe`;
-2. read, 3. interpret and 4. assemble and check: a sentence to a program that shows what was read;
+2. read, 3. interpret and 4. assemble and check: a sentence to a program that shows what was read, `understand`;
 5. simulate and 6. refine: blocks of scenes, each block drawn from where the last one hit;
 7. select: the scenes worth testing on;
 8. evaluate: egos on those of many runs, `chatscene.studies.evaluation.evaluate`;
@@ -10,7 +10,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from chatscene import runs
@@ -19,7 +18,7 @@ from chatscene.maps.drawing import routes_drawing
 from chatscene.maps.network import load_network
 from chatscene.report.animation import write_gif
 from chatscene.report.summary import Summary
-from chatscene.report.understood import Understood
+from chatscene.report.understood import understand
 from chatscene.report.viewer import write_report
 from chatscene.runs.parallel import Work, run_blocks
 from chatscene.runs.progress import Progress, silent
@@ -27,29 +26,11 @@ from chatscene.runs.rebuild import map_of
 from chatscene.runs.selection import selected
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
-from chatscene.search.generator import climb, load_generator, simulator_of
-from chatscene.settings import Settings
+from chatscene.search.climb import climb, simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.simulate.simulator import check_jobs, routes_of
 
-
-def understand(
-    text: str, settings: Settings | None = None, *, generator: str = "chatscene", edits: Sequence[str] = ()
-) -> Understood:
-    """Steps 2 to 4: a sentence, and edits of it, to the program that expresses it.
-
-    Raises:
-        SettingsError: The text is empty or too long.
-        EditRefused: An edit was not understood.
-        NothingFits: The library cannot serve it.
-    """
-    reading = (settings or Settings()).retrieval
-    maker = load_generator(generator)
-    said = maker.read(text, reading)
-    made = maker.write(said, reading)
-    understood = Understood(said, made.retrieval, made.program, generator=generator, reading=reading)
-    for one in edits:
-        understood = understood.edit(one)
-    return understood
+__all__ = ["resume", "run", "search", "understand"]
 
 
 def run(asked: runs.RunRecord, folder: Path, *, jobs: int = 1, progress: Progress = silent) -> Summary:

@@ -47,7 +47,8 @@ from chatscene.runs.parallel import spread
 from chatscene.runs.record import RECORDS
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated, follow
-from chatscene.search.generator import GENERATORS, load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import GENERATORS, load_generator
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.confined import nursery as nurseries

@@ -14,8 +14,9 @@ from chatscene.pipeline import run
 from chatscene.program.check import Checked
 from chatscene.runs import asked_run, open_run, read_explanation
 from chatscene.runs.rebuild import rebuild
-from chatscene.search import generator as searching
-from chatscene.search.generator import TRIES, Written, climb, simulator_of
+from chatscene.search import climb as climbing_up
+from chatscene.search.climb import TRIES, climb, simulator_of
+from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import Scenario
@@ -60,7 +61,7 @@ def climbing(
             return CLIMBED
         raise MeansSomethingElse(f"{tried.scenario_id} shows something else", blamed=blamed)
 
-    monkeypatch.setattr(searching, "check", check)
+    monkeypatch.setattr(climbing_up, "check", check)
     counting = Counting(programs)
     written, _ = climb(
         counting,

@@ -13,7 +13,8 @@ from chatscene.maps.network import resolve_map
 from chatscene.runs.record import upgraded
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import SIMULATORS, load_simulator, simulate
 from chatscene.terms.episode import Episode

@@ -17,7 +17,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.read.slot_classifier import NAME, PACKAGED, TRUSTED, save_classifier
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
-from chatscene.search.generator import simulator_of
+from chatscene.search.climb import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.studies.reading import Sentence, load_sentences

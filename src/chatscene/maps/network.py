@@ -18,7 +18,6 @@ from xml.etree import ElementTree as Xml
 from chatscene.errors import MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder, only_mine
-from chatscene.maps.furniture import read_furniture
 from chatscene.terms.scenario import Site
 
 LONGEST = 1e5  # [m] of a road
@@ -80,6 +79,8 @@ def load_network(path: Path | str) -> Any:
 def _parse(digest: str, path: Path) -> Any:
     _check_xml(path)
     from scenic.domains.driving.roads import Network
+
+    from chatscene.maps.furniture import read_furniture
 
     parse = _scenic_from_file()
     copy = _private_copy(path, digest)

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from chatscene import runs
-from chatscene.interpret.amend import Amended, amended
-from chatscene.report.notebook import understanding_frame
 from chatscene.report.terminal import understanding_text
 from chatscene.search.generator import load_generator
 from chatscene.sentences.plain import told
-from chatscene.settings import RetrievalSettings
+from chatscene.settings import RetrievalSettings, Settings
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval
+
+if TYPE_CHECKING:
+    from chatscene.interpret.amend import Amended
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,8 @@ class Understood:
             EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
             NothingFits: The library cannot serve the edited situation.
         """
+        from chatscene.interpret.amend import amended
+
         made = amended(self.scenario, text, self.reading)
         written = load_generator(self.generator).write(made.scenario, self.reading)
         return Edited(
@@ -74,6 +78,8 @@ class Understood:
 
     def _repr_html_(self) -> str:
         """For a notebook, as the report shows it."""
+        from chatscene.report.notebook import understanding_frame
+
         return understanding_frame(self.scenario, self.as_dict())
 
 
@@ -128,3 +134,23 @@ class Edited(Understood):
                 *(f"  {line}" for line in self.difference),
             ]
         )
+
+
+def understand(
+    text: str, settings: Settings | None = None, *, generator: str = "chatscene", edits: Sequence[str] = ()
+) -> Understood:
+    """Steps 2 to 4: a sentence, and edits of it, to the program that expresses it.
+
+    Raises:
+        SettingsError: The text is empty or too long.
+        EditRefused: An edit was not understood.
+        NothingFits: The library cannot serve it.
+    """
+    reading = (settings or Settings()).retrieval
+    maker = load_generator(generator)
+    said = maker.read(text, reading)
+    made = maker.write(said, reading)
+    understood = Understood(said, made.retrieval, made.program, generator=generator, reading=reading)
+    for one in edits:
+        understood = understood.edit(one)
+    return understood

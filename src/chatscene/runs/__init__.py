@@ -17,64 +17,75 @@
 
 from __future__ import annotations
 
-from chatscene.runs.asked import asked_benchmark, asked_evaluation, asked_run, edited_scenario, ego_digests, scenario_of
-from chatscene.runs.blocks import (
-    done_blocks,
-    drop_blocks,
-    finish,
-    read_adversaries,
-    read_episode,
-    read_episodes,
-    read_events,
-    read_ranges,
-    read_scenes,
-    read_signals,
-    resume,
-    write_block,
-)
-from chatscene.runs.checking import Condition, check
-from chatscene.runs.exclusive import alone
-from chatscene.runs.explanation import explain, read_choice, read_explanation, write_choice
-from chatscene.runs.record import (
-    SCHEMA_VERSION,
-    BenchmarkRecord,
-    Driven,
-    EvaluationRecord,
-    FinetuningRecord,
-    Kind,
-    LessonsRecord,
-    MapRecord,
-    ProgramRecord,
-    Record,
-    ReportRecord,
-    ReproductionRecord,
-    RunRecord,
-    SimulatorRecord,
-    SourceRecord,
-    Status,
-    TrainingRecord,
-    settings_from,
-    settings_of,
-)
-from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_id, route_index, scene_of
-from chatscene.runs.workspace import (
-    Workspace,
-    changed_versions,
-    create,
-    free_folder,
-    note,
-    open_run,
-    read_drawing,
-    read_programs,
-    read_record,
-    require_done,
-    run_folders,
-    take_up,
-    update,
-    write_drawing,
-    write_explanation,
-    write_program,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from chatscene.runs.asked import (
+        asked_benchmark,
+        asked_evaluation,
+        asked_run,
+        edited_scenario,
+        ego_digests,
+        scenario_of,
+    )
+    from chatscene.runs.blocks import (
+        done_blocks,
+        drop_blocks,
+        finish,
+        read_adversaries,
+        read_episode,
+        read_episodes,
+        read_events,
+        read_ranges,
+        read_scenes,
+        read_signals,
+        resume,
+        write_block,
+    )
+    from chatscene.runs.checking import Condition, check
+    from chatscene.runs.exclusive import alone
+    from chatscene.runs.explanation import explain, read_choice, read_explanation, write_choice
+    from chatscene.runs.record import (
+        SCHEMA_VERSION,
+        BenchmarkRecord,
+        Driven,
+        EvaluationRecord,
+        FinetuningRecord,
+        Kind,
+        LessonsRecord,
+        MapRecord,
+        ProgramRecord,
+        Record,
+        ReportRecord,
+        ReproductionRecord,
+        RunRecord,
+        SimulatorRecord,
+        SourceRecord,
+        Status,
+        TrainingRecord,
+        settings_from,
+        settings_of,
+    )
+    from chatscene.runs.tables import criticality_of, measurements_of, metrics_of, route_id, route_index, scene_of
+    from chatscene.runs.workspace import (
+        Workspace,
+        changed_versions,
+        create,
+        free_folder,
+        note,
+        open_run,
+        read_drawing,
+        read_programs,
+        read_record,
+        require_done,
+        run_folders,
+        take_up,
+        update,
+        write_drawing,
+        write_explanation,
+        write_program,
+    )
 
 __all__ = [
     "SCHEMA_VERSION",
@@ -144,3 +155,36 @@ __all__ = [
     "write_explanation",
     "write_program",
 ]
+
+_NAMES = {
+    "asked": "asked_benchmark asked_evaluation asked_run edited_scenario ego_digests scenario_of",
+    "blocks": (
+        "done_blocks drop_blocks finish read_adversaries read_episode read_episodes read_events "
+        "read_ranges read_scenes read_signals resume write_block"
+    ),
+    "checking": "Condition check",
+    "exclusive": "alone",
+    "explanation": "explain read_choice read_explanation write_choice",
+    "record": (
+        "SCHEMA_VERSION BenchmarkRecord Driven EvaluationRecord FinetuningRecord Kind LessonsRecord "
+        "MapRecord ProgramRecord Record ReportRecord ReproductionRecord RunRecord SimulatorRecord "
+        "SourceRecord Status TrainingRecord settings_from settings_of"
+    ),
+    "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of",
+    "workspace": (
+        "Workspace changed_versions create free_folder note open_run read_drawing read_programs "
+        "read_record require_done run_folders take_up update write_drawing write_explanation "
+        "write_program"
+    ),
+}
+"""Names by the module that defines them, loaded when one is first used: who reads a sentence needs none of them."""
+
+if not TYPE_CHECKING:  # else a type checker would take any name for one of ours
+
+    def __getattr__(name: str) -> object:
+        """Load a name where it is first used."""
+        module = next((module for module, names in _NAMES.items() if name in names.split()), None)
+        if module is None:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        found = globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
+        return found

@@ -25,7 +25,8 @@ from chatscene.runs.record import (
     SourceRecord,
     settings_of,
 )
-from chatscene.search.generator import Generator, load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import Generator, load_generator
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import load_simulator

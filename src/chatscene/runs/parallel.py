@@ -22,8 +22,9 @@ from chatscene.errors import RunError
 from chatscene.runs import Workspace, read_record, settings_of, write_block
 from chatscene.runs.progress import Progress
 from chatscene.runs.rebuild import map_of
+from chatscene.search.climb import simulator_of
 from chatscene.search.explore import outcomes
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome

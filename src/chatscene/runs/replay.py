@@ -17,7 +17,8 @@ from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import changed_versions, open_run, read_record
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected

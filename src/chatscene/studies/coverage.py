@@ -39,7 +39,8 @@ from chatscene.report.viewer import ranked
 from chatscene.runs.atomic import write_bytes, write_json
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
-from chatscene.search.generator import Written, climb, simulator_of
+from chatscene.search.climb import climb, simulator_of
+from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import Simulator, check_jobs, routes_of

@@ -31,8 +31,9 @@ from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
+from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode

@@ -31,7 +31,8 @@ from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.check import unshown
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
-from chatscene.search.generator import Written, climb, simulator_of
+from chatscene.search.climb import climb, simulator_of
+from chatscene.search.generator import Written
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, Settings
 from chatscene.simulate.simulator import Simulator

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
+from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block, outcomes
-from chatscene.search.generator import Choice, Generator, load_generator, simulator_of
+from chatscene.search.generator import Choice, Generator, load_generator
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario

@@ -15,8 +15,9 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.program.check import check
 from chatscene.search import explore as exploring
+from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Slots

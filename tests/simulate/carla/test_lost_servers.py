@@ -22,7 +22,8 @@ from chatscene.maps.network import resolve_map
 from chatscene.runs.progress import silent
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
-from chatscene.search.generator import load_generator, simulator_of
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import check_jobs, load_simulator
 from chatscene.studies.driving import drive

@@ -7,17 +7,19 @@ that names it is not followed unless the user says so again, since it is not one
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-from chatscene.ego.policy import EgoPolicy
-from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Choice, Written
-from chatscene.search.generators.foreign import foreign_program
 from chatscene.settings import RetrievalSettings, SearchSettings
-from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
+
+if TYPE_CHECKING:
+    from chatscene.ego.policy import EgoPolicy
+    from chatscene.search.explore import Block
+    from chatscene.simulate.simulator import Simulator
 
 _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spawn="as programmed")
 
@@ -37,6 +39,8 @@ class OwnProgram:
         self._as_written = as_written
 
     def _program(self, name: str, source: str) -> ScenicProgram:
+        from chatscene.search.generators.foreign import foreign_program
+
         return foreign_program(name, source, trusted=self._trusted, as_written=self._as_written)
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:  # noqa: ARG002
@@ -72,6 +76,8 @@ class OwnProgram:
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
+        from chatscene.search.explore import explore
+
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 

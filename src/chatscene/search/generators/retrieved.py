@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
+from typing import TYPE_CHECKING
 
-from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import NothingFits, RunError
 from chatscene.interpret.choose import choose
 from chatscene.interpret.readings import offered, understand
@@ -20,15 +20,18 @@ from chatscene.program.orders import ORDERS
 from chatscene.read.accounting import words_of
 from chatscene.read.canonical import canonical
 from chatscene.read.reading import read
-from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Choice, Written
 from chatscene.sentences.plain import told
 from chatscene.settings import RetrievalSettings, SearchSettings
-from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
+
+if TYPE_CHECKING:
+    from chatscene.ego.policy import EgoPolicy
+    from chatscene.search.explore import Block
+    from chatscene.simulate.simulator import Simulator
 
 
 class Retrieved:
@@ -89,6 +92,8 @@ class Retrieved:
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
         """Steps 5 and 6."""
+        from chatscene.search.explore import explore
+
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
