@@ -8,6 +8,7 @@ Times are those of this process on this machine; the targets stand beside them.
 from __future__ import annotations
 
 import gc
+import os
 import resource
 import statistics
 import subprocess
@@ -18,7 +19,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from chatscene import pipeline
+from chatscene import pipeline, runs
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NothingFits
 from chatscene.interpret.decide import scenario_of
@@ -36,7 +37,15 @@ from chatscene.terms.scenario import Component, Scenario
 from chatscene.terms.scene import ScenicProgram
 
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
+LATER = (
+    "The car ahead brakes hard.",
+    "While we turn left, a pedestrian runs across from behind a parked van.",
+    "so this guy on a scooter just shot past on our right and cut in like it was nothing",
+    "A truck backs out of a driveway and we have to stop for it.",
+    "At the crossroads a van runs the red light from the right and clips us.",
+)  # told in different ways, plainly and not
 EPISODES = 1000
+REPEATS = 3
 
 
 def programs(count: int) -> list[ScenicProgram]:
@@ -56,6 +65,23 @@ def seconds(work: Callable[[], object]) -> float:
     began = time.perf_counter()
     work()
     return time.perf_counter() - began
+
+
+def cost(*words: str) -> tuple[float, float, str]:
+    """Processor time [s] and peak memory [MB] of a command of its own, and what it prints."""
+    with subprocess.Popen([sys.executable, "-m", "chatscene", *words], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        printed = process.stdout.read()
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode == 0
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1000, printed
+
+
+def explained(text: str) -> None:
+    """Understand a text, or refuse it: either is an answer that a user waits for."""
+    with suppress(NothingFits):
+        pipeline.understand(text)
 
 
 def report(what: str, measured: float, target: float, unit: str = "s") -> None:
@@ -119,6 +145,19 @@ def main() -> None:
             ),
             20,
         )
+
+        costs = [cost("explain", SENTENCE) for _ in range(REPEATS)]
+        report("chatscene explain, processor time, median", statistics.median(cpu for cpu, _, _ in costs), 1.5)
+        report("chatscene explain, peak memory, median", statistics.median(peak for _, peak, _ in costs), 400, "MB")
+        rows = runs.read_scenes(runs.Workspace(Path(folder, "run")))
+        scene = next(row["scene_id"] for row in rows if row["status"] == "ran")
+        replays = [cost("replay", f"{folder}/run", scene)[0] for _ in range(REPEATS)]
+        report("chatscene replay, processor time, median", statistics.median(replays), 1)
+    explained(SENTENCE)
+    for number, text in enumerate(LATER, 1):
+        began = time.process_time()
+        explained(text)
+        report(f"later sentence {number} of a process, processor time", time.process_time() - began, 0.1)
 
     simulator = load_simulator(map_path, SimulationSettings())
     program = pipeline.understand(SENTENCE).program

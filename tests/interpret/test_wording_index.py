@@ -22,7 +22,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def found(index: WordingIndex) -> list[tuple[list[float], list[str]]]:
+def found(index: WordingIndex) -> list[tuple[list[float], tuple[str, ...]]]:
     return [(scores.tolist(), texts) for scores, texts in map(index.search, TEXTS)]
 
 
@@ -31,7 +31,7 @@ def test_a_wording_that_is_the_text_has_a_cosine_of_one_and_one_without_its_word
     scores, texts = index.search("the bus brakes")
     assert scores[0] == pytest.approx(1.0)
     assert 0.0 < scores[1] < 1.0
-    assert texts == ["a bus brakes", "the van brakes twice"]
+    assert texts == ("a bus brakes", "the van brakes twice")
     assert index.search("a dragon")[0].tolist() == [0.0, 0.0]
 
 

@@ -254,7 +254,7 @@ class _Ranking:
     component: Component
     snippets: tuple[Snippet, ...]
     similarity: Scores
-    texts: list[str]
+    texts: tuple[str, ...]
     agreement: Scores
     conflicts: Scores
     score: Scores
@@ -502,7 +502,13 @@ def _words(value: object) -> str:
 
 @lru_cache(maxsize=4)
 def _shelves(library: Library) -> dict[Component, _Shelf]:
-    return {component: _Shelf(component, library.of(component)) for component in Component}
+    return {component: _shelf(component, library.of(component)) for component in Component}
+
+
+@lru_cache(maxsize=12)
+def _shelf(component: Component, snippets: tuple[Snippet, ...]) -> _Shelf:
+    """A shelf, which a library with a composed behavior has in common with the one without it."""
+    return _Shelf(component, snippets)
 
 
 # The triple

@@ -26,6 +26,7 @@ from chatscene.files.caches import cache_folder, keep
 from chatscene.models.encoders import embedding
 from chatscene.models.encoders.embedding import plain
 
+RECENT = 16  # texts of which the cosines are kept
 MANY = 1000  # wordings; to count fewer takes as long as to look for them in the cache
 
 _SILENT = frozenset(
@@ -93,9 +94,11 @@ class WordingIndex:
         self._wordings = wordings
         self._owners = np.array(owners)
         self._counts = _counted(wordings) if len(wordings) < MANY else _kept(wordings)
+        # A sentence is asked for again and again while it is settled.
+        self.search = lru_cache(maxsize=RECENT)(self._search)
 
-    def search(self, text: str) -> tuple[NDArray[np.float64], list[str]]:
-        """(N,) cosine of a text to the nearest wording of each snippet, and that wording."""
+    def _search(self, text: str) -> tuple[NDArray[np.float64], tuple[str, ...]]:
+        """(N,) cosine of a text to the nearest wording of each snippet, not to be changed, and that wording."""
         counts = self._counts
         found = ((counts.number(term), times) for term, times in _terms(text).items())
         weights = {number: times * float(counts.rarity[number]) for number, times in found if number is not None}
@@ -105,7 +108,8 @@ class WordingIndex:
             rows, shares = counts.shares(number)
             scores[rows] += shares * (weight / length)
         best, rows = best_of_each(scores, self._owners)
-        return best, [self._wordings[row] for row in rows]
+        best.flags.writeable = False
+        return best, tuple(self._wordings[row] for row in rows)
 
 
 def _counted(wordings: tuple[str, ...]) -> _Counts:

@@ -112,13 +112,15 @@ def read_wordings(path: Path) -> tuple[str, ...]:
     """
     if not path.exists():
         return ()
-    wordings: dict[str, str] = {}
-    for number, line in enumerate(_text(path).split("\n"), 1):
-        if text := line.strip():
-            if text.casefold() in wordings:
+    lines = [line.strip() for line in _text(path).split("\n")]
+    wordings = tuple(filter(None, lines))
+    if len({text.casefold() for text in wordings}) < len(wordings):
+        seen: set[str] = set()
+        for number, text in enumerate(lines, 1):
+            if text and text.casefold() in seen:
                 raise SnippetError(f"{path}, line {number}: {text!r} stands there already; take it out")
-            wordings[text.casefold()] = text
-    return tuple(wordings.values())
+            seen.add(text.casefold())
+    return wordings
 
 
 def wordings_path(library: Path, snippet_id: str) -> Path:
@@ -229,7 +231,7 @@ class _Row:
 
     def filled(self, at: str, text: str) -> str:
         """A text with the row's values in the place of ``$key``."""
-        if not self.known:
+        if not self.known or "$" not in text:
             return text
         template = Template(text)
         try:
@@ -316,9 +318,9 @@ def tuned_in(source: str) -> frozenset[str]:
 
 def _parameters(at: str, code: str, meanings: list[str]) -> list[ParameterRange]:
     """What a line tunes: a parameter or nothing."""
-    found = _PARAMETER.fullmatch(code)
+    found = _PARAMETER.fullmatch(code) if code.startswith("param") else None
     if found is None:
-        if re.match(r"param\b.*\bOPT_", code):
+        if code.startswith("param") and re.match(r"param\b.*\bOPT_", code):
             raise SnippetError(
                 f"{at}: a parameter has a line of its own, param OPT_NAME = Range(low, high)  {MARK} [unit] meaning, "
                 "with two numbers"

@@ -112,12 +112,12 @@ def _most_telling(telling: Telling, text: str, at: int) -> _Found | None:
     best, end = None, at
     party = telling.party
     for phrase in _phrases_of(party.kind.row.manner if party else None):
-        if (match := _matched(phrase.pattern, text, at)) and match.end() > end:
+        if (match := _not_a_sign(phrase.match(text, at), text)) and match.end() > end:
             best, end = _Found(phrase, match), match.end()
     for rule in rules():
         if not _rule_fits(telling, rule):
             continue
-        if (match := _matched(rule.pattern, text, at)) and match.end() >= max(end, at + 1):
+        if (match := _not_a_sign(rule.pattern.match(text, at), text)) and match.end() >= max(end, at + 1):
             before_who = rule.opens and telling.subject is None
             weaker = rule.kind is Kind.FROM_SIDE and best and isinstance(best.says, Rule) and match.end() == end
             if not weaker and not (before_who and not _COMES_FROM.match(match[0])):
@@ -125,8 +125,8 @@ def _most_telling(telling: Telling, text: str, at: int) -> _Found | None:
     return best
 
 
-def _matched(pattern: re.Pattern[str], text: str, at: int) -> re.Match[str] | None:
-    match = pattern.match(text, at)
+def _not_a_sign(match: re.Match[str] | None, text: str) -> re.Match[str] | None:
+    """A match, unless the word at its end is the first of "stop sign"."""
     return match if match and not STOP_SIGN.match(text, match.end() - len("stop")) else None
 
 

@@ -183,7 +183,7 @@ def _matches(text: str, at: int, of_ego: bool) -> Iterator[tuple[int, str, bool]
             fact = f"actions={rule.action}" if rule.action else _OF_KIND.get(rule.kind, "")
             yield match.end(), fact, False
     for phrase in phrases():
-        if phrase.ego in (None, of_ego) and (match := phrase.pattern.match(text, at)):
+        if phrase.ego in (None, of_ego) and (match := phrase.match(text, at)):
             fact = f"actions={phrase.value}" if phrase.sort is Sort.ACT else _OF_SORT.get(phrase.sort, "")
             yield match.end(), fact, phrase.sort not in _OF_SORT
     if named := road_user().match(text, at):

@@ -313,7 +313,7 @@ def _marks_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
 
 def _phrases_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
     for phrase in phrases():
-        if phrase.sort in _SORTS and (match := phrase.pattern.match(text, at)):
+        if phrase.sort in _SORTS and (match := phrase.match(text, at)):
             yield match.end(), _SORTS[phrase.sort], _value(phrase, match)
     if match := road_user().match(text, at):
         article = match["article"] or ""

@@ -77,9 +77,13 @@ def conjugated(phrase: str, form: Form) -> str:
 
 def any_form(*verbs: str) -> str:
     """A pattern of verbs in every person and tense, the longest form first."""
+    return "(?:" + "|".join(sorted(every_form(*verbs), key=len, reverse=True)) + ")"
+
+
+def every_form(*verbs: str) -> set[str]:
+    """Verbs in every person and tense."""
     forms = {inflected(verb, form) for verb in verbs for form in (Form.SINGULAR, Form.PLURAL, Form.PAST, Form.ING)}
-    forms |= {form for verb in verbs for form in (verb, *_FURTHER.get(verb, ()))}
-    return "(?:" + "|".join(sorted(forms, key=len, reverse=True)) + ")"
+    return forms | {form for verb in verbs for form in (verb, *_FURTHER.get(verb, ()))}
 
 
 _FURTHER = {"be": ("are", "were"), "do": ("does", "did", "doesn't"), "have": ("has", "had")}

@@ -115,7 +115,7 @@ def _next(told: _Told, text: str, at: int) -> int:
     """Read the phrase at a place; where the next one begins."""
     best: tuple[int, Phrase | None, re.Match[str] | None] = (at, None, None)
     for phrase in phrases():
-        if (match := phrase.pattern.match(text, at)) and match.end() > best[0] and _fits(told, phrase):
+        if (match := phrase.match(text, at)) and match.end() > best[0] and _fits(told, phrase):
             best = match.end(), phrase, match
     if told.open or not told.begun:
         named = road_user().match(text, at)

@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from chatscene.read import lexicon
-from chatscene.read.inflection import any_form, listed
+from chatscene.read.inflection import any_form, every_form, listed
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.scenario import Control, EgoState, Maneuver, Occluder, Place, Site
@@ -71,7 +71,8 @@ class Phrase:
     Attributes:
         sort: What they tell of.
         value: What they tell.
-        pattern: How they are written.
+        written: How they are written, a regular expression.
+        begins: The letters that they begin with; empty if it may be any.
         manner: Of whom alone they are said; None for anybody.
         ego: Whether they are said of the ego alone (True), of others alone (False), or of either (None).
         exit: Whether they are of the exit of a motorway.
@@ -79,10 +80,22 @@ class Phrase:
 
     sort: Sort
     value: object
-    pattern: re.Pattern[str]
+    written: str
+    begins: str = ""
     manner: Manner | None = None
     ego: bool | None = None
     exit: bool = False
+
+    @property
+    def pattern(self) -> re.Pattern[str]:
+        """The regular expression, compiled when it is first asked for."""
+        return _compiled(self.written)
+
+    def match(self, text: str, at: int) -> re.Match[str] | None:
+        """The words, if they stand at a place of a text."""
+        if self.begins and text[at : at + 1] not in self.begins:
+            return None
+        return self.pattern.match(text, at)
 
 
 _US = r"(?:us|the ego)"
@@ -107,19 +120,30 @@ _TRAITS: tuple[tuple[Sort, object, str], ...] = (
 )  # fmt: skip
 
 _MARKED = re.compile(r"\[([a-z]+)\]")
+_WORD = re.compile(r"[a-z]+(?![^ ])")
 
 
-def _compiled(text: str) -> re.Pattern[str]:
-    return re.compile(rf"(?:{text})(?![\w'])")
+@cache
+def _compiled(written: str) -> re.Pattern[str]:
+    return re.compile(written)
 
 
-def pattern_of(phrase: str) -> re.Pattern[str]:
-    """A marked phrase as it may be written, in any person and tense."""
+def _whole(text: str) -> str:
+    """A pattern after which the word is at its end."""
+    return rf"(?:{text})(?![\w'])"
+
+
+@cache
+def _written_and_begun(phrase: str) -> tuple[str, str]:
+    """A marked phrase as it may be written, in any person and tense, and the letters that it may begin with."""
     text = _MARKED.sub(lambda m: f"\0{m[1]}\0", phrase.lower())
     for brace, meant in _BRACES.items():
         text = text.replace(brace, meant)
     text = re.sub(r"\0([a-z]+)\0", lambda m: any_form(m[1]), text)
-    return _compiled(text + r"(?! (?:the|our|a)\b)" if text.endswith(" along") else text)  # that has a place of its own
+    verb, word = _MARKED.match(phrase.lower()), _WORD.match(phrase.lower())
+    begins = {form[0] for form in every_form(verb[1])} if verb else {word[0][0]} if word else set[str]()
+    own_place = text.endswith(" along")  # what follows has a place of its own
+    return _whole(text + r"(?! (?:the|our|a)\b)" if own_place else text), "".join(sorted(begins))
 
 
 def _acts() -> Iterator[Phrase]:
@@ -130,7 +154,8 @@ def _acts() -> Iterator[Phrase]:
             told.append((Manner.LIES, row.drives))
         for manner, own in told:
             for phrase in (*listed(own or row.drives), *listed(row.also)):
-                yield Phrase(sort=Sort.ACT, value=action, pattern=pattern_of(phrase), manner=manner, ego=False)
+                written, begins = _written_and_begun(phrase)
+                yield Phrase(sort=Sort.ACT, value=action, written=written, begins=begins, manner=manner, ego=False)
 
 
 _JUNCTIONS = {
@@ -154,15 +179,15 @@ _AT = r"(?:at|on|in|into|through|across|towards|near|before|over|along|down)"
 def _places() -> Iterator[Phrase]:
     for place, noun in _JUNCTIONS.items():
         plain = rf"(?:{_AT} |(?<=crosses )|(?<=cross )|(?<=crossing )|(?<=crossed )){_THE} (?:{noun})"
-        yield Phrase(sort=Sort.PLACE, value=(place, None), pattern=_compiled(plain))
+        yield Phrase(sort=Sort.PLACE, value=(place, None), written=_whole(plain))
         for control in Control:
             before = rf"{_AT} {_THE} (?:{_CONTROL_BEFORE[control]}) (?:{noun})"
             after = rf"{plain} (?:{_CONTROL_AFTER[control]})"
-            yield Phrase(sort=Sort.PLACE, value=(place, control), pattern=_compiled(f"{before}|{after}"))
+            yield Phrase(sort=Sort.PLACE, value=(place, control), written=_whole(f"{before}|{after}"))
     light = r"(?:at|before|on|behind) (?:(?:a|the) )?(?:red |green )?(?:traffic |stop )?(?:lights?|signals?)|(?:at|on) (?:red|green)"
-    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), pattern=_compiled(light))
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), written=_whole(light))
     sign = r"(?:at|before|runs|ran|ignores|disregards) (?:a|the) stop sign"
-    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.STOP_SIGN), pattern=_compiled(sign))
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.STOP_SIGN), written=_whole(sign))
     bend = r"(?:round|around|through|in|into|on|along) {the} (?:{bend})(?: (?:in|of) the road| on a road)?"
     for place, noun in (
         (Place.LEFT_CURVE, r"left(?:-hand)? (?:bend|curve)|(?:bend|curve) to the left"),
@@ -170,18 +195,18 @@ def _places() -> Iterator[Phrase]:
         (Place.CURVE, r"(?:sweeping )?(?:bend|curve)"),
     ):
         yield Phrase(
-            sort=Sort.PLACE, value=(place, None), pattern=_compiled(bend.replace("{the}", _THE).replace("{bend}", noun))
+            sort=Sort.PLACE, value=(place, None), written=_whole(bend.replace("{the}", _THE).replace("{bend}", noun))
         )
     road = r"(?:city |main |through )?(?:road|street|carriageway)"
     on = rf"(?:on|along|down) {_THE} "
-    yield Phrase(sort=Sort.PLACE, value=(Place.ROAD, None), pattern=_compiled(rf"{on}(?:straight )?{road}"))
+    yield Phrase(sort=Sort.PLACE, value=(Place.ROAD, None), written=_whole(rf"{on}(?:straight )?{road}"))
     for many, said in ((2, "two|2"), (3, "three|3")):
         ours = rf"(?:{said}) lanes (?:(?:in|for|going) {_OUR} (?:direction|way)|each way|(?:in each|in either|per) direction)"
-        yield Phrase(sort=Sort.LANES, value=many, pattern=_compiled(rf"{on}{road} (?:with|that has) {ours}"))
+        yield Phrase(sort=Sort.LANES, value=many, written=_whole(rf"{on}{road} (?:with|that has) {ours}"))
     one = rf"{on}(?:single|one)-lane {road}|{on}{road} with (?:one|a single|just one) lane (?:each way|per direction|in (?:each|{_OUR}) direction)"
-    yield Phrase(sort=Sort.LANES, value=1, pattern=_compiled(one))
-    yield Phrase(sort=Sort.TWO_WAY, value=True, pattern=_compiled(rf"{on}two-way {road}"))
-    yield Phrase(sort=Sort.TWO_WAY, value=False, pattern=_compiled(rf"{on}one-way {road}"))
+    yield Phrase(sort=Sort.LANES, value=1, written=_whole(one))
+    yield Phrase(sort=Sort.TWO_WAY, value=True, written=_whole(rf"{on}two-way {road}"))
+    yield Phrase(sort=Sort.TWO_WAY, value=False, written=_whole(rf"{on}one-way {road}"))
 
 
 _MOTORWAY = r"(?:motorway|highway|freeway|expressway)"
@@ -201,16 +226,16 @@ def _sites() -> Iterator[Phrase]:
         Site.ROUNDABOUT: rf"(?:(?:at|in|on|into|through|around|round) )?{_THE} roundabout",
     }
     for site, said in where.items():
-        yield Phrase(sort=Sort.SITE, value=(site, None), pattern=_compiled(said))
+        yield Phrase(sort=Sort.SITE, value=(site, None), written=_whole(said))
     joins = rf"[merge] (?:on|in)to {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[join] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_ON_RAMP})?|[merge] from {_THE} {_ON_RAMP}"
     leaves = rf"[leave] {_THE} {_MOTORWAY}(?: {_BY} {_THE} {_OFF_RAMP})?|[exit] {_THE} {_MOTORWAY}|[take] {_THE} {_OFF_RAMP}{of}|(?:towards?|to|onto|into) {_THE} {_OFF_RAMP}{of}"
     back = rf"[move] back (?:on|in)?to {_THE} {_MOTORWAY}"
-    yield Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, pattern=_marked(rf"{leaves}|{back}"), ego=False, exit=True)
+    yield Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, written=_marked(rf"{leaves}|{back}"), ego=False, exit=True)
     for site, maneuver, said in (
         (Site.ON_RAMP, Maneuver.LANE_CHANGE_LEFT, joins),
         (Site.OFF_RAMP, Maneuver.LANE_CHANGE_RIGHT, leaves),
     ):
-        yield Phrase(sort=Sort.SITE, value=(site, maneuver), pattern=_marked(said), ego=True)
+        yield Phrase(sort=Sort.SITE, value=(site, maneuver), written=_marked(said), ego=True)
 
 
 _OCCLUDERS: dict[Occluder, str] = {
@@ -230,7 +255,7 @@ def _occluders() -> Iterator[Phrase]:
     hidden = r"(?:hidden|concealed|obscured|masked|standing hidden)(?: from view)? (?:behind|by)|(?:out )?from (?:behind|between)|from the cover of"
     for occluder, noun in _OCCLUDERS.items():
         said = rf"(?:{hidden}) (?:(?:{_THE}|two) )?(?:{noun})"
-        yield Phrase(sort=Sort.OCCLUDER, value=occluder, pattern=_compiled(said), ego=False)
+        yield Phrase(sort=Sort.OCCLUDER, value=occluder, written=_whole(said), ego=False)
 
 
 _WHERE: tuple[tuple[object, str], ...] = (
@@ -265,8 +290,8 @@ _EGO_CHANGE = (
 )
 
 
-def _marked(pattern: str) -> re.Pattern[str]:
-    return _compiled(_MARKED.sub(lambda m: any_form(m[1]), pattern))
+def _marked(pattern: str) -> str:
+    return _whole(_MARKED.sub(lambda m: any_form(m[1]), pattern))
 
 
 def _of_ego() -> Iterator[Phrase]:
@@ -277,21 +302,21 @@ def _of_ego() -> Iterator[Phrase]:
         (Maneuver.LANE_CHANGE_RIGHT, _EGO_CHANGE, "right"),
     )
     for maneuver, form, side in ways:
-        yield Phrase(sort=Sort.MANEUVER, value=maneuver, pattern=_marked(form.replace("{s}", side)), ego=True)
+        yield Phrase(sort=Sort.MANEUVER, value=maneuver, written=_marked(form.replace("{s}", side)), ego=True)
     unprotected = r"an? unprotected(?= left)"
-    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), pattern=_compiled(unprotected), ego=True)
-    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.LEFT_TURN, pattern=_compiled(r"left(?:-hand)? turn"), ego=True)
+    yield Phrase(sort=Sort.PLACE, value=(Place.JUNCTION, Control.SIGNAL), written=_whole(unprotected), ego=True)
+    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.LEFT_TURN, written=_whole(r"left(?:-hand)? turn"), ego=True)
     turns = r"(?:[make]|[begin]|[start])(?= an? unprotected left)"
-    yield Phrase(sort=Sort.FILLER, value=None, pattern=_marked(turns), ego=True)
+    yield Phrase(sort=Sort.FILLER, value=None, written=_marked(turns), ego=True)
     straight = r"[drive] straight (?:on|ahead)|[go] straight(?: on| ahead)?|[continue] straight (?:on|ahead)|[keep] (?:our|the ego's|its) lane|[keep] straight on"
-    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.STRAIGHT, pattern=_marked(straight), ego=True)
+    yield Phrase(sort=Sort.MANEUVER, value=Maneuver.STRAIGHT, written=_marked(straight), ego=True)
     drives = r"[drive](?: on| along)?|[travel]|[approach] (?=(?:a|an|the) )|[cross] (?:a|the) (?:junction|intersection)|[go](?: on| along)?|[proceed]|[continue]|[move]"
-    yield Phrase(sort=Sort.FILLER, value=None, pattern=_marked(drives), ego=True)
+    yield Phrase(sort=Sort.FILLER, value=None, written=_marked(drives), ego=True)
     parked = r"(?:a|the) (?:parked|broken[- ]down|stationary|double-parked) (?:car|van|truck|vehicle)"
     bypass = rf"(?:[go]|[drive]|[swing]|[pass]) (?:around|round|past) {parked}(?: in {_OUR} lane)?|[overtake] {parked}|[pass] {parked}(?: (?:through|in|on) the (?:opposite|oncoming) lane)?"
-    yield Phrase(sort=Sort.BYPASS, value=Maneuver.BYPASS, pattern=_marked(bypass), ego=True)
+    yield Phrase(sort=Sort.BYPASS, value=Maneuver.BYPASS, written=_marked(bypass), ego=True)
     leader = r"[follow] (?:a|the) slow(?:er)? (?:car|vehicle|truck)|(?:behind|after) (?:a|the) slow(?:er)? (?:car|vehicle|truck)"
-    yield Phrase(sort=Sort.LEADER, value=True, pattern=_marked(leader), ego=True)
+    yield Phrase(sort=Sort.LEADER, value=True, written=_marked(leader), ego=True)
     states = {
         EgoState.STANDS: r"[wait]|[stand](?: still)?|(?:are|were|is|was) (?:stopped|stationary|held|standing still|at a standstill|waiting|standing|queue?ing|broken down)|(?:(?:has|have|had) )?(?:broken|breaks?|broke) down",
         EgoState.SETS_OFF: r"[set] off|[start](?: moving| driving)?|[pull] away|[drive] off|[move] off",
@@ -301,7 +326,7 @@ def _of_ego() -> Iterator[Phrase]:
         EgoState.STOPS: r"[stop]|[come] to a (?:stop|halt)",
     }
     for state, said in states.items():
-        yield Phrase(sort=Sort.STATE, value=state, pattern=_marked(said), ego=True)
+        yield Phrase(sort=Sort.STATE, value=state, written=_marked(said), ego=True)
 
 
 _JOINTS = r"around(?= (?:an?|the) )|while|whilst|when|as|and|but|where|,|;|because"
@@ -326,19 +351,19 @@ _LEAVES_IT = r"[leave] (?:it|that lane)"
 def phrases() -> tuple[Phrase, ...]:
     """Every phrase but those of road users, which the kinds' own words make."""
     found: list[Phrase] = [
-        Phrase(sort=Sort.EGO, value=None, pattern=_compiled(r"we|the ego(?: vehicle)?|our (?:own )?(?:car|vehicle)")),
-        Phrase(sort=Sort.SEES, value=None, pattern=_compiled(_SEES)),
-        Phrase(sort=Sort.SEES, value=Where.AHEAD, pattern=_compiled(_COMES_UP)),
-        Phrase(sort=Sort.ACT, value=Action.CUT_IN, pattern=_marked(r"[cut] into that lane"), ego=False),
-        Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, pattern=_marked(_LEAVES_IT), ego=False),
-        Phrase(sort=Sort.SAME, value=None, pattern=_compiled(r"it|he|she|they|who|which|that")),
-        Phrase(sort=Sort.JOINT, value=None, pattern=re.compile(rf"(?:{_JOINTS})(?!\w)")),
-        Phrase(sort=Sort.THEN, value=None, pattern=re.compile(rf"(?:{_THEN})(?!\w)")),
-        Phrase(sort=Sort.FILLER, value=None, pattern=_compiled(_FILLERS)),
-        Phrase(sort=Sort.END, value=None, pattern=re.compile(r"[.!]+")),
+        Phrase(sort=Sort.EGO, value=None, written=_whole(r"we|the ego(?: vehicle)?|our (?:own )?(?:car|vehicle)")),
+        Phrase(sort=Sort.SEES, value=None, written=_whole(_SEES)),
+        Phrase(sort=Sort.SEES, value=Where.AHEAD, written=_whole(_COMES_UP)),
+        Phrase(sort=Sort.ACT, value=Action.CUT_IN, written=_marked(r"[cut] into that lane"), ego=False),
+        Phrase(sort=Sort.ACT, value=Action.CHANGE_LANE, written=_marked(_LEAVES_IT), ego=False),
+        Phrase(sort=Sort.SAME, value=None, written=_whole(r"it|he|she|they|who|which|that")),
+        Phrase(sort=Sort.JOINT, value=None, written=rf"(?:{_JOINTS})(?!\w)"),
+        Phrase(sort=Sort.THEN, value=None, written=rf"(?:{_THEN})(?!\w)"),
+        Phrase(sort=Sort.FILLER, value=None, written=_whole(_FILLERS)),
+        Phrase(sort=Sort.END, value=None, written=r"[.!]+"),
         Phrase(
             sort=Sort.ACT, value=Action.FOLLOW, ego=False,
-            pattern=_compiled(
+            written=_whole(
                 r"(?:does|do|did) not (?:stop|brake|yield|slow down|give way)|doesn't (?:stop|brake|yield|slow down)"
                 r"|without (?:stopping|braking|slowing(?: down)?|yielding)|fails? to (?:stop|brake|yield)"
             ),
@@ -348,21 +373,21 @@ def phrases() -> tuple[Phrase, ...]:
         *_places(),
         *_sites(),
         *_occluders(),
-        *(Phrase(sort=Sort.WHERE, value=value, pattern=_compiled(said), ego=False) for value, said in _WHERE),
-        *(Phrase(sort=Sort.SIDE, value=value, pattern=_sided(said), ego=False) for value, said in _SIDED),
-        Phrase(sort=Sort.ROW, value=None, pattern=_compiled(_ROW), ego=False),
-        Phrase(sort=Sort.TARGET, value=None, pattern=_compiled(_TARGETS), ego=False),
+        *(Phrase(sort=Sort.WHERE, value=value, written=_whole(said), ego=False) for value, said in _WHERE),
+        *(Phrase(sort=Sort.SIDE, value=value, written=_sided(said), ego=False) for value, said in _SIDED),
+        Phrase(sort=Sort.ROW, value=None, written=_whole(_ROW), ego=False),
+        Phrase(sort=Sort.TARGET, value=None, written=_whole(_TARGETS), ego=False),
     ]  # fmt: skip
     return tuple(found)
 
 
-def _sided(said: str) -> re.Pattern[str]:
+def _sided(said: str) -> str:
     """A pattern in which each alternative has the side under the one name."""
     parts = said.split(_SIDE)
     numbered = "".join(
         part + (rf"(?P<side{i}>left|right)" if i < len(parts) - 1 else "") for i, part in enumerate(parts)
     )
-    return _compiled(numbered)
+    return _whole(numbered)
 
 
 def side_in(match: re.Match[str]) -> str | None:

@@ -47,8 +47,10 @@ class Embedder(Protocol):
     """
 
     name: str
-    identity: str
     dimension: int
+
+    @property
+    def identity(self) -> str: ...  # noqa: D102
 
     def encode(self, texts: Sequence[str]) -> Vectors:
         """Encode texts into (N, `dimension`) float32 rows of length 1."""
@@ -106,8 +108,13 @@ class MiniLM:
         """
         self._shared = _shared_layers(self.SHA256)
         self._changes = changes or {}
-        self.identity = f"{self.name}@{self.SHA256}{_digest(self._changes)}"
         self._upper: _Layers | None = None
+        self._mean = lru_cache(maxsize=_REPEATED)(self._mean_of)
+
+    @property
+    def identity(self) -> str:
+        """The name, the checksum of the weights, and a hash of what was trained further."""
+        return f"{self.name}@{self.SHA256}{_digest(self._changes)}"
 
     @classmethod
     def content(cls) -> bytes:
@@ -120,7 +127,10 @@ class MiniLM:
 
     def encode(self, texts: Sequence[str]) -> Vectors:
         """Encode texts into (N, D) rows: the mean of each one's states, scaled to length 1."""
-        return _rows((self.states(text).mean(axis=0) for text in texts), self.dimension)
+        return _rows(map(self._mean, texts), self.dimension)
+
+    def _mean_of(self, text: str) -> Vectors:
+        return self.states(text).mean(axis=0)
 
     def states(self, text: str) -> Vectors:
         """(tokens, D) states of a text without its filler words.
@@ -138,6 +148,9 @@ class MiniLM:
 
 _WORDS, _MIDDLE, _STATES = "embedding", "layer_norm_6", "last_hidden_state"  # of the weights' file, from below
 _WORD_TABLE = "inner.embeddings.word_embeddings.weight"
+_REPEATED = (
+    1024  # texts of which the mean of states is kept: descriptions are asked for with one sentence after another
+)
 _RECENT = 4  # texts whose states below the upper layers are kept for the next encoder that is asked
 
 
