@@ -17,7 +17,6 @@ from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
-from chatscene.report.understood import Understood, understand
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import RetrievalSettings, Settings
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
     from chatscene.report.summary import Summary
+    from chatscene.report.understood import Understood
     from chatscene.runs.replay import Replayed
     from chatscene.runs.tables import Table
     from chatscene.search.generators.foreign import ForeignProgram
@@ -144,6 +144,8 @@ class Run:
             EditRefused: It is a run of a program of one's own, of which no sentence was read.
             RunError: It names what must be repeated.
         """
+        from chatscene.report.understood import understand
+
         record = self._record
         if record.program is not None:
             raise EditRefused(f"{self.folder} is a run of a program of one's own; only a sentence can be edited")
@@ -447,6 +449,8 @@ def explain(
         EditRefused: An edit was not understood.
         NothingFits: The library cannot serve it.
     """
+    from chatscene.report.understood import understand
+
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
     if report is not None:

@@ -21,7 +21,6 @@ from chatscene.maps.network import resolve_map
 from chatscene.runs.rebuild import map_of, rebuild
 from chatscene.runs.replay import replay
 from chatscene.search.generator import Choice
-from chatscene.search.generators import retrieved
 from chatscene.search.generators.baselines.advsim import AdvSim
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings
@@ -60,8 +59,8 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object) -> None:
         raise AssertionError("a stored run is read, not its sentence")
 
-    for name in ("read", "choose"):
-        monkeypatch.setattr(retrieved, name, refuse)
+    for name in ("chatscene.read.reading.read", "chatscene.interpret.choose.choose"):
+        monkeypatch.setattr(name, refuse)
 
 
 def _driven(folder: Path) -> str:

@@ -7,8 +7,6 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
 from chatscene.errors import OfferedReading
-from chatscene.interpret.readings import offered
-from chatscene.read.accounting import words_of
 from chatscene.report.accounting import in_words, parts_of
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
@@ -40,6 +38,8 @@ def _plain(text: object) -> str:
 def print_understanding(console: Console, understood: Any, *, show_program: bool) -> None:
     """What was understood and why: slots, the triple, what else was near, the program."""
     from rich.table import Table
+
+    from chatscene.read.accounting import words_of
 
     scenario, retrieval = understood.scenario, understood.retrieval
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
@@ -78,6 +78,8 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
 
 def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) -> None:
     """What was unsure, what was not used, and what else it may say."""
+    from chatscene.interpret.readings import offered
+
     for note in (*scenario.notes, *retrieval.notes):
         console.print(f"[yellow]note[/]  {_plain(note)}")
     for line in grouped((*scenario.unused, *retrieval.unused)).values():

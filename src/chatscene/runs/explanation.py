@@ -12,8 +12,6 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from chatscene.errors import RunError
-from chatscene.interpret.readings import offered
-from chatscene.read.accounting import words_of
 from chatscene.runs.atomic import read_json, write_json
 from chatscene.runs.record import first_problem
 from chatscene.runs.workspace import Workspace, read_record, write_program
@@ -43,6 +41,9 @@ def write_choice(run: Workspace, scenario: Scenario, written: Written | None = N
 
 
 def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]:
+    from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
+    from chatscene.read.accounting import words_of
+
     return {
         "scenario_id": scenario.id,
         "text": scenario.text,

@@ -10,18 +10,12 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from chatscene.errors import NothingFits, RunError
-from chatscene.interpret.choose import choose
-from chatscene.interpret.readings import offered, understand
 from chatscene.library.bind import narrowed
 from chatscene.library.load import library_with
 from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
-from chatscene.read.accounting import words_of
-from chatscene.read.canonical import canonical
-from chatscene.read.reading import read
 from chatscene.search.generator import Choice, Written
-from chatscene.sentences.plain import told
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
@@ -45,6 +39,10 @@ class Retrieved:
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
         """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
+        from chatscene.interpret.readings import understand  # no sentence is read for a scene that is replayed
+        from chatscene.read.reading import read
+        from chatscene.sentences.plain import told
+
         frame = read(text, settings)
         scenario = understand(frame, settings)
         readings = tuple(replace(one, told=told(one.slots)) for one in scenario.readings)
@@ -52,6 +50,10 @@ class Retrieved:
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:
         """Steps 3 and 4."""
+        from chatscene.interpret.choose import choose
+        from chatscene.interpret.readings import offered
+        from chatscene.read.accounting import words_of
+
         try:
             retrieval, triple = choose(scenario, settings, tried)
         except NothingFits as refusal:
@@ -106,4 +108,6 @@ def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
 @cache
 def _listed() -> dict[str, BaseScenario]:
     """The base scenario of each sentence of the benchmark, by its canonical text."""
+    from chatscene.read.canonical import canonical
+
     return {canonical(text): base for base, texts in _benchmark_texts().items() for text in texts}
