@@ -76,6 +76,7 @@ COMMANDS: dict[str, tuple[click.Command, dict[str, str]]] = {
     "resume": (cli.resume, {}),
     "replay": (cli.replay, {}),
     "evaluate": (cli.evaluate, {"out": "folder", "egos": "ego", "every_scene": "all"}),
+    "export": (cli.export, {}),
     "finetune": (finetune, {"out": "folder", "sources": "scenes"}),
     "train": (cli.train, {"out": "folder", "map_name": "map", "round_": "round"}),
 }

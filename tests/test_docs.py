@@ -39,9 +39,10 @@ def commands(page: Path) -> list[tuple[str, int]]:
     return found
 
 
-def test_the_commands_of_the_tour_do_what_it_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("page", ["tour.md", "exports.md"])
+def test_the_commands_of_a_page_do_what_it_says(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    steps = commands(ROOT / "docs" / "tour.md")
+    steps = commands(ROOT / "docs" / page)
     assert len(steps) >= 7
     for command, status in steps:
         done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)

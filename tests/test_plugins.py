@@ -15,6 +15,7 @@ from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.ego.policy import EGOS
 from chatscene.errors import ChatSceneError, MissingExtra, SettingsError
+from chatscene.exports.exporter import EXPORTERS
 from chatscene.models.encoders.embedding import EMBEDDERS
 from chatscene.models.language.protocol import LANGUAGE_MODELS, load_language_model
 from chatscene.plugins import Kind, make, names
@@ -23,7 +24,7 @@ from chatscene.search.sampler import SAMPLERS, load_sampler
 from chatscene.simulate.simulator import SIMULATORS
 from places import ROOT
 
-KINDS: tuple[Kind[Any], ...] = (EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS)
+KINDS: tuple[Kind[Any], ...] = (EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS, EXPORTERS)
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.noun)
 
 PAGE = (ROOT / "docs" / "plugins.md").read_text()

@@ -26,6 +26,7 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
 
 if TYPE_CHECKING:
+    from chatscene.exports.export import Exported
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
@@ -610,6 +611,25 @@ def replay(
         ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
     )
     return replay_scene(Path(folder), scene_id, repeated=repeated, watch=watch, record=record)
+
+
+def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:
+    """Write scenes of a run as files that other tools read; nothing is simulated or executed.
+
+    Args:
+        folder: Run folder.
+        scenes: Ids of the scenes; none for those that the run keeps.
+        to: An exporter by name: ``openscenario``, ``csv``, ``scenic``, or ``package.module:factory``.
+        out: Where to; a new folder, or an empty one.
+
+    Raises:
+        SettingsError: There is no such exporter, or the folder is not empty.
+        RunError: The run has no such scene, it was never driven, or it keeps none.
+        MapError: The run's map is not there any more.
+    """
+    from chatscene.exports.export import export as export_scenes
+
+    return export_scenes(Path(folder), _names(scenes), to=to, out=_folder(out))
 
 
 def evaluate(

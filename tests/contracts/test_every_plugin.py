@@ -12,6 +12,7 @@ import pytest
 
 from chatscene.ego.policy import EGOS
 from chatscene.errors import MissingExtra
+from chatscene.exports.exporter import EXPORTERS
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.protocol import Limits
 from chatscene.models.language.scripted import Scripted
@@ -21,6 +22,7 @@ from chatscene.terms.snippet import ParameterRange
 from chatscene.testing import (
     ContractBroken,
     check_ego,
+    check_exporter,
     check_generator,
     check_language_model,
     check_sampler,
@@ -42,6 +44,11 @@ def test_every_sampler_keeps_the_contract(name: str) -> None:
         check_sampler(name)
     except MissingExtra as error:
         pytest.skip(str(error))
+
+
+@pytest.mark.parametrize("name", sorted(EXPORTERS.built_in))
+def test_every_exporter_keeps_the_contract(name: str) -> None:
+    check_exporter(name)
 
 
 PROGRAMS = ("program", "program-as-written")

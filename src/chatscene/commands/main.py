@@ -511,6 +511,33 @@ def replay(
 
 
 @main.command()
+@click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
+@click.argument("scenes", metavar="[SCENE]...", nargs=-1)
+@click.option("--to", required=True, help="The format: openscenario, csv, scenic, or package.module:factory.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    required=True,
+    help="A new folder, or an empty one.",
+)
+@JSON
+def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: bool) -> None:
+    """Write each SCENE of RUN as a file that other tools read; without SCENE, the scenes that the run keeps.
+
+    openscenario: OpenSCENARIO XML 1.2, everybody on a timed trajectory as driven, and the OpenDRIVE map beside it.
+    csv: the tracks. scenic: the program with the scene's values in it, and the map.
+
+    \b
+    chatscene export runs/cyclist --to openscenario --out exported/cyclist
+    chatscene export runs/cyclist cyclist-1f2e/route-00/scene-017 --to csv --out exported/tracks
+    """
+    from chatscene import api
+
+    done = api.export(folder, scenes, to=to, out=out)
+    say(json.dumps({"folder": str(done.folder), "files": done.files}) if as_json else str(done))
+
+
+@main.command()
 @click.argument("folders", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @JSON
 def check(folders: tuple[Path, ...], as_json: bool) -> None:

@@ -77,7 +77,7 @@ def load_network(path: Path | str) -> Any:
 
 @lru_cache(maxsize=8)
 def _parse(digest: str, path: Path) -> Any:
-    _check_xml(path)
+    check_opendrive(path)
     from scenic.domains.driving.roads import Network
 
     from chatscene.maps.furniture import read_furniture
@@ -125,7 +125,12 @@ def _parse_quietly(parse: Any, path: Path, *, cached: bool) -> Any:
             return parse(str(path), useCache=False, writeCache=False)
 
 
-def _check_xml(path: Path) -> None:
+def check_opendrive(path: Path) -> None:
+    """Hold a file to what every map is.
+
+    Raises:
+        MapError: It is no OpenDRIVE, has no road, or has numbers that no road has.
+    """
     try:
         root = Xml.parse(path).getroot()
     except Xml.ParseError as error:

@@ -1,0 +1,1 @@
+"""After the method: scenes of a run as files that other tools read."""

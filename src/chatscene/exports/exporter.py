@@ -1,0 +1,91 @@
+"""In which formats scenes leave: one Protocol, one table of names.
+
+An exporter touches no file. It is handed a scene that was driven, and says what the files are to hold; so the same
+scene gives the same bytes, and what cannot be exported leaves nothing behind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
+from urllib.parse import quote
+
+from chatscene.plugins import Kind, make
+from chatscene.terms.episode import Episode
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MapFile:
+    """The map that a scene lies on.
+
+    Attributes:
+        name: Of the file, such as ``town.xodr``.
+        content: All of it, OpenDRIVE.
+    """
+
+    name: str
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KeptScene:
+    """All that a run kept of a scene that was driven.
+
+    Attributes:
+        episode: What happened: tracks, events, ending.
+        text: What was asked for, in words; of a program of a user's own, its name.
+        program: The Scenic program of its scenario, whose parameters take the values.
+        values: The value of each ``OPT_`` parameter, in the unit its range declares.
+        route: Which of the routes that the program's geometry asks for.
+        map: Where it lies.
+    """
+
+    episode: Episode
+    text: str
+    program: str
+    values: Mapping[str, float]
+    route: int
+    map: MapFile
+
+    @property
+    def stem(self) -> str:
+        """What the scene's files are called before the dot: its id, as the name of a file."""
+        return quote(self.episode.scene_id.replace("/", "-"), safe="")
+
+
+class Exporter(Protocol):
+    """Writes scenes in one format."""
+
+    def files(self, scene: KeptScene) -> Mapping[str, bytes]:
+        """What is to be written of a scene: content by the name of the file.
+
+        A name has no folder in it. A file that several scenes need, such as the map, has one name and one content;
+        all others have names of their own, which begin with the scene's `stem`.
+
+        Raises:
+            RunError: The scene lacks what the format needs.
+        """
+        ...
+
+
+EXPORTERS: Kind[Exporter] = Kind(
+    noun="exporter",
+    group="chatscene.exporters",
+    method="files",
+    built_in={
+        "openscenario": "chatscene.exports.openscenario:OpenScenario",
+        "csv": "chatscene.exports.tracks_csv:TracksCsv",
+        "scenic": "chatscene.exports.filled_program:FilledProgram",
+    },
+)
+
+
+def load_exporter(name: str) -> Exporter:
+    """An exporter by its name (`chatscene.plugins`).
+
+    Raises:
+        SettingsError: There is none of that name.
+        MissingExtra: Its package is missing.
+    """
+    return make(EXPORTERS, name)
