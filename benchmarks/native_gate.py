@@ -1,11 +1,12 @@
 """Whether the simulator `native` gives the embedded one's numbers: every number of every drive, and how fast.
 
     python benchmarks/native_gate.py [--programs 240] [--scenes 3] [--seed 0] [--ego rule-based] [--beside 0]
-        [--budget 480]
+        [--budget 480] [--in-turn]
 
 Each program is a behavior of the library with a geometry and a spawn that are drawn among those it can be joined with,
 every behavior in turn; `--beside` says of how many in a hundred another road user acts beside the adversary. Each is
-driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego. Both episodes must
+driven in scenes drawn from its ranges, on a route of its geometry that is drawn too, by every ego; with `--in-turn`,
+each scene by one of the egos in turn. Both episodes must
 agree in every number of every track, every event, signal, offset, flag and the ending. What took the embedded path in
 `native` is not compared, and is counted by reason. At the end, the processor time of both in this process, from the
 opened scene to its end, of the drives that were compared.
@@ -177,8 +178,9 @@ def show(name: str, tally: Tally) -> None:
 @click.option("--seed", default=0)
 @click.option("--ego", "egos", multiple=True, default=("rule-based",))
 @click.option("--beside", default=0, help="Of how many programs in a hundred somebody else acts too.")
+@click.option("--in-turn", is_flag=True, help="Each scene by one of the egos, in turn, and not by all.")
 @click.option("--budget", default=480.0, help="Processor seconds after which no further program is begun.")
-def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, budget: float) -> None:
+def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, in_turn: bool, budget: float) -> None:
     """Compare the two simulators, and say how many drives were identical."""
     settings = SimulationSettings()
     pairs = [(NativeSimulator(path, settings), load_simulator(path, settings)) for path in map(resolve_map, MAPS)]
@@ -187,7 +189,7 @@ def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, b
     drivers = {name: load_ego(name) for name in egos}
     tallies: dict[str, Tally] = defaultdict(Tally)
     failed: Counter[str] = Counter()
-    tried, why = 0, ""
+    tried, driven_scenes, why = 0, 0, ""
     for program in programs(count, beside, np.random.default_rng(seed)):
         if time.process_time() > budget:
             break
@@ -195,8 +197,9 @@ def main(count: int, each: int, seed: int, egos: tuple[str, ...], beside: int, b
         for native, embedded in pairs:  # the first map that has such a place
             try:
                 for scene in scenes(program, embedded, each, seed):
-                    for name, ego in drivers.items():
-                        compare(native, embedded, program, scene, ego, tallies[name])
+                    for name in [egos[driven_scenes % len(egos)]] if in_turn else egos:
+                        compare(native, embedded, program, scene, drivers[name], tallies[name])
+                    driven_scenes += 1
             except MapError as error:
                 why = str(error)
                 continue

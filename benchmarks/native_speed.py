@@ -27,7 +27,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import Engine, load_engine
-from chatscene.simulate.native.simulator import RULES
+from chatscene.simulate.native.policies import policy_of
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Simulator, drive, load_simulator, simulate
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -66,7 +66,9 @@ class Scenes:
     def engine_rate(self, engine: Engine, ego: EgoPolicy, copies: int) -> float:
         """Agent-steps a second of the engine, over copies of all scenes in one call."""
         worlds = [one.copy() for one in self.bound for _ in range(copies)]
-        seconds = spent(lambda: engine.run_many([one.world for one in worlds], RULES[type(ego)]))
+        policy = policy_of(ego, engine)
+        assert policy is not None, "an ego that the engine does not know"
+        seconds = spent(lambda: engine.run_many([one.world for one in worlds], policy))
         assert sum(one.world.step * one.world.moving for one in worlds) == self.agent_steps * copies
         return self.agent_steps * copies / seconds
 

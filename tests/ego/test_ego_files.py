@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import zipfile
 from itertools import pairwise
 from pathlib import Path
@@ -51,6 +52,22 @@ def test_a_network_computes_what_torch_computes(hidden: str, output: str) -> Non
         weights, bias = ours.layers[-1]
         expected = squash(torch.from_numpy(weights) @ x + torch.from_numpy(bias))
         assert ours(observation) == pytest.approx(expected.tolist(), abs=2e-6)
+
+
+@pytest.mark.parametrize("hidden", ["relu", "tanh"])
+@pytest.mark.parametrize("sizes", [(4, 256, 256, 2), (4, 1, 9, 7, 2), (80, 300, 2)])
+def test_a_network_adds_one_product_after_the_other_whatever_the_machine(hidden: str, sizes: tuple[int, ...]) -> None:
+    ours = network(sizes, hidden=hidden, output="clip")
+    for observation in np.random.default_rng(3).normal(size=(3, sizes[0])):
+        x = observation.astype(np.float32)
+        for i, (weights, bias) in enumerate(ours.layers):
+            if i:
+                x = np.maximum(x, 0) if hidden == "relu" else np.array([math.tanh(v) for v in x.tolist()], np.float32)
+            total = weights[:, 0] * x[0]
+            for column in range(1, len(x)):
+                total = total + weights[:, column] * x[column]
+            x = total + bias
+        assert ours(observation) == tuple(round(max(-1.0, min(1.0, value)), 6) for value in x.tolist())
 
 
 def test_a_network_is_read_as_it_was_written(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import shutil
 from contextlib import suppress
 from pathlib import Path
@@ -9,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.planner import Planner
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import MapError, StuckBehavior
@@ -21,6 +23,8 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.native import building, engine
 from chatscene.simulate.native.binding import bind
 from chatscene.simulate.native.building import NoEngine, compile_engine
+from chatscene.simulate.native.engine import Policy
+from chatscene.simulate.native.policies import RULE_BASED, network_policy, policy_of
 from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import load_simulator, simulate
@@ -111,6 +115,58 @@ def test_an_ego_that_the_engine_does_not_know_sees_the_same_and_drives_the_same(
     assert len(episode.ego_track.x) > 20
 
 
+@pytest.mark.parametrize("name", ("sac", "ppo", "td3"))
+def test_an_ego_with_a_network_drives_the_same_inside_the_engine(native: NativeSimulator, name: str) -> None:
+    ego = load_ego(name)
+    assert policy_of(ego, engine.load_engine()) is not None
+    assert _agrees(native, _program(PHASES["BrakeOnPath"], left=2.5), _scene(1), ego)
+
+
+def _network(shape: tuple[int, ...], hidden: str = "relu", output: str = "tanh") -> Network:
+    draw = np.random.default_rng(len(shape))
+    layers = tuple(
+        (draw.normal(0, i**-0.5, (o, i)).astype(np.float32), draw.normal(0, 0.1, o).astype(np.float32))
+        for i, o in itertools.pairwise(shape)
+    )
+    return Network(layers=layers, hidden=hidden, output=output)
+
+
+@pytest.mark.parametrize("hidden", HIDDEN)
+@pytest.mark.parametrize("output", OUTPUTS)
+def test_a_network_of_any_shape_answers_the_same_to_the_last_bit(
+    native: NativeSimulator, hidden: str, output: str
+) -> None:
+    draw = np.random.default_rng(7)
+    for shape in ((4, 64, 64, 2), (80, 300, 9, 130, 2), (80, 7, 1, 2), (4, 2)):
+        network = _network(shape, hidden, output)
+        policy = network_policy(network)
+        for scale in (0.01, 1.0, 30.0, 1e30):
+            seen = draw.normal(0, scale, network.size)
+            with np.errstate(all="ignore"):
+                assert engine.load_engine().ask(policy, seen.tolist()) == network(seen)
+
+
+def test_a_network_that_looks_at_every_fourth_step_holds_its_action_between(native: NativeSimulator) -> None:
+    ego = NetworkEgo(load_ego("td3").network, name="seldom", every=4)  # type: ignore[attr-defined]
+    assert _agrees(native, _program(PHASES["FollowTraffic"]), _scene(), ego)
+
+
+def test_a_network_of_many_numbers_sees_everybody_near(native: NativeSimulator) -> None:
+    ego = NetworkEgo(_network((80, 64, 2)), name="wide", observation="actors", pedals="full-brake")
+    assert _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), ego)
+
+
+def test_a_network_whose_answers_differ_here_is_asked_at_every_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    network = _network((4, 16, 2))
+    loaded = engine.load_engine()
+
+    def nothing(*_: object) -> tuple[float, float]:
+        return 0.0, 0.0
+
+    monkeypatch.setattr(loaded, "ask", nothing)
+    assert policy_of(NetworkEgo(network, name="odd"), loaded) is None
+
+
 def test_an_ordered_ego_on_ice_at_night_is_held_to_its_orders(native: NativeSimulator) -> None:
     program = _program(
         PHASES["BrakeOnPath"],
@@ -156,10 +212,10 @@ def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: Nativ
     assert isinstance(session, SteppedSession)
     first = bind(session, _program(PHASES["FollowTraffic"]))
     session.close()
-    engine.load_engine().run(first.copy().world, 1)
+    engine.load_engine().run(first.copy().world, Policy(kind=RULE_BASED))
     assert first.world.step == 0
     many = [first.copy() for _ in range(3)]
-    engine.load_engine().run_many([one.world for one in many], 1)
+    engine.load_engine().run_many([one.world for one in many], Policy(kind=RULE_BASED))
     assert first.world.step == 0
     assert many[0].world.step > 20
     assert all(np.array_equal(one.rows, many[0].rows) for one in many)

@@ -34,7 +34,9 @@
 enum { THING, VEHICLE, WALKER };
 enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
 enum { SAFEBENCH, ACTORS };
-enum { RULE_BASED = 1, INTELLIGENT_DRIVER = 2 };
+enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK };
+enum { RELU, TANH };             /* what comes after each layer of a network but the last */
+enum { BY_TANH, BY_CLIP, BY_SIGMOID }; /* what comes after the last */
 enum { NO_FAULT, TURNS_IN_PLACE };
 
 typedef struct {
@@ -131,6 +133,20 @@ typedef struct {
     double seen[ACTORS_SIZE];
 } World;
 
+typedef struct {
+    int64_t inputs, outputs;
+    const float *columns, *bias; /* columns: for each input its weight to each output */
+} Layer;
+
+/* Who drives: by rule, or a network. */
+typedef struct {
+    int32_t kind, hidden, output, every; /* every: at which steps a network decides; between, it holds */
+    int64_t layers;
+    const Layer *layer;
+    float *one, *other; /* room for what the widest layer takes and gives */
+    int32_t *told;      /* room for which of these are not zero */
+} Policy;
+
 const char *source_digest(void) { return SOURCE_DIGEST; }
 int64_t size_of(int64_t what) {
     switch (what) {
@@ -140,6 +156,8 @@ int64_t size_of(int64_t what) {
     case 3: return sizeof(Phase);
     case 4: return sizeof(Agent);
     case 5: return sizeof(World);
+    case 6: return sizeof(Layer);
+    case 7: return sizeof(Policy);
     default: return -1;
     }
 }
@@ -181,6 +199,15 @@ static double modulo(double a, double b) {
     return copysign(0.0, b);
 }
 
+/* `round(value, 6)`, of numbers up to a thousand: to the nearest of the decimals, to an even one from between. */
+static double six_decimals(double value) {
+    __float128 exact = (__float128)fabs(value) * 1e6;
+    int64_t below = (int64_t)exact;
+    __float128 rest = exact - below;
+    if (rest > 0.5 || (rest == 0.5 && below & 1)) below++;
+    return copysign((double)below / 1e6, value);
+}
+
 /* For the check at loading: each function that the engine takes from elsewhere, on many numbers. */
 void evaluate(int64_t function, int64_t count, const double *a, const double *b, double *out) {
     for (int64_t i = 0; i < count; i++) {
@@ -197,6 +224,8 @@ void evaluate(int64_t function, int64_t count, const double *a, const double *b,
         case 8: out[i] = pow(x, 2.0); break;
         case 9: out[i] = pow(x, 4.0); break;
         case 10: out[i] = remainder(x, TAU); break;
+        case 11: out[i] = tanh(x); break;
+        case 12: out[i] = six_decimals(sin(x)); break;
         default: out[i] = 0.0;
         }
     }
@@ -923,22 +952,72 @@ static void intelligent_driver(const Limits *car, const double *seen, double *ac
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
 
-/* Runs a world to its end with an ego by rule; how many steps it took. */
-int64_t run_world(World *w, int64_t ego) {
-    int64_t first = w->step;
+/* chatscene.ego.network: products added one after the other, in the order of the inputs. Those that are zero are left
+ * out, since they add zero; a block of outputs at a time, so that their sums stay at hand. */
+#define BLOCK 64
+
+static void summed(const Layer *layer, const float *in, float *out, int32_t *told) {
+    int64_t outputs = layer->outputs, count = 0;
+    for (int32_t i = 0; i < layer->inputs; i++) {
+        told[count] = i;
+        count += in[i] != 0.0f;
+    }
+    for (int64_t first = 0; first < outputs; first += BLOCK) {
+        int64_t many = outputs - first < BLOCK ? outputs - first : BLOCK;
+        float sum[BLOCK] = {0};
+        for (int64_t t = 0; t < count; t++) {
+            const float *weight = layer->columns + told[t] * outputs + first, x = in[told[t]];
+            if (t && many == BLOCK) for (int k = 0; k < BLOCK; k++) sum[k] += weight[k] * x;
+            else if (t) for (int64_t k = 0; k < many; k++) sum[k] += weight[k] * x;
+            else for (int64_t k = 0; k < many; k++) sum[k] = weight[k] * x;
+        }
+        for (int64_t k = 0; k < many; k++) out[first + k] = sum[k] + layer->bias[first + k];
+    }
+}
+
+static double squashed(double value, int32_t output) {
+    if (output == BY_TANH) value = tanh(value);
+    else if (output == BY_SIGMOID) value = tanh(0.5 * value);
+    return six_decimals(within_one(value));
+}
+
+void ask_network(const Policy *policy, const double *seen, double *acceleration, double *steer) {
+    float *in = policy->one, *out = policy->other;
+    for (int64_t i = 0; i < policy->layer[0].inputs; i++) in[i] = (float)seen[i];
+    for (int64_t l = 0; l < policy->layers; l++) {
+        const Layer *layer = &policy->layer[l];
+        if (l && policy->hidden == RELU) for (int64_t i = 0; i < layer->inputs; i++) in[i] = in[i] <= 0.0f ? 0.0f : in[i];
+        else if (l) for (int64_t i = 0; i < layer->inputs; i++) in[i] = (float)tanh(in[i]);
+        summed(layer, in, out, policy->told);
+        float *swapped = in;
+        in = out;
+        out = swapped;
+    }
+    *acceleration = squashed(in[0], policy->output);
+    *steer = squashed(in[1], policy->output);
+}
+
+/* Runs a world to its end; how many steps it took. */
+int64_t run_world(World *w, const Policy *policy) {
+    int64_t first = w->step, left = 0;
     double acceleration = 0.0, steer = 0.0;
     see(w);
     while (w->ending == GOES_ON && !w->fault) {
-        if (ego == RULE_BASED) rule_based(w->seen, &acceleration, &steer);
-        else intelligent_driver(&w->car, w->seen, &acceleration, &steer);
+        switch (policy->kind) {
+        case RULE_BASED: rule_based(w->seen, &acceleration, &steer); break;
+        case INTELLIGENT_DRIVER: intelligent_driver(&w->car, w->seen, &acceleration, &steer); break;
+        default:
+            if (!left) { left = policy->every; ask_network(policy, w->seen, &acceleration, &steer); }
+            left--;
+        }
         press(w, acceleration, steer);
     }
     return w->step - first;
 }
 
 /* Runs many worlds, one after the other; how many steps they took together. */
-int64_t run_worlds(World *const *worlds, int64_t count, int64_t ego) {
+int64_t run_worlds(World *const *worlds, int64_t count, const Policy *policy) {
     int64_t steps = 0;
-    for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], ego);
+    for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], policy);
     return steps;
 }

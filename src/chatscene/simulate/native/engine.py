@@ -11,8 +11,8 @@ import math
 import os
 import random
 import tempfile
-from collections.abc import Callable
-from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_uint64
+from collections.abc import Callable, Sequence
+from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -160,6 +160,30 @@ class World(Structure):
     )
 
 
+class Layer(Structure):
+    """A layer of a network: for each input its weight to each output, and the bias."""
+
+    _fields_ = (("inputs", c_int64), ("outputs", c_int64), ("columns", POINTER(c_float)), ("bias", POINTER(c_float)))
+
+
+class Policy(Structure):
+    """Who drives; `chatscene.simulate.native.policies` makes them.
+
+    Attributes:
+        kept: What it points at, so that this stays as long as the policy.
+    """
+
+    kept: list[Any]
+
+    _fields_ = (
+        *((name, c_int32) for name in ("kind", "hidden", "output", "every")),
+        ("layers", c_int64),
+        ("layer", POINTER(Layer)),
+        *((name, POINTER(c_float)) for name in ("one", "other")),
+        ("told", POINTER(c_int32)),
+    )
+
+
 class Engine:
     """The loaded library, checked.
 
@@ -178,11 +202,13 @@ class Engine:
         library.step_world.restype = None
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
         library.run_world.restype = c_int64
-        library.run_world.argtypes = (POINTER(World), c_int64)
+        library.run_world.argtypes = (POINTER(World), POINTER(Policy))
         library.run_worlds.restype = c_int64
-        library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, c_int64)
+        library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
+        library.ask_network.restype = None
+        library.ask_network.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
         self._library = library
-        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World)):
+        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy)):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
         if wrong := [name for name, count in self._differences().items() if count]:
@@ -192,16 +218,23 @@ class Engine:
         """One step of a scene."""
         self._library.step_world(ctypes.byref(world), throttle, brake, steer)
 
-    def run(self, world: World, ego: int) -> int:
-        """Run a scene to its end with an ego by rule; how many steps it took."""
-        steps: int = self._library.run_world(ctypes.byref(world), ego)
+    def run(self, world: World, policy: Policy) -> int:
+        """Run a scene to its end; how many steps it took."""
+        steps: int = self._library.run_world(ctypes.byref(world), ctypes.byref(policy))
         return steps
 
-    def run_many(self, worlds: list[World], ego: int) -> int:
+    def run_many(self, worlds: list[World], policy: Policy) -> int:
         """Run scenes to their ends, one after the other; how many steps they took together."""
         pointers = (POINTER(World) * len(worlds))(*(ctypes.pointer(world) for world in worlds))
-        steps: int = self._library.run_worlds(pointers, len(worlds), ego)
+        steps: int = self._library.run_worlds(pointers, len(worlds), ctypes.byref(policy))
         return steps
+
+    def ask(self, policy: Policy, seen: Sequence[float]) -> tuple[float, float]:
+        """What a network answers to what it sees."""
+        acceleration, steering = c_double(), c_double()
+        numbers = (c_double * len(seen))(*seen)
+        self._library.ask_network(ctypes.byref(policy), numbers, ctypes.byref(acceleration), ctypes.byref(steering))
+        return acceleration.value, steering.value
 
     def _differences(self) -> dict[str, int]:
         """On how many of `CHECKED` numbers each function differs from Python's."""
@@ -230,6 +263,8 @@ _PYTHON: dict[str, Callable[[float, float], float]] = {
     "square": lambda x, _: x**2,
     "fourth power": lambda x, _: x**4,
     "remainder": lambda x, _: math.remainder(x, 2.0 * math.pi),
+    "hyperbolic tangent": lambda x, _: math.tanh(x),
+    "rounding": lambda x, _: round(math.sin(x), 6),
 }  # in the order of `evaluate` in engine.c
 
 

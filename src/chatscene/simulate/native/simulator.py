@@ -10,15 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, controls, observation_of
-from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
+from chatscene.simulate.native.policies import policy_of
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
 from chatscene.terms.episode import Ending, Episode
@@ -28,7 +27,6 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 NAME, REFERENCE = "native", "embedded"
 ENDINGS = {1: Ending.COLLISION, 2: Ending.ARRIVED, 3: Ending.TIMEOUT}  # as engine.c numbers them
 SIDES = ("front", "rear", "left", "right")
-RULES: dict[type, int] = {RuleBased: 1, IntelligentDriver: 2}  # egos that the engine knows, by its numbers
 
 
 class NativeSession:
@@ -89,11 +87,11 @@ class NativeSession:
             EgoError: The session was ended by another in the same process.
             StuckBehavior: As for `step`.
         """
-        rule = RULES.get(type(ego))
-        if rule is None or observation_of(ego) != self._reference.preset:
+        policy = policy_of(ego, self._engine)
+        if policy is None or observation_of(ego) != self._reference.preset:
             return False
         self._reference.check_open()
-        self._engine.run(self._bound.world, rule)
+        self._engine.run(self._bound.world, policy)
         self._look()
         return True
 

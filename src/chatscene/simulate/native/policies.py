@@ -1,0 +1,73 @@
+"""Egos that the engine drives by itself: those by rule, and networks."""
+
+from __future__ import annotations
+
+from ctypes import POINTER, c_float, c_int32
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.intelligent_driver import IntelligentDriver
+from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
+from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.rule_based import RuleBased
+from chatscene.simulate.native.engine import Engine, Layer, Policy
+
+RULE_BASED, INTELLIGENT_DRIVER, NETWORK = range(3)  # as engine.c numbers them
+ASKED = 16  # observations on which a network's answers are held against numpy's
+
+
+def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
+    """An ego in the engine's terms; None for one that has to be asked at every step."""
+    if type(ego) is RuleBased:
+        return Policy(kind=RULE_BASED)
+    if type(ego) is IntelligentDriver:
+        return Policy(kind=INTELLIGENT_DRIVER)
+    if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
+        policy = network_policy(ego.network)
+        if not _agree(ego.network, engine):
+            return None
+        policy.every = ego.every
+        return policy
+    return None
+
+
+@lru_cache(maxsize=8)
+def network_policy(network: Network) -> Policy:
+    """A network that is asked at every step."""
+    kept: list[Any] = []
+
+    def pointer(array: NDArray[Any], kind: Any) -> Any:
+        kept.append(array)
+        return array.ctypes.data_as(POINTER(kind))
+
+    layers = (Layer * len(network.layers))()
+    for layer, (weights, bias) in zip(layers, network.layers, strict=True):
+        layer.outputs, layer.inputs = weights.shape
+        layer.columns = pointer(np.ascontiguousarray(weights.T, np.float32), c_float)
+        layer.bias = pointer(np.ascontiguousarray(bias, np.float32), c_float)
+    widest = max(network.size, *(len(bias) for _, bias in network.layers))
+    policy = Policy(
+        kind=NETWORK,
+        hidden=HIDDEN.index(network.hidden),
+        output=OUTPUTS.index(network.output),
+        every=1,
+        layers=len(layers),
+        layer=layers,
+        one=pointer(np.empty(widest, np.float32), c_float),
+        other=pointer(np.empty(widest, np.float32), c_float),
+        told=pointer(np.empty(widest, np.int32), c_int32),
+    )
+    policy.kept = kept
+    return policy
+
+
+@lru_cache(maxsize=8)
+def _agree(network: Network, engine: Engine) -> bool:
+    """Whether the engine gives a network's answers as numpy does here, to the last bit."""
+    policy, draw = network_policy(network), np.random.default_rng(0)
+    seen = draw.normal(0.0, 3.0, (ASKED, network.size))
+    return all(engine.ask(policy, row.tolist()) == network(row) for row in seen)
