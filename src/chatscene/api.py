@@ -619,11 +619,12 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     Args:
         folder: Run folder.
         scenes: Ids of the scenes; none for those that the run keeps.
-        to: An exporter by name: ``openscenario``, ``csv``, ``scenic``, or ``package.module:factory``.
+        to: An exporter by name: ``openscenario``, ``osi``, ``csv``, ``scenic``, or ``package.module:factory``.
         out: Where to; a new folder, or an empty one.
 
     Raises:
         SettingsError: There is no such exporter, or the folder is not empty.
+        MissingExtra: The exporter needs a package that is not installed.
         RunError: The run has no such scene, it was never driven, or it keeps none.
         MapError: The run's map is not there any more.
     """

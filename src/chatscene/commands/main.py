@@ -513,7 +513,7 @@ def replay(
 @main.command()
 @click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
 @click.argument("scenes", metavar="[SCENE]...", nargs=-1)
-@click.option("--to", required=True, help="The format: openscenario, csv, scenic, or package.module:factory.")
+@click.option("--to", required=True, help="The format: openscenario, osi, csv, scenic, or package.module:factory.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
@@ -525,6 +525,7 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     """Write each SCENE of RUN as a file that other tools read; without SCENE, the scenes that the run keeps.
 
     openscenario: OpenSCENARIO XML 1.2, everybody on a timed trajectory as driven, and the OpenDRIVE map beside it.
+    osi: a trace of ground truth of ASAM OSI, in MCAP; needs the extra 'osi'.
     csv: the tracks. scenic: the program with the scene's values in it, and the map.
 
     \b

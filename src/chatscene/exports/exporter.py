@@ -76,6 +76,7 @@ EXPORTERS: Kind[Exporter] = Kind(
     built_in={
         "openscenario": "chatscene.exports.openscenario:OpenScenario",
         "csv": "chatscene.exports.tracks_csv:TracksCsv",
+        "osi": "chatscene.exports.osi_trace:OsiTrace [osi]",
         "scenic": "chatscene.exports.filled_program:FilledProgram",
     },
 )

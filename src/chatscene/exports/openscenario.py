@@ -14,8 +14,9 @@ from xml.etree import ElementTree as Xml
 
 import numpy as np
 
+from chatscene.exports.bodies import wheelbase_of
 from chatscene.exports.exporter import KeptScene
-from chatscene.exports.openscenario_entities import entity, wheelbase_of
+from chatscene.exports.openscenario_entities import entity
 from chatscene.exports.xml_element import element
 from chatscene.terms.episode import Array, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
