@@ -16,7 +16,7 @@ from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
-from chatscene.report.summary import Summary
+from chatscene.report.summary import Summary, stepped_in_words
 from chatscene.runs import working
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
@@ -71,6 +71,19 @@ def test_a_run_says_how_many_kept_scenes_do_not_show_what_was_said() -> None:
     assert summed_up(selected_shown=1).endswith("; 2 kept (1 that does not show all that was read)")
     assert summed_up(selected_shown=0, fill_in=1).endswith(
         "; 2 kept (1 without a collision, 2 that do not show all that was read)"
+    )
+
+
+def test_a_run_says_who_stepped_its_drives_and_why_not_the_simulator_that_was_asked_for() -> None:
+    record = runs.asked_run(SENTENCES["bus-stop"], settings=Settings(simulation=SimulationSettings(simulator="native")))
+    assert stepped_in_words(record) == ""
+    record = record.model_copy(update={"stepped": {"native": 4}})
+    assert stepped_in_words(record) == "stepped: 4 by native"
+    record = record.model_copy(
+        update={"stepped": {"embedded": 1, "native": 4}, "instead": {"the physics lagged": ["s"]}}
+    )
+    assert (
+        stepped_in_words(record) == "stepped: 1 by embedded, 4 by native (not by native: 1 scene: the physics lagged)"
     )
 
 

@@ -676,6 +676,8 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
             say(as_text(evaluated.tables[name]))
             say("")
         say(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+        if evaluated.stepped:
+            say(evaluated.stepped)
     for reason in evaluated.failures.values():
         say(f"EgoError: {reason}; the other egos' results stand", err=True)
     if evaluated.failures:

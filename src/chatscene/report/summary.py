@@ -1,4 +1,4 @@
-"""What a run came to, in two lines."""
+"""What a run came to, in three lines."""
 
 from __future__ import annotations
 
@@ -18,19 +18,26 @@ class Summary:
         counts: As in `run.json`.
         seconds: Wall time, of every call that worked on the folder.
         ego: Who drove, and what it sees: no collision rate means anything without it.
+        stepped: Who stepped the drives; empty where that was not recorded.
     """
 
     counts: Mapping[str, int]
     seconds: float
     ego: str
+    stepped: str = ""
 
     @classmethod
     def of(cls, record: runs.RunRecord) -> Summary:
         """The summary of a run by its record."""
-        return cls(counts=record.counts, seconds=record.timings["total"], ego=egos_in_words(record)[0])
+        return cls(
+            counts=record.counts,
+            seconds=record.timings["total"],
+            ego=egos_in_words(record)[0],
+            stepped=stepped_in_words(record),
+        )
 
     def in_words(self) -> str:
-        """Two lines for a person: what came of it, and what the ego could see."""
+        """Three lines for a person: what came of it, what the ego could see, and who stepped it."""
         ran, collided = self.counts["ran"], self.counts["collided"]
         low, high = wilson(collided, ran)
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
@@ -41,5 +48,19 @@ class Summary:
         return (
             f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
             f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
-            f"{kept} kept" + (f" ({', '.join(but)})" if but else "") + f"\n{self.ego}"
+            f"{kept} kept"
+            + (f" ({', '.join(but)})" if but else "")
+            + f"\n{self.ego}"
+            + (f"\n{self.stepped}" if self.stepped else "")
         )
+
+
+def stepped_in_words(record: runs.MapRecord) -> str:
+    """One line: which simulator stepped how many drives, and why not the one that was asked for."""
+    if not record.stepped:
+        return ""
+    shares = ", ".join(f"{count} by {name}" for name, count in record.stepped.items())
+    why = "; ".join(
+        f"{len(scenes)} scene{'s' * (len(scenes) > 1)}: {reason}" for reason, scenes in record.instead.items()
+    )
+    return f"stepped: {shares}" + (f" (not by {record.simulator.name}: {why})" if why else "")

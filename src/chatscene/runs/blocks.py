@@ -7,6 +7,7 @@ not at all, so that a kill at any moment loses at most the block in progress.
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import groupby
@@ -135,6 +136,8 @@ def _ran_row(ran: Ran) -> SceneRow:
         severity=ran.criticality.severity,
         fault=ran.fault,
         avoidable=ran.avoidable,
+        stepped=ran.episode.stepped.by,
+        instead=ran.episode.stepped.instead,
     )
 
 
@@ -276,9 +279,20 @@ def finish(
         scenes = scenes_table(parts, selected)
         write_table(run.file("scenes.parquet"), scenes)
         files = digests(run.path, (*KEPT, *DRAWN))
-        record = update(run, status=Status.DONE, counts=_counts(scenes), files=files)
+        stepped, instead = _stepped(parts)
+        record = update(run, status=Status.DONE, counts=_counts(scenes), stepped=stepped, instead=instead, files=files)
     _drop_parts(run)
     return record
+
+
+def _stepped(parts: Sequence[Part]) -> tuple[dict[str, int], dict[str, list[str]]]:
+    """How many drives each simulator stepped, and which scenes were stepped by another than was asked for, by why."""
+    driven = [scene for part in parts for scene in part.scenes if scene.stepped]
+    instead: dict[str, list[str]] = {}
+    for scene in driven:
+        if scene.instead and scene.scene_id not in (named := instead.setdefault(scene.instead, [])):
+            named.append(scene.scene_id)
+    return dict(sorted(Counter(scene.stepped for scene in driven).items())), instead
 
 
 def _require(run: Workspace, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:

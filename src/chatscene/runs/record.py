@@ -174,6 +174,8 @@ class MapRecord(Record):
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
         simulator: What runs the scenes.
         counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
+        stepped: How many drives each simulator stepped; empty in the records of older versions.
+        instead: The scenes that another simulator stepped than the one that was asked for, by why.
     """
 
     map_name: str
@@ -183,6 +185,8 @@ class MapRecord(Record):
     senses: dict[str, dict[str, str]]
     simulator: SimulatorRecord
     counts: dict[str, int] = {}
+    stepped: dict[str, int] = {}
+    instead: dict[str, list[str]] = {}
 
     def egos_named(self) -> dict[str, str]:
         """Those that drive."""
@@ -428,6 +432,8 @@ class SceneRow(_Frozen):
     severity: str | None = None
     fault: str | None = None
     avoidable: bool | None = None
+    stepped: str = ""  # by which simulator
+    instead: str = ""  # why not by the one that was asked for
 
 
 class EventRow(_Frozen):

@@ -285,7 +285,7 @@ def measurements_of(row: Mapping[str, Any]) -> Measurements:
 
 
 def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:
-    row = scene.model_dump(exclude={"values", "metrics", "measurements", "criticality"})
+    row = scene.model_dump(exclude={"values", "metrics", "measurements", "criticality", "stepped", "instead"})
     row |= scene.values | scene.metrics | scene.criticality
     row |= {f"{RAW}{name}": value for name, value in scene.measurements.items()}
     driven = scene.reason is None

@@ -18,7 +18,7 @@ from chatscene.simulate.obedience import obeyed
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
-from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped, Track
 from chatscene.terms.order import Order
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
@@ -61,6 +61,7 @@ class SteppedSession:
         offset: Lateral offset of the ego from its route [m, positive = left].
         along: Arc length of the ego on its route [m].
         draws: How many draws it took to place.
+        stepped: Who steps it, where that is another simulator than the one that was asked for.
     """
 
     def __init__(
@@ -96,6 +97,7 @@ class SteppedSession:
         self.through = through
         self._label = label
         self.draws = draws
+        self.stepped = Stepped()
         self._drawn = program.drawn
         self._as_written = program.as_written
         self._names: list[tuple[str, Role]] = []
@@ -322,6 +324,7 @@ class SteppedSession:
             distance_to_route=np.abs(np.array(self._offsets)),
             off_road=off_road,
             surroundings=self.simulation.surroundings,
+            stepped=self.stepped,
         )
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:

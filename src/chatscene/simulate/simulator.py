@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
@@ -12,7 +13,7 @@ from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
 from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import time_limit
-from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.episode import Ending, Episode, Stepped
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.simulator import SimulatorIdentity
@@ -154,7 +155,8 @@ def simulate(
             drive(session, ego)
             if session.rejection:
                 return Rejected(scene=scene, reason=session.rejection)
-            return session.episode(scene.id, name_of(ego))
+            episode = session.episode(scene.id, name_of(ego))
+            return episode if episode.stepped.by else replace(episode, stepped=Stepped(by=simulator.identity.name))
         finally:
             session.close()
 

@@ -119,7 +119,15 @@ def benchmark(
         if not found:
             raise MapError(f"map {map_name!r} serves none of the scenarios; the first: {next(iter(refused.values()))}")
         counts = _counts(found)
-        runs.update(work, refused=refused, counts=counts, timings={"search": time.monotonic() - began})
+        stepped, instead = _stepped(found)
+        runs.update(
+            work,
+            refused=refused,
+            counts=counts,
+            stepped=stepped,
+            instead=instead,
+            timings={"search": time.monotonic() - began},
+        )
 
         repeated = Repeated(generator=(generator,), simulator=(simulator,))
         evaluated = evaluate(found, folder / "evaluation", egos=egos, jobs=jobs, progress=tell, repeated=repeated)
@@ -188,6 +196,18 @@ def _counts(folders: Iterable[Path]) -> dict[str, int]:
         for name, count in runs.read_record(runs.open_run(folder)).counts.items():
             total[name] = total.get(name, 0) + count
     return total
+
+
+def _stepped(folders: Iterable[Path]) -> tuple[dict[str, int], dict[str, list[str]]]:
+    """Who stepped the drives of all runs, and which scenes not the simulator that was asked for, by why."""
+    stepped: dict[str, int] = {}
+    instead: dict[str, list[str]] = {}
+    for record in (runs.read_record(runs.open_run(folder)) for folder in folders):
+        for name, count in record.stepped.items():
+            stepped[name] = stepped.get(name, 0) + count
+        for reason, scenes in record.instead.items():
+            instead.setdefault(reason, []).extend(scenes)
+    return stepped, instead
 
 
 class _Searcher:

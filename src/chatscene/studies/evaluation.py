@@ -25,6 +25,7 @@ from chatscene.measure.tables import (
     generation_table,
 )
 from chatscene.report.egos import egos_in_words
+from chatscene.report.summary import stepped_in_words
 from chatscene.report.tables import write_tables
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
@@ -52,12 +53,14 @@ class Evaluated:
         folder: Where it is.
         tables: By name; also written to ``tables/``.
         failures: Why egos were given up, by ego.
+        stepped: Who stepped the drives, in a line.
         seconds: Wall time of this call.
     """
 
     folder: Path
     tables: dict[str, ResultTable]
     failures: dict[str, str]
+    stepped: str
     seconds: float
 
 
@@ -191,7 +194,13 @@ def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repe
         tables = tabulate(run)
         write_tables(run.file("tables"), tables)
         runs.note(run, *run.file("tables").iterdir())
-    return Evaluated(folder=run.path, tables=tables, failures=failures, seconds=time.monotonic() - began)
+    return Evaluated(
+        folder=run.path,
+        tables=tables,
+        failures=failures,
+        stepped=stepped_in_words(runs.read_record(run, runs.EvaluationRecord)),
+        seconds=time.monotonic() - began,
+    )
 
 
 def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:

@@ -117,6 +117,19 @@ class SignalTrack:
     role: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stepped:
+    """Who stepped a drive.
+
+    Attributes:
+        by: The name of the simulator; empty where that is not known, as of an episode that was read from a folder.
+        instead: Why it was not the one that was asked for; empty where it was.
+    """
+
+    by: str = ""
+    instead: str = ""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Episode:
     """One drive of one ego through one scene.
@@ -133,6 +146,7 @@ class Episode:
         distance_to_route: (T,) [m], lateral, unsigned.
         off_road: (T,) bool: the ego's centre was off every driving lane.
         surroundings: Light, weather and the state of the road.
+        stepped: Who stepped it, which changes no number of it.
     """
 
     scene_id: str
@@ -146,6 +160,7 @@ class Episode:
     distance_to_route: Array
     off_road: NDArray[np.bool_]
     surroundings: Surroundings = field(default_factory=Surroundings)
+    stepped: Stepped = field(default_factory=Stepped)
 
     @property
     def ego_track(self) -> Track:

@@ -25,10 +25,10 @@ from chatscene.simulate.native.binding import bind
 from chatscene.simulate.native.building import NoEngine, compile_engine
 from chatscene.simulate.native.engine import Policy
 from chatscene.simulate.native.policies import RULE_BASED, network_policy, policy_of
-from chatscene.simulate.native.simulator import NativeSession, NativeSimulator
+from chatscene.simulate.native.simulator import NativeSimulator
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import load_simulator, simulate
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -83,13 +83,12 @@ def _agrees(
     native: NativeSimulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, **how: bool
 ) -> Episode | None:
     """The episode of both simulators, which must be one, and which the engine must have stepped."""
-    before = native.not_covered.copy()
     mine = simulate(native, program, scene, ego, **how)
     theirs = simulate(load_simulator(TOWN, SETTINGS), program, scene, ego, **how)
     if isinstance(mine, Rejected) or isinstance(theirs, Rejected):
         assert mine == theirs
         return None
-    assert native.not_covered == before
+    assert (mine.stepped, theirs.stepped) == (Stepped(by="native"), Stepped(by="embedded"))
     assert differences(mine, theirs) == []
     return mine
 
@@ -226,16 +225,14 @@ def test_a_plan_that_comes_to_no_act_is_stuck(native: NativeSimulator) -> None:
         simulate(native, _program("while True:\n        do Park() for 0 seconds"), _scene(), load_ego("idm"))
 
 
-def test_what_is_no_plan_takes_the_embedded_path_and_is_counted(native: NativeSimulator) -> None:
+def test_what_is_no_plan_takes_the_embedded_path_and_says_so(native: NativeSimulator) -> None:
     program = _program("while True:\n        take DriveAction(0.5, 0, 0)")
-    before = native.not_covered["a behavior that is no plan"]
-    session = native.open(program, _scene())
-    assert not isinstance(session, NativeSession | Rejected)
-    session.close()
-    assert native.not_covered["a behavior that is no plan"] == before + 1
+    episode = simulate(native, program, _scene(), load_ego("rule-based"))
+    assert isinstance(episode, Episode)
+    assert episode.stepped == Stepped(by="embedded", instead="a behavior that is no plan")
 
 
-def test_without_an_engine_one_line_says_so_and_everything_runs(
+def test_without_an_engine_everything_runs_and_each_drive_says_so(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(engine, "PACKAGED", tmp_path / "engine.so")
@@ -243,11 +240,13 @@ def test_without_an_engine_one_line_says_so_and_everything_runs(
     monkeypatch.setattr(shutil, "which", {}.get)
     engine.load_engine.cache_clear()
     try:
-        with pytest.warns(RuntimeWarning, match="the native engine is not there.*no C compiler"):
-            simulator = NativeSimulator(TOWN, SETTINGS)
+        simulator = NativeSimulator(TOWN, SETTINGS)
     finally:
         engine.load_engine.cache_clear()
-    assert isinstance(simulate(simulator, _program(PHASES["Park"]), _scene(), load_ego("rule-based")), Episode)
+    episode = simulate(simulator, _program(PHASES["Park"]), _scene(), load_ego("rule-based"))
+    assert isinstance(episode, Episode)
+    assert episode.stepped.by == "embedded"
+    assert "there is no C compiler" in episode.stepped.instead
 
 
 def test_a_library_of_another_source_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

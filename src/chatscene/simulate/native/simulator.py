@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
-from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,7 +18,7 @@ from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
 from chatscene.simulate.native.policies import policy_of
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
-from chatscene.terms.episode import Ending, Episode
+from chatscene.terms.episode import Ending, Episode, Stepped
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
@@ -133,24 +131,17 @@ class NativeSimulator:
     Attributes:
         identity: What it is: the physics of the embedded simulator.
         missing: Why there is no engine on this machine; empty if there is one.
-        not_covered: How many scenes took the embedded path, by reason.
     """
 
     def __init__(self, map_path: Path, settings: SimulationSettings) -> None:
         self._embedded: Simulator = load_simulator(map_path, replace(settings, simulator=REFERENCE))
         self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
-        self.not_covered: Counter[str] = Counter()
         self.missing = ""
         self._engine: Engine | None = None
         try:
             self._engine = load_engine()
         except NoEngine as error:
             self.missing = str(error)
-            warnings.warn(
-                f"the native engine is not there, and the embedded simulator runs everything: {error}",
-                RuntimeWarning,
-                stacklevel=2,
-            )
 
     def route(self, program: ScenicProgram, index: int) -> Route:
         """The route a program's geometry picks under this index."""
@@ -173,18 +164,25 @@ class NativeSimulator:
         pedals: str = "safebench",
         through_collisions: bool = False,
     ) -> Session | Rejected:
-        """Start a session: Scenic places the scene, the engine steps it if it can."""
+        """Start a session: Scenic places the scene, the engine steps it if it can, and the episode says why if not."""
         opened = self._embedded.open(
             program, scene, observation=observation, pedals=pedals, through_collisions=through_collisions
         )
-        if isinstance(opened, Rejected) or self._engine is None or opened.ending is not None:
+        if isinstance(opened, Rejected):
             return opened
         assert isinstance(opened, SteppedSession)
         try:
-            return NativeSession(opened, bind(opened, program), self._engine)
+            return self._engaged(opened, program)
         except NotCovered as reason:
-            self.not_covered[str(reason)] += 1
+            opened.stepped = Stepped(by=REFERENCE, instead=str(reason))
             return opened
         except BaseException:
             opened.close()
             raise
+
+    def _engaged(self, opened: SteppedSession, program: ScenicProgram) -> NativeSession:
+        if self._engine is None:
+            raise NotCovered(f"there is no engine: {self.missing}")
+        if opened.ending is not None:
+            raise NotCovered("over as it begins")
+        return NativeSession(opened, bind(opened, program), self._engine)

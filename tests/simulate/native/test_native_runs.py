@@ -1,0 +1,48 @@
+"""A run in the native engine leaves the embedded simulator's bytes, and says who stepped its drives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from chatscene import pipeline, runs
+from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.simulate.native.engine import NoEngine, load_engine
+
+TEXT = "A cyclist rides out from the left and stops in front of us."
+NAMED = {"run.json", "report.html"}  # which name the simulator and the time
+
+
+def _ran(folder: Path, simulation: SimulationSettings) -> tuple[runs.RunRecord, dict[str, bytes], str]:
+    settings = Settings(search=SearchSettings(scenes=3, block=2, keep=1), simulation=simulation)
+    said = pipeline.run(runs.asked_run(TEXT, settings=settings), folder).in_words()
+    files = {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and path.name not in NAMED
+    }
+    return runs.read_record(runs.open_run(folder)), files, said
+
+
+def test_every_table_of_a_run_has_the_same_bytes_in_both_simulators(tmp_path: Path) -> None:
+    try:
+        load_engine()
+    except NoEngine as error:
+        pytest.skip(str(error))
+    mine, files, said = _ran(tmp_path / "native", SimulationSettings(simulator="native"))
+    theirs, reference, told = _ran(tmp_path / "embedded", SimulationSettings(simulator="embedded"))
+    assert len(files) > 5
+    assert files == reference
+    assert (mine.stepped, theirs.stepped) == ({"native": 3}, {"embedded": 3})
+    assert mine.instead == theirs.instead == {}
+    assert said.splitlines()[-1] == "stepped: 3 by native"
+    assert told.splitlines()[-1] == "stepped: 3 by embedded"
+
+
+def test_a_run_names_the_scenes_that_the_engine_does_not_cover_and_why(tmp_path: Path) -> None:
+    record, _, said = _ran(tmp_path / "run", SimulationSettings(simulator="native", physics="lagged"))
+    assert record.stepped == {"embedded": 3}
+    assert record.instead.keys() == {"the physics lagged"}
+    assert len(record.instead["the physics lagged"]) == 3
+    assert said.splitlines()[-1] == "stepped: 3 by embedded (not by native: 3 scenes: the physics lagged)"
