@@ -46,6 +46,8 @@ def entity(track: Track) -> Xml.Element:
         {},
         element("Property", {"name": "chatscene.role", "value": track.role.value}),
         element("Property", {"name": "chatscene.kind", "value": track.kind}),
+        # For esmini, which otherwise holds a heading until the next vertex.
+        element("Property", {"name": "plineInterpolation", "value": "segment"}),
     )
     mass = kind.row.mass if kind else _THING_MASS
     if kind is None or kind.lies:
