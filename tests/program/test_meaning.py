@@ -22,6 +22,7 @@ from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place, Slots
 from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.simulator import SimulatorIdentity
 
 DT = 0.1
 EGO_SPEED = 8.0  # along +x from the origin, on a straight route
@@ -288,6 +289,7 @@ class Shown:
 
     shown: Episode
     rejection: str = ""
+    identity = SimulatorIdentity(name="shown", version="1", physics="a script", exact=True, confinable=False)
 
     @property
     def ending(self) -> Ending:
