@@ -1,10 +1,22 @@
-"""What holds for every test: none depends on the clock."""
+"""What holds for every test: none depends on the clock, and none on which modules another has loaded."""
 
 import gc
+import importlib
+import pkgutil
 
 from hypothesis import HealthCheck, settings
 
+import chatscene
+
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
+
+# A module that is first loaded while a test has put something in the place of a function keeps that for good. So all
+# are there before.
+for _found in pkgutil.walk_packages(chatscene.__path__, "chatscene."):
+    try:
+        importlib.import_module(_found.name)
+    except ModuleNotFoundError:  # an extra that is not installed, or a module of Scenic's
+        continue
 
 gc.set_threshold(20_000, 20, 20)  # maps and libraries, which stay, are looked through by the collector less often

@@ -21,23 +21,12 @@ from osi3.osi_object_pb2 import MovingObject, StationaryObject
 from osi3.osi_version_pb2 import DESCRIPTOR as VERSIONED
 from osi3.osi_version_pb2 import current_interface_version
 
-from chatscene.exports.bodies import body_of, wheelbase_of
+from chatscene.exports.bodies import height_of, wheelbase_of
 from chatscene.exports.exporter import KeptScene
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, Manner
 from chatscene.terms.episode import Track
 from chatscene.terms.surroundings import Light, Surroundings, Weather
 
-_CLASSES = {
-    AdversaryKind.CAR: MovingObject.VehicleClassification.TYPE_CAR,
-    AdversaryKind.TRUCK: MovingObject.VehicleClassification.TYPE_HEAVY_TRUCK,
-    AdversaryKind.BUS: MovingObject.VehicleClassification.TYPE_BUS,
-    AdversaryKind.MOTORCYCLE: MovingObject.VehicleClassification.TYPE_MOTORCYCLE,
-    AdversaryKind.BICYCLE: MovingObject.VehicleClassification.TYPE_BICYCLE,
-    AdversaryKind.EMERGENCY_VEHICLE: MovingObject.VehicleClassification.TYPE_VAN,
-    AdversaryKind.E_SCOOTER: MovingObject.VehicleClassification.TYPE_STANDUP_SCOOTER,
-    AdversaryKind.WHEELCHAIR: MovingObject.VehicleClassification.TYPE_WHEELCHAIR,
-}
-_ANIMALS = (AdversaryKind.DOG, AdversaryKind.DEER)
 # Nominal, as the hour and the intensity: drives know no lux and no mm/h.
 _ILLUMINATION = {
     Light.DAY: (EnvironmentalConditions.AMBIENT_ILLUMINATION_LEVEL9, 12),
@@ -133,8 +122,8 @@ class _Written:
     """An actor, as every message has it."""
 
     def __init__(self, number: int, track: Track, dt: float) -> None:
-        self._track, self._kind, self._body = track, BY_CLASS.get(track.kind), body_of(track)
-        self._number = number
+        self._track, self._kind, self._number = track, BY_CLASS.get(track.kind), number
+        self._height = height_of(track)
         self._acceleration, self._yaw_rate = track.acceleration(dt), track.yaw_rate(dt)
 
     def add_to(self, message: GroundTruth, step: int) -> None:
@@ -159,9 +148,9 @@ class _Written:
         track, base = self._track, thing.base
         thing.id.value = self._number
         base.dimension.length, base.dimension.width = track.length, track.width
-        base.dimension.height = self._body.height
+        base.dimension.height = self._height
         base.position.x, base.position.y = float(track.x[step]), float(track.y[step])
-        base.position.z = self._body.height / 2
+        base.position.z = self._height / 2
         base.orientation.roll = base.orientation.pitch = 0.0
         base.orientation.yaw = float(np.remainder(track.heading[step] + np.pi, 2 * np.pi) - np.pi)
         source = thing.source_reference.add()
@@ -169,22 +158,19 @@ class _Written:
         source.identifier.extend([track.actor, track.role.value, track.kind])
 
     def _classify(self, mover: MovingObject, kind: AdversaryKind) -> None:
-        if kind in _ANIMALS:
-            mover.type = MovingObject.TYPE_ANIMAL
-        elif kind not in _CLASSES:
-            mover.type = MovingObject.TYPE_PEDESTRIAN
-        else:
+        if kind.row.osi:
+            named, classification = MovingObject.VehicleClassification, mover.vehicle_classification
             mover.type = MovingObject.TYPE_VEHICLE
-            mover.vehicle_classification.type = _CLASSES[kind]
-            emergency = kind is AdversaryKind.EMERGENCY_VEHICLE
-            of_nobody = MovingObject.VehicleClassification.ROLE_CIVIL
-            mover.vehicle_classification.role = (
-                MovingObject.VehicleClassification.ROLE_AMBULANCE if emergency else of_nobody
-            )
+            classification.type = getattr(named, f"TYPE_{kind.row.osi}")
+            classification.role = getattr(named, f"ROLE_{kind.row.role.upper() or 'CIVIL'}")
+        elif kind.row.openscenario == "animal":
+            mover.type = MovingObject.TYPE_ANIMAL
+        else:
+            mover.type = MovingObject.TYPE_PEDESTRIAN
         if kind.row.manner in (Manner.DRIVES, Manner.RIDES):
-            axle, height = wheelbase_of(self._track) / 2, (self._body.wheel - self._body.height) / 2
+            axle, height = wheelbase_of(self._track) / 2, (kind.row.wheel - self._height) / 2
             attributes = mover.vehicle_attributes
-            attributes.radius_wheel = self._body.wheel / 2
+            attributes.radius_wheel = kind.row.wheel / 2
             attributes.number_wheels = 2 if kind.row.manner is Manner.RIDES else 4
             for vector, along in ((attributes.bbcenter_to_rear, -axle), (attributes.bbcenter_to_front, axle)):
                 vector.x, vector.y, vector.z = along, 0.0, height

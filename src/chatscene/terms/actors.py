@@ -74,12 +74,18 @@ class RoadUser:
         mass: Of a common one with whoever is in or on it [kg].
         limits: What its body can do.
         manner: How it moves; those on foot or on two wheels are the vulnerable ones (Directive 2010/40/EU, article 4).
+        height: [m]; nominal, and no drive depends on it.
+        openscenario: Its category in OpenSCENARIO XML 1.2: of a vehicle, a pedestrian or a thing.
         words: Regular expression of the words that name it.
         general: How general its words are: where those of two kinds overlap, the less general are heard.
         nouns: What it is called, parted by `|` or lines; what comes up more often stands more often. After a colon
             stands the pronoun, where it is not the kind's usual one.
         painted: Whether it comes in any colour.
         motorised: Whether it is meant where a text speaks of vehicles in general.
+        wheel: Diameter of its wheels [m]; nominal; 0 where formats ask for none.
+        osi: Its type in `VehicleClassification` of the Open Simulation Interface 3, without `TYPE_`; empty of what is
+            no vehicle there.
+        role: What it is there for, in the words of both formats; empty of one for nothing in particular.
         like: The kind that it acts like, by name; empty where it acts like none but itself.
         slow: Speed [m/s] below which a watcher calls it slow.
         fast: Speed [m/s] from which a watcher calls it fast.
@@ -90,11 +96,16 @@ class RoadUser:
     mass: float
     limits: Limits
     manner: Manner
+    height: float
+    openscenario: str
     words: str
     nouns: str
     general: int = 0
     painted: bool = False
     motorised: bool = True
+    wheel: float = 0.0
+    osi: str = ""
+    role: str = ""
     like: str = ""
     slow: float = 4.0
     fast: float = 11.0
@@ -134,6 +145,10 @@ class AdversaryKind(StrEnum):
                 lateral=7.0,
             ),
             manner=Manner.DRIVES,
+            height=1.5,
+            wheel=0.65,
+            openscenario="car",
+            osi="CAR",
             words=(
                 r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|"
                 r"cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|"
@@ -175,6 +190,10 @@ class AdversaryKind(StrEnum):
                 yaw_lag=0.2,
             ),
             manner=Manner.DRIVES,
+            height=3.2,
+            wheel=1.0,
+            openscenario="truck",
+            osi="HEAVY_TRUCK",
             words=(
                 r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|"
                 r"delivery|garbage|refuse|dump|flatbed|removal|semi) (?:truck|lorry|van)|tractors?|tipper|"
@@ -211,6 +230,10 @@ class AdversaryKind(StrEnum):
                 yaw_lag=0.2,
             ),
             manner=Manner.DRIVES,
+            height=3.1,
+            wheel=1.0,
+            openscenario="bus",
+            osi="BUS",
             words=(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
             nouns="""
                 bus | bus | bus | city bus | coach | school bus | double-decker bus | tour bus | articulated bus
@@ -239,6 +262,10 @@ class AdversaryKind(StrEnum):
                 characteristic_speed=math.inf,
             ),
             manner=Manner.RIDES,
+            height=1.6,
+            wheel=0.6,
+            openscenario="motorbike",
+            osi="MOTORCYCLE",
             words=(
                 r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|"
                 r"motorist on two wheels|vespa|mc|(?:dirt|trials?|trail|pit|sports?|super|touring|"
@@ -272,6 +299,10 @@ class AdversaryKind(StrEnum):
                 characteristic_speed=math.inf,
             ),
             manner=Manner.RIDES,
+            height=1.7,
+            wheel=0.65,
+            openscenario="bicycle",
+            osi="BICYCLE",
             words=(
                 r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
                 r"bmx(?:er)?|fixies?|pedelecs?|tandem|(?:push|racing|road|mountain|city|folding|delivery)[- ]?bikes?"
@@ -295,6 +326,8 @@ class AdversaryKind(StrEnum):
             mass=80.0,
             limits=Limits(length=0.6, width=0.6, throttle=4.0, brake=5.0, top_speed=8.0),
             manner=Manner.WALKS,
+            height=1.7,
+            openscenario="pedestrian",
             words=(
                 r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|"
                 r"pupils?|lady|gentleman|girl|boy|guy on foot|persons?|people|child|children|kids?|man|woman|men|"
@@ -331,6 +364,11 @@ class AdversaryKind(StrEnum):
                 lateral=6.0,
             ),
             manner=Manner.DRIVES,
+            height=2.5,
+            wheel=0.7,
+            openscenario="van",
+            osi="VAN",
+            role="ambulance",
             words=(
                 r"ambulances?|fire (?:engines?|trucks?|brigade|appliances?)|(?:police|squad) (?:cars?|vehicles?|"
                 r"cruisers?|vans?|units?|suvs?)|patrol cars?|paramedics?|cop cars?|fire tenders?|medic units?|"
@@ -371,6 +409,10 @@ class AdversaryKind(StrEnum):
                 characteristic_speed=math.inf,
             ),
             manner=Manner.RIDES,
+            height=1.8,
+            wheel=0.25,
+            openscenario="bicycle",
+            osi="STANDUP_SCOOTER",
             words=(
                 r"(?:[a-z]+ (?:on|riding) (?:an?|his|her|their) )?"
                 r"(?:e-?scooters?|(?:electric|stand-?up|kick|push|hire|rental)[- ]?(?:e-)?scooters?)(?: riders?)?|"
@@ -395,6 +437,9 @@ class AdversaryKind(StrEnum):
             mass=140.0,
             limits=Limits(length=1.2, width=0.7, throttle=1.2, brake=2.0, top_speed=2.8),
             manner=Manner.WALKS,
+            height=1.3,
+            openscenario="wheelchair",
+            osi="WHEELCHAIR",
             words=(
                 r"(?:(?:elderly |old |young )?[a-z]+ (?:in|using|on) (?:an?|his|her|their|the) "
                 r"(?:electric |power |manual |powered )?)?"
@@ -419,6 +464,8 @@ class AdversaryKind(StrEnum):
             mass=30.0,
             limits=Limits(length=0.9, width=0.3, throttle=5.0, brake=6.0, top_speed=10.0),
             manner=Manner.WALKS,
+            height=0.6,
+            openscenario="animal",
             words=(
                 r"(?<!my )(?<!our )(?<!his )(?<!her )(?<!toy )dogs?(?! (?:walkers?|food))|"
                 r"pupp(?:y|ies)|hounds?|labradors?|retrievers?|terriers?"
@@ -439,6 +486,8 @@ class AdversaryKind(StrEnum):
             mass=25.0,
             limits=Limits(length=1.2, width=0.35, throttle=6.0, brake=6.0, top_speed=15.0),
             manner=Manner.WALKS,
+            height=0.9,
+            openscenario="animal",
             words=r"(?:roe )?deer|stags?(?! part)|fawns?",
             nouns="deer:it | deer:it | roe deer:it | stag:it | fawn:it | young deer:it | frightened deer:it",
             general=-1,
@@ -458,6 +507,8 @@ class AdversaryKind(StrEnum):
             mass=15.0,
             limits=Limits(length=0.65, width=0.65),
             manner=Manner.LIES,
+            height=0.65,
+            openscenario="obstacle",
             words=(
                 r"(?:(?:cardboard|wooden|moving|packing) )?(?:box(?:es)?|crates?|cartons?|parcels?)"
                 r"(?! (?:junctions?|trucks?|lorry|lorries|vans?|couriers?))|objects?"
@@ -475,6 +526,8 @@ class AdversaryKind(StrEnum):
             mass=5.0,
             limits=Limits(length=0.45, width=0.4),
             manner=Manner.LIES,
+            height=0.75,
+            openscenario="obstacle",
             words=r"(?:(?:traffic|road|roadworks?|construction|warning) )?(?:cones?|pylons?)",
             nouns="cone:it | traffic cone:it | pylon:it | road cone:it | warning cone:it | construction cone:it",
             motorised=False,
@@ -489,6 +542,8 @@ class AdversaryKind(StrEnum):
             mass=60.0,
             limits=Limits(length=1.6, width=0.7),
             manner=Manner.LIES,
+            height=0.5,
+            openscenario="obstacle",
             words=(
                 r"debris|rubble|wreckage|(?:fallen|lost|dropped) (?:load|cargo|goods)|(?:fallen )?(?:branch(?:es)?|"
                 r"planks?|pallets?|ladders?|mattress(?:es)?)"
