@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         replay,
         resume,
         run,
+        sql,
         train,
     )
     from chatscene.ego.policy import load_ego
@@ -57,6 +58,7 @@ __all__ = [
     "replay",
     "resume",
     "run",
+    "sql",
     "train",
 ]
 

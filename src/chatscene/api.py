@@ -7,6 +7,7 @@ A folder may be left out: a new one is made in the system's temporary folder the
 from __future__ import annotations
 
 import tempfile
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
@@ -631,6 +632,31 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     from chatscene.exports.export import export as export_scenes
 
     return export_scenes(Path(folder), _names(scenes), to=to, out=_folder(out))
+
+
+def sql(query: str, folder: Name = "runs") -> Table:
+    """The answer to a query over all runs below a folder: an Arrow table. Needs the extra ``sql``.
+
+    Args:
+        query: A SELECT in DuckDB's SQL over the tables runs, facts, scenes, parameters and events; nothing else can be
+            read, and nothing written.
+        folder: A run folder, or one with run folders somewhere below.
+
+    Raises:
+        MissingExtra: The extra is not installed.
+        QueryError: It is no SQL, names what there is not, or would do more than read these tables.
+        RunError: There is no run in the folder.
+
+    Warns:
+        RuntimeWarning: For each folder that is left out, with the reason: it is damaged, or not done.
+    """
+    from chatscene.report.index import index
+    from chatscene.report.sql import ask
+
+    found = index(Path(folder))
+    for one in found.left_out:
+        warnings.warn(str(one), RuntimeWarning, stacklevel=2)
+    return ask(query, found)
 
 
 def evaluate(

@@ -22,6 +22,7 @@
     │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
     ├ RunError                 a run folder cannot be written, read or continued
+    ├ QueryError               a query over runs is no SQL, asks for what there is not, or is refused
     └ LanguageModelError       a language model gave no usable reply, or none within its budget
 
 A message says what happened, where, and what to do.
@@ -194,6 +195,10 @@ class EgoError(ChatSceneError):
 
 class RunError(ChatSceneError):
     """A run folder cannot be written, read or continued."""
+
+
+class QueryError(ChatSceneError):
+    """A query over runs is no SQL, asks for what there is not, or would do more than read the index."""
 
 
 class LanguageModelError(ChatSceneError):

@@ -43,6 +43,7 @@ from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
 from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
+from chatscene.commands.sql import runs_below, sql
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
 from chatscene.terms.conflict import Conflict
@@ -616,6 +617,8 @@ main.add_command(finetune)
 main.add_command(coverage)
 main.add_command(reproduce)
 main.add_command(serve_carla)
+main.add_command(sql)
+main.add_command(runs_below)
 
 
 @main.command()

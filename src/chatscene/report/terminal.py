@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, TextIO
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from chatscene.errors import OfferedReading
 from chatscene.report.accounting import in_words, parts_of
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from chatscene.maps.survey import MapDescription
+    from chatscene.report.index_columns import Column
 
 _ANSWERS = {Answer.SERVED: "green", Answer.REFUSED: "red", Answer.FAILED: "red", Answer.OUT_OF_REACH: "dim"}
 WIDTH = 120  # characters of a line where no terminal says
@@ -229,3 +230,42 @@ def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
         stream.flush()
 
     return show
+
+
+def print_answer(console: Console, answer: Any) -> None:
+    """The rows of an Arrow table, and how many there are; numbers with six digits."""
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, header_style="dim")
+    columns: list[list[Any]] = [column.to_pylist() for column in answer.columns]
+    for name, values in zip(answer.column_names, columns, strict=True):
+        numbers = all(isinstance(one, int | float | None) and not isinstance(one, bool) for one in values)
+        table.add_column(_plain(name), overflow="fold", justify="right" if numbers and values else "left")
+    for row in zip(*columns, strict=True):
+        table.add_row(*map(_cell, row))
+    console.print(table)
+    console.print(f"[dim]{answer.num_rows} row{'s' * (answer.num_rows != 1)}[/]")
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "[dim]null[/]"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, list | tuple):
+        return _plain(", ".join(map(str, cast("list[object]", value))))
+    return _plain(f"{value:.6g}" if isinstance(value, float) else value)
+
+
+def print_columns(console: Console, rows: Mapping[str, str], tables: Mapping[str, Sequence[Column]]) -> None:
+    """Tables with their columns: the type, the unit and what each holds."""
+    from rich.table import Table
+
+    for name, columns in tables.items():
+        console.print(f"[bold]{name}[/]  {_plain(rows[name])}")
+        table = Table("column", "type", "unit", box=None, pad_edge=False, header_style="dim")
+        table.add_column("meaning", overflow="fold", ratio=1)
+        for one in columns:
+            table.add_row(one.name, _plain(one.in_sql), _plain(one.unit), _plain(one.meaning))
+        console.print(table)
+        console.print()

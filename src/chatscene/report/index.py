@@ -1,0 +1,197 @@
+"""An index over run folders: what all runs below a folder asked for and came to, as a few Arrow tables.
+
+It is made anew each time, from `run.json`, `explanation.json` and the Parquet files, and nothing is written. A folder
+is data of somebody else: it is opened as any is, with every digest compared, and one that cannot be read is left out
+with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+
+from chatscene import runs
+from chatscene.errors import ChatSceneError, RunError
+from chatscene.report.index_columns import TABLES, schema_of
+from chatscene.runs.tables import EVENTS, RANGES, SCENES, Table, read_table
+from chatscene.runs.workspace import RECORD
+from chatscene.terms.scenario import Slots
+
+_BLOCK = ("scenario_id", "route_id", "block")
+_COUNTS = ("scenes", "ran", "rejected", "collided", "selected", "fill_in")
+_OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
+"""Slots whose names are words of SQL, or columns of `scenes`, by their columns in `facts`."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LeftOut:
+    """A folder whose scenes are not in an index.
+
+    Attributes:
+        folder: Which.
+        why: What is wrong with it, or what it lacks, and what to do.
+    """
+
+    folder: Path
+    why: str
+
+    def __str__(self) -> str:
+        """In a line."""
+        return f"left out {self.folder}: {self.why}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Index:
+    """What an index holds.
+
+    Attributes:
+        tables: Arrow tables by name, with the columns of `chatscene.report.index_columns.TABLES`.
+        left_out: Folders whose scenes are in none of them.
+    """
+
+    tables: Mapping[str, Table]
+    left_out: tuple[LeftOut, ...]
+
+
+def index(folder: Path) -> Index:
+    """Read all runs below a folder, in the order of their paths.
+
+    Args:
+        folder: A run folder, or one with run folders somewhere below.
+
+    Raises:
+        RunError: There is no such folder, or no run in it.
+    """
+    if not folder.is_dir():
+        raise RunError(f"there is no folder {folder}; give one with the folders that `chatscene run` named")
+    read: list[Mapping[str, Table]] = []
+    left_out: list[LeftOut] = []
+    for path in sorted(found.parent for found in folder.rglob(RECORD)):
+        try:
+            read += _read(path, _name(path, folder))
+            _require_scenes(path)
+        except (ChatSceneError, ValueError, OverflowError, pa.ArrowException) as error:
+            left_out.append(LeftOut(folder=path, why=str(error)))
+    if not read and not left_out:
+        raise RunError(f"there is no run in {folder}; give a folder with those that `chatscene run` named")
+    tables = {
+        name: pa.concat_tables([schema_of(name).empty_table(), *(one[name] for one in read)], promote_options="default")
+        for name in TABLES
+    }
+    return Index(tables=tables, left_out=tuple(left_out))
+
+
+def _name(path: Path, folder: Path) -> str:
+    name = path.resolve().name if path == folder else path.relative_to(folder).as_posix()
+    return name.encode("utf-8", "backslashreplace").decode()
+
+
+def _read(path: Path, name: str) -> Iterator[Mapping[str, Table]]:
+    """The rows of one run; none if the folder holds something else.
+
+    Raises:
+        RunError: It cannot be read, or was changed or damaged.
+    """
+    if not isinstance(runs.read_record(runs.Workspace(path), runs.Record), runs.RunRecord):
+        return
+    run = runs.open_run(path, runs.RunRecord)
+    record = runs.read_record(run)
+    done = record.status is runs.Status.DONE
+    scenes, ranges, events = (
+        read_table(run.file(file), columns) if done else columns.empty_table()
+        for file, columns in (("scenes.parquet", SCENES), ("ranges.parquet", RANGES), ("events.parquet", EVENTS))
+    )
+    named = {str(one) for one in ranges.column("parameter").to_pylist()} - set(SCENES.names)
+    parameters = [one for one in scenes.column_names if one.startswith("OPT_") or one in named]
+    yield {
+        "runs": _table("runs", [{"run": name, **_run_row(path, record)}]),
+        "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
+        "scenes": _of_run(name, scenes.drop_columns(parameters)),
+        "parameters": _table("parameters", [{"run": name, **row} for row in _parameters(scenes, ranges, parameters)]),
+        "events": _of_run(name, events),
+    }
+
+
+def _require_scenes(path: Path) -> None:
+    """Hold a run to its end, unless it was refused and never will have scenes.
+
+    Raises:
+        RunError: It is not done.
+    """
+    run = runs.Workspace(path)
+    record = runs.read_record(run, runs.Record)
+    if isinstance(record, runs.RunRecord) and record.status is not runs.Status.REFUSED:
+        runs.require_done(run, record)
+
+
+def _table(name: str, rows: list[dict[str, Any]]) -> Table:
+    return pa.Table.from_pylist(rows, schema=schema_of(name))
+
+
+def _of_run(name: str, rows: Table) -> Table:
+    """Rows with the name of their run.
+
+    Raises:
+        RunError: They have one already: a metric took it.
+    """
+    if "run" in rows.column_names:
+        raise RunError("scenes.parquet has a column 'run', which an index has for the run's name")
+    return rows.add_column(0, "run", pa.array([name] * rows.num_rows, pa.string()))
+
+
+def _run_row(path: Path, record: runs.RunRecord) -> dict[str, Any]:
+    settings = runs.settings_of(record)
+    return {
+        "folder": str(path.resolve()).encode("utf-8", "backslashreplace").decode(),
+        "text": record.title,
+        "generator": record.generator,
+        "status": record.status.value,
+        "reason": record.reason,
+        "seed": settings.search.seed,
+        "ego": record.ego,
+        "map": record.map_name,
+        "sampler": settings.search.sampler,
+        "simulator": record.simulator.name,
+        "simulator_version": record.simulator.version or None,
+        "physics": settings.simulation.physics,
+        "version": record.versions.get("chatscene"),
+        "schema_version": record.schema_version,
+        "edited_from": record.edited_from or None,
+        "seconds": record.timings.get("total"),
+        **{name: record.counts.get(name) for name in _COUNTS},
+    }
+
+
+def _facts(run: runs.Workspace, scenes: Table) -> Iterator[dict[str, Any]]:
+    """A row per scenario; one of which nothing was read has all facts null."""
+    if run.file("explanation.json").is_file():
+        scenario, choice = runs.read_choice(run)
+        row = _slots_row(scenario.slots) | {"scenario_id": scenario.id, "base": scenario.base}
+        if choice:
+            row["adversary"] = choice.adversary
+            row |= dict(zip(("behavior", "geometry", "spawn"), choice.snippet_ids, strict=True))
+        yield row
+    else:
+        for scenario_id in scenes.column("scenario_id").unique().to_pylist():
+            yield {"scenario_id": scenario_id}
+
+
+def _slots_row(slots: Slots) -> dict[str, Any]:
+    told = {field.name: getattr(slots, field.name) for field in fields(Slots)}
+    return {_OTHERWISE_CALLED.get(name, name): value for name, value in told.items()} | {"others": len(slots.others)}
+
+
+def _parameters(scenes: Table, ranges: Table, names: list[str]) -> Iterator[dict[str, Any]]:
+    """A row per scene and parameter, with what the scene's block drew from."""
+    drawn = {tuple(row[key] for key in (*_BLOCK, "parameter")): row for row in ranges.to_pylist()}
+    for scene in scenes.select(["scene_id", *_BLOCK, *names]).to_pylist():
+        block = tuple(scene[key] for key in _BLOCK)
+        for name in names:
+            if scene[name] is not None:
+                told = drawn.get((*block, name), {})
+                of_block = {key: told.get(key) for key in ("unit", "low", "high", "meaning")}
+                yield {"scene_id": scene["scene_id"], "name": name, "value": scene[name], **of_block}
