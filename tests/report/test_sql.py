@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 import shutil
 import sys
 from collections.abc import Sequence
@@ -11,19 +12,19 @@ from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
-import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
 
 import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import MissingExtra, QueryError, RunError
-from chatscene.report.index import index
+from chatscene.report.index import Index, index
 from chatscene.report.index_columns import ROWS, TABLES, schema_of
 from chatscene.report.sql import ask, rows_of
 from chatscene.runs import Status, Workspace, update
-from chatscene.runs.tables import write_table
+from chatscene.runs.tables import SCENES, read_table, write_table
 from fake_run import finished, resealed, started
+from places import ROOT
 
 pytest.importorskip("duckdb", reason="the extra 'sql' is not installed")
 
@@ -32,6 +33,11 @@ pytest.importorskip("duckdb", reason="the extra 'sql' is not installed")
 def one_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run of 50 scenes, for reading only."""
     return finished(tmp_path_factory.mktemp("one") / "walker").path
+
+
+@pytest.fixture(scope="module")
+def one_index(one_run: Path) -> Index:
+    return index(one_run)
 
 
 def copied(run: Path, to: Path, **slots: Any) -> Workspace:
@@ -76,7 +82,7 @@ def test_all_avoidable_crashes_with_a_cyclist_from_the_left_are_one_query(one_ru
     copied(one_run, tmp_path / "deeper" / "cyclist-left", adversary="bicycle", side="left")
     copied(one_run, tmp_path / "cyclist-right", adversary="bicycle", side="right")
     rows = answered(AVOIDABLE, tmp_path)
-    scenes = pq.read_table(one_run / "scenes.parquet", partitioning=None).to_pylist()
+    scenes = read_table(one_run / "scenes.parquet", SCENES).to_pylist()
     crashes = [scene for scene in scenes if scene["avoidable"]]
     assert crashes
     assert {row["run"] for row in rows} == {"deeper/cyclist-left"}
@@ -94,7 +100,7 @@ def test_all_avoidable_crashes_with_a_cyclist_from_the_left_are_one_query(one_ru
         "SELECT * FROM '/etc/passwd'",
         "SELECT * FROM read_text('/etc/passwd')",
         "SELECT * FROM read_csv('{here}/kept.csv')",
-        "SELECT * FROM '{here}/walker/scenes.parquet'",
+        "SELECT * FROM '{here}/scenes.parquet'",
         "SELECT * FROM glob('/*')",
         "SELECT * FROM read_parquet('https://example.com/scenes.parquet')",
         "SELECT * FROM 's3://bucket/scenes.parquet'",
@@ -115,7 +121,7 @@ def test_all_avoidable_crashes_with_a_cyclist_from_the_left_are_one_query(one_ru
         "DROP VIEW scenes",
         "SELECT 1; DROP VIEW scenes",
         "PREPARE one AS SELECT 1",
-        "SELECT * FROM of_the_caller",
+        'SELECT * FROM "table"',  # a variable of `ask`
         "SELECT no_such_column FROM scenes",
         "SELECT * FROM no_such_table",
         "SELEC 1",
@@ -126,14 +132,13 @@ def test_all_avoidable_crashes_with_a_cyclist_from_the_left_are_one_query(one_ru
     ],
 )
 def test_a_query_that_would_do_more_than_read_the_tables_or_is_none_is_refused(
-    query: str, one_run: Path, tmp_path: Path
+    query: str, one_index: Index, tmp_path: Path
 ) -> None:
     (tmp_path / "kept.csv").write_text("a\n1\n")
-    of_the_caller = pa.table({"a": [1]})
-    assert of_the_caller.num_rows == 1
+    write_table(tmp_path / "scenes.parquet", pa.table({"a": [1]}))
     before = sorted(tmp_path.rglob("*"))
     with pytest.raises(QueryError):
-        ask(query.replace("{here}", str(tmp_path)), index(one_run))
+        ask(query.replace("{here}", str(tmp_path)), one_index)
     assert sorted(tmp_path.rglob("*")) == before
 
 
@@ -181,7 +186,7 @@ def test_an_unfinished_run_is_listed_and_told_and_has_no_scenes(one_run: Path, t
 def test_runs_with_different_columns_share_the_tables(one_run: Path, tmp_path: Path) -> None:
     copied(one_run, tmp_path / "a")
     other = copied(one_run, tmp_path / "b")
-    scenes = pq.read_table(other.file("scenes.parquet"), partitioning=None)
+    scenes = read_table(other.file("scenes.parquet"), SCENES)
     older = scenes.drop_columns(["light", "weather", "surface", "OPT_GEO_Y"])
     count = older.num_rows
     changed_scenes(
@@ -214,7 +219,7 @@ def test_a_parameter_has_the_range_that_its_block_drew_from(one_run: Path) -> No
 def test_a_metric_that_takes_the_place_of_the_runs_name_keeps_its_folder_out(one_run: Path, tmp_path: Path) -> None:
     copied(one_run, tmp_path / "a")
     other = copied(one_run, tmp_path / "b")
-    scenes = pq.read_table(other.file("scenes.parquet"), partitioning=None)
+    scenes = read_table(other.file("scenes.parquet"), SCENES)
     changed_scenes(other, scenes.append_column("run", pa.array([0.0] * scenes.num_rows)))
     found = index(tmp_path)
     assert [one.folder.name for one in found.left_out] == ["b"]
@@ -225,9 +230,10 @@ def test_a_thousand_scenes_of_twenty_runs_are_counted(one_run: Path, tmp_path: P
     for number in range(20):
         copied(one_run, tmp_path / f"run-{number:02d}")
     query = "SELECT count(*) n, count(DISTINCT run) runs, bool_and(dt = 0.1) same FROM scenes WHERE status = 'ran'"
-    assert answered(query, tmp_path) == [{"n": 1000, "runs": 20, "same": True}]
+    found = index(tmp_path)
+    assert rows_of(ask(query, found)) == [{"n": 1000, "runs": 20, "same": True}]
     sums = "SELECT sum(impact_speed) FROM scenes"
-    assert column(sums, tmp_path) == column(sums, tmp_path)
+    assert ask(sums, found).equals(ask(sums, found))
 
 
 def test_runs_are_listed_without_duckdb_and_sql_names_the_extra(one_run: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -277,3 +283,39 @@ def test_the_tables_are_listed_column_by_column_with_their_units() -> None:
     assert (units["impact_speed"], units["time_to_collision"], units["distance"]) == ("m/s", "s", "m")
     shown = told("sql", "--tables").stdout
     assert all(one.name in shown for columns in TABLES.values() for one in columns)
+
+
+def test_the_page_lists_the_columns_that_there_are() -> None:
+    page = (ROOT / "docs" / "sql.md").read_text(encoding="utf-8")
+    for name, columns in TABLES.items():
+        section = page.split(f"### {name}\n", 1)[1].split("\n#", 1)[0]
+        rows = re.findall(r"^\| `(\w+)` \| (\w+(?:\[\])?) \| (.*?) \| (.*) \|$", section, re.MULTILINE)
+        assert rows == [(one.name, one.in_sql, one.unit, one.meaning) for one in columns], name
+
+
+COMMANDS = re.compile(r"^\$ chatscene ((?:sql|runs)\b.*?)(?:  # status (\d).*)?$", re.MULTILINE)
+
+
+def test_the_commands_of_the_page_do_what_it_says(
+    one_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    copied(one_run, tmp_path / "runs" / "pedestrian")
+    copied(one_run, tmp_path / "runs" / "cyclist", adversary="bicycle", side="left")
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs" / "sql.md").read_text(encoding="utf-8")
+    steps = COMMANDS.findall(page)
+    assert len(steps) == 8
+    for command, status in steps:
+        done = told(*shlex.split(command))
+        assert done.exit_code == int(status or 0), f"{command}\n{done.output}"
+        assert not re.search(r"^0 rows", done.output, re.MULTILINE), command
+    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    here: dict[str, Any] = {}
+    exec(code, here)
+    assert here["worst"].num_rows == 5
+
+
+def test_only_one_column_has_a_name_that_must_be_quoted(one_index: Index) -> None:
+    for name, columns in TABLES.items():
+        ask(f"SELECT {', '.join(one.name for one in columns if one.name != 'or')} FROM {name}", one_index)
+    assert ask('SELECT "or" FROM scenes', one_index).num_rows == 55

@@ -72,8 +72,12 @@ def index(folder: Path) -> Index:
     left_out: list[LeftOut] = []
     for path in sorted(found.parent for found in folder.rglob(RECORD)):
         try:
-            read += _read(path, _name(path, folder))
-            _require_scenes(path)
+            record = runs.read_record(runs.Workspace(path), runs.Record)
+            if isinstance(record, runs.RunRecord):
+                run = runs.open_run(path, runs.RunRecord)
+                read.append(_read(run, record, _name(path, folder)))
+                if record.status is not runs.Status.REFUSED:  # which has all that it ever will
+                    runs.require_done(run, record)
         except (ChatSceneError, ValueError, OverflowError, pa.ArrowException) as error:
             left_out.append(LeftOut(folder=path, why=str(error)))
     if not read and not left_out:
@@ -90,16 +94,12 @@ def _name(path: Path, folder: Path) -> str:
     return name.encode("utf-8", "backslashreplace").decode()
 
 
-def _read(path: Path, name: str) -> Iterator[Mapping[str, Table]]:
-    """The rows of one run; none if the folder holds something else.
+def _read(run: runs.Workspace, record: runs.RunRecord, name: str) -> Mapping[str, Table]:
+    """The rows of one run in each table.
 
     Raises:
-        RunError: It cannot be read, or was changed or damaged.
+        RunError: A file of it cannot be read, or is no such table.
     """
-    if not isinstance(runs.read_record(runs.Workspace(path), runs.Record), runs.RunRecord):
-        return
-    run = runs.open_run(path, runs.RunRecord)
-    record = runs.read_record(run)
     done = record.status is runs.Status.DONE
     scenes, ranges, events = (
         read_table(run.file(file), columns) if done else columns.empty_table()
@@ -107,25 +107,13 @@ def _read(path: Path, name: str) -> Iterator[Mapping[str, Table]]:
     )
     named = {str(one) for one in ranges.column("parameter").to_pylist()} - set(SCENES.names)
     parameters = [one for one in scenes.column_names if one.startswith("OPT_") or one in named]
-    yield {
-        "runs": _table("runs", [{"run": name, **_run_row(path, record)}]),
+    return {
+        "runs": _table("runs", [{"run": name, **_run_row(run.path, record)}]),
         "facts": _table("facts", [{"run": name, **row} for row in _facts(run, scenes)]),
         "scenes": _of_run(name, scenes.drop_columns(parameters)),
         "parameters": _table("parameters", [{"run": name, **row} for row in _parameters(scenes, ranges, parameters)]),
         "events": _of_run(name, events),
     }
-
-
-def _require_scenes(path: Path) -> None:
-    """Hold a run to its end, unless it was refused and never will have scenes.
-
-    Raises:
-        RunError: It is not done.
-    """
-    run = runs.Workspace(path)
-    record = runs.read_record(run, runs.Record)
-    if isinstance(record, runs.RunRecord) and record.status is not runs.Status.REFUSED:
-        runs.require_done(run, record)
 
 
 def _table(name: str, rows: list[dict[str, Any]]) -> Table:

@@ -80,9 +80,7 @@ _RUNS = (
     Column("folder", "absolute path of its folder"),
     Column("text", "the sentence with its edits; the name of a program of one's own"),
     Column("generator", "who made the scenes"),
-    Column(
-        "status", "`done`; `refused`: it has no scenes; `running` or `failed`: to be resumed, no other table has it"
-    ),
+    Column("status", "`done`; `refused`: it has no scenes; `running` or `failed`: its scenes are in no table yet"),
     Column("reason", "why it was refused or failed; else empty"),
     Column("seed", "what everything random derives from", type=WHOLE),
     Column("ego", "the ego that scenes were searched against"),
@@ -144,7 +142,7 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "avoidable": ("whether a careful driver would have avoided the collision; null without one", ""),
     "fault": (_one_of("who struck whom; null without a collision", Fault), ""),
     "impact_speed": ("speed of approach at the first collision; null without one", "m/s"),
-    "severity": (_one_of("its class; null without a collision", Severity), ""),
+    "severity": (_one_of("class of ISO 26262 that follows from it; null without a collision", Severity), ""),
     "meaning_ok": ("whether the drive shows all that was read in the sentence", ""),
     "meaning_failures": ("what it does not show", ""),
     "ego": ("who drove", ""),
