@@ -92,7 +92,7 @@ _RUNS = (
     Column("version", "of chatscene, that began it"),
     Column("schema_version", "of the folder", type=WHOLE),
     Column("edited_from", "absolute path of the run of which it is an edit; null if it is none"),
-    Column("scenes", "scenes, driven or rejected; null, like all counts, while it is not done", type=WHOLE),
+    Column("scenes", "scenes, driven or rejected; null, like all counts, until all are searched", type=WHOLE),
     Column("ran", "scenes that were driven", type=WHOLE),
     Column("rejected", "scenes that were rejected", type=WHOLE),
     Column("collided", "scenes with a collision", type=WHOLE),
