@@ -33,6 +33,7 @@ if TYPE_CHECKING:
         run,
         sql,
         train,
+        why,
     )
     from chatscene.ego.policy import load_ego
     from chatscene.search.sampler import load_sampler
@@ -60,6 +61,7 @@ __all__ = [
     "run",
     "sql",
     "train",
+    "why",
 ]
 
 _ELSEWHERE = {

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from chatscene.report.understood import Understood
     from chatscene.runs.replay import Replayed
     from chatscene.runs.tables import Table
+    from chatscene.runs.why import Why
     from chatscene.search.generators.foreign import ForeignProgram
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
@@ -271,6 +272,16 @@ class DrivenScene:
         from chatscene.runs.replay import replay as replay_scene
 
         return replay_scene(self._workspace.path, self.id, repeated=self._repeated)
+
+    def why(self) -> Why:
+        """Why it crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
+
+        Raises:
+            RunError: It did not crash, or the run names what must be repeated.
+        """
+        from chatscene.runs.why import why as why_crashed
+
+        return why_crashed(self._workspace.path, self.id, repeated=self._repeated)
 
     def env(
         self,
@@ -612,6 +623,37 @@ def replay(
         ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
     )
     return replay_scene(Path(folder), scene_id, repeated=repeated, watch=watch, record=record)
+
+
+def why(
+    folder: Name,
+    scene_id: str,
+    *,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+) -> Why:
+    """Say why a scene of a run crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.
+
+    Args:
+        folder: Run folder.
+        scene_id: Id of the scene.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Raises:
+        RunError: The run has no such scene, or it did not crash, or does not any more; or it names what must be
+            repeated.
+    """
+    from chatscene.runs.why import why as why_crashed
+
+    repeated = Repeated(
+        ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
+    )
+    return why_crashed(Path(folder), scene_id, repeated=repeated)
 
 
 def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:

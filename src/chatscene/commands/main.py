@@ -44,6 +44,7 @@ from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
+from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import SimulationSettings
 from chatscene.terms.conflict import Conflict
@@ -619,6 +620,7 @@ main.add_command(reproduce)
 main.add_command(serve_carla)
 main.add_command(sql)
 main.add_command(runs_below)
+main.add_command(why)
 
 
 @main.command()

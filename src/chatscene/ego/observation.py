@@ -52,6 +52,9 @@ HORIZON = 100.0  # [m] of route left beyond which it does not matter how much
 OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": OWN + NEAREST * PER_ACTOR}
 """The presets by name, and the size of each vector."""
 
+SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0}
+"""Where in each vector the ego's own speed stands [m/s]."""
+
 IN_WORDS: dict[str, str] = {
     "safebench": f"sees its route and, of all others, only whether a vehicle is within {SIGHT:g} m ahead in its lane",
     "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m, hidden ones too",

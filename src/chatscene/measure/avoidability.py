@@ -18,14 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, name_of, observation_of, pedals_of
-from chatscene.errors import EgoError, SimulationError
+from chatscene.ego.policy import PEDALS, EgoPolicy, pedals_of
+from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, has_lamps
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import Scene, ScenicProgram
 
 RISK_EVALUATION = 0.4  # [s] (UN R157, annex 3)
 BRAKING_DELAY = 0.75  # [s] from having judged until braking begins (the same)
@@ -33,7 +33,6 @@ RAMP = 0.6  # [s] from the first touch of the pedal to full braking (the same)
 FULL_BRAKE = 0.774 * 9.81  # [m/s²] (the same)
 WANDERING = 0.375  # [m] beside a vehicle that its wandering in its lane takes up (the same)
 HORIZON = 3.0  # [s] a driver looks ahead; braking from 50 km/h takes 1.15 + 0.6 + 1.5 s
-STANDSTILL = 3.0  # [s] of standing after which nothing more is to come
 
 
 def risk_step(episode: Episode, route: Polyline) -> int | None:
@@ -85,34 +84,46 @@ def avoidable(
     risk = risk_step(episode, simulator.route_in(program, scene).line)
     if risk is None:
         return False
-    braking = risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / episode.dt - 1e-9)
+    braking = braking_step(risk, episode.dt)
     with time_limit(f"scene {scene.id!r}, driven again"):
-        return braking < crash.step and not _crashes(program, scene, ego, simulator, braking, episode.dt)
+        return braking < crash.step and not crashes_braking_from(braking, ego, program, scene, simulator, episode.dt)
 
 
-def _crashes(
-    program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Simulator, braking: int, dt: float
+def braking_step(risk: int, dt: float) -> int:
+    """The step at which the careful driver brakes for a risk that began at another; `dt` [s]."""
+    return risk + math.ceil((RISK_EVALUATION + BRAKING_DELAY) / dt - 1e-9)
+
+
+def crashes_braking_from(
+    step: int,
+    ego: EgoPolicy,
+    program: ScenicProgram,
+    scene: Scene,
+    simulator: Simulator,
+    dt: float,
+    *,
+    not_over_before: int = 0,
 ) -> bool:
-    """Whether the ego still crashes if it brakes as the careful driver does from step `braking` on."""
-    drive = simulator.open(program, scene, observation=observation_of(ego), pedals="full-brake")
-    if isinstance(drive, Rejected):
-        raise SimulationError(f"scene {scene.id!r} ran once and is now rejected: {drive.reason}")
-    driver = _CarefulDriver(ego, braking, dt, simulator.identity.brake_lag)
-    standing = 0
-    try:
-        while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
-            try:
-                action = driver.act(drive.observation)
-            except Exception as error:
-                raise EgoError(
-                    f"the ego {name_of(ego)!r} drove scene {scene.id!r} once and fails when it drives it again, "
-                    f"at step {drive.step_number}: {type(error).__name__}: {error}"
-                ) from error
-            drive.step(action)
-            standing = standing + 1 if drive.step_number > braking and abs(drive.speed) < 0.01 else 0
-        return drive.ending == "collision"
-    finally:
-        drive.close()
+    """Whether the ego still crashes if it brakes as the careful driver does from a step on.
+
+    Args:
+        step: When braking begins.
+        ego: Who drives until then, and steers throughout.
+        program: What is driven.
+        scene: Its scene.
+        simulator: Where.
+        dt: Length of a step [s].
+        not_over_before: A step, beside `step`, until which standing does not end the drive.
+
+    Raises:
+        SimulationError: The scene cannot be driven again.
+        EgoError: The ego fails this time.
+    """
+    over = max(step, not_over_before)
+    driver = _CarefulDriver(ego, step, dt, simulator.identity.brake_lag)
+    return drive_instead(
+        driver, ego, program, scene, simulator, pedals="full-brake", not_over_before=over, dt=dt
+    ).crashed
 
 
 class _CarefulDriver:

@@ -13,9 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.terms.actors import BY_CLASS
+from chatscene.simulate.contact import contact_side
+from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.criticality import Criticality, Fault, Severity
 from chatscene.terms.episode import Array, Episode, Event, Role, Track
+from chatscene.world.bodies import Body
 
 Steps = NDArray[np.intp]
 
@@ -37,7 +39,7 @@ def criticality(episode: Episode) -> Criticality:
         post_encroachment_time=_least(_post_encroachment(ego, other) * episode.dt for other in others),
         time_headway=_least(headway for headway, _ in following),
         deceleration_required=max((braking for _, braking in following if braking > 0.0), default=None),
-        distance=_least(_distance(ego, other) for other in others),
+        distance=_least(least_gap(ego, other) for other in others),
         impact_speed=None if crash is None else crash.impact_speed,
         severity=None if crash is None else _severity(crash.impact_speed, _struck(episode, crash)),
     )
@@ -62,6 +64,18 @@ def fault(episode: Episode) -> Fault | None:
     if _ego_strikes(ego, other, crash.step):
         return Fault.EGO_INTO_ADVERSARY if adversary else Fault.EGO_INTO_BACKGROUND
     return Fault.ADVERSARY_INTO_EGO if adversary else Fault.BACKGROUND_INTO_EGO
+
+
+def part_struck(track: Track, by: Track, step: int) -> str:
+    """Where on a vehicle another one touches it at a step: ``front``, ``rear``, ``left`` or ``right``; else empty."""
+    if track.kind not in LIMITS or not LIMITS[track.kind].wheelbase:
+        return ""
+    return contact_side(_posed(track, step), _posed(by, step))
+
+
+def _posed(track: Track, step: int) -> Body:
+    pose = float(track.x[step]), float(track.y[step]), float(track.heading[step])
+    return Body(*pose, track.length, track.width)
 
 
 def _ego_strikes(ego: Track, other: Track, step: int) -> bool:
@@ -221,7 +235,7 @@ def _overlaps(a: _Boxes, b: _Boxes) -> tuple[Steps, Steps]:
     return i[touching], j[touching]
 
 
-def _distance(ego: Track, other: Track) -> float:
+def least_gap(ego: Track, other: Track) -> float:
     """Least gap [m] between the boxes over all steps."""
     a, b = _Boxes.of(ego), _Boxes.of(other)
     if _Pair.of(a, b).touching.any():

@@ -1,0 +1,86 @@
+"""A scene driven again with somebody else in the ego's place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from chatscene.ego.observation import Observation
+from chatscene.ego.policy import EgoPolicy, name_of, observation_of
+from chatscene.errors import EgoError, SimulationError
+from chatscene.simulate.simulator import Simulator
+from chatscene.terms.episode import Ending
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+STANDSTILL = 3.0  # [s] of standing after which nothing more is to come
+STANDING = 0.01  # [m/s]
+
+
+class Driver(Protocol):
+    """Somebody in an ego's place."""
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        """Acceleration and steering in [-1, 1], as those of an ego."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ended:
+    """How a drive ended.
+
+    Attributes:
+        crashed: Whether with a collision.
+        along: Where on its route the ego was [m].
+        speed: How fast it went [m/s].
+    """
+
+    crashed: bool
+    along: float
+    speed: float
+
+
+def drive_instead(
+    driver: Driver,
+    ego: EgoPolicy,
+    program: ScenicProgram,
+    scene: Scene,
+    simulator: Simulator,
+    *,
+    pedals: str,
+    not_over_before: int,
+    dt: float,
+) -> Ended:
+    """Drive a scene with another driver in the ego's place.
+
+    Args:
+        driver: Who drives.
+        ego: In whose place, and with whose eyes.
+        program: What is driven.
+        scene: Its scene.
+        simulator: Where.
+        pedals: Those of the driver, one of `chatscene.ego.policy.PEDALS`.
+        not_over_before: The step after which the drive is over once the driver has stood for `STANDSTILL`.
+        dt: Length of a step [s].
+
+    Raises:
+        SimulationError: The scene cannot be driven again.
+        EgoError: The ego fails this time.
+    """
+    drive = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals)
+    if isinstance(drive, Rejected):
+        raise SimulationError(f"scene {scene.id!r} ran once and is now rejected: {drive.reason}")
+    standing = 0
+    try:
+        while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
+            try:
+                action = driver.act(drive.observation)
+            except Exception as error:
+                raise EgoError(
+                    f"the ego {name_of(ego)!r} drove scene {scene.id!r} once and fails when it drives it again, "
+                    f"at step {drive.step_number}: {type(error).__name__}: {error}"
+                ) from error
+            drive.step(action)
+            standing = standing + 1 if drive.step_number > not_over_before and abs(drive.speed) < STANDING else 0
+        return Ended(crashed=drive.ending is Ending.COLLISION, along=drive.along, speed=abs(drive.speed))
+    finally:
+        drive.close()

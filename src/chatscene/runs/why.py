@@ -1,0 +1,387 @@
+"""Why a scene of a run crashed: who struck whom, what the crash needed, and what the ego could have done."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.ego.policy import load_ego
+from chatscene.errors import RunError
+from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
+from chatscene.measure.counterfactual import (
+    BEYOND,
+    FINENESS,
+    LEAST_SHARE,
+    Braking,
+    NeededValue,
+    Slower,
+    Thing,
+    Trial,
+    highest_speed,
+    in_words,
+    last_moment,
+    latest_braking,
+    things_needed,
+    values_needed,
+)
+from chatscene.measure.criticality import fault, part_struck
+from chatscene.program.sample import scene_at
+from chatscene.runs.blocks import read_scenes
+from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.tables import scene_of
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.workspace import open_run, read_record
+from chatscene.search.climb import simulator_of
+from chatscene.search.generator import load_generator
+from chatscene.simulate.simulator import simulate
+from chatscene.terms.criticality import Fault
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.snippet import ParameterRange
+
+CANDIDATES = 3  # how many of the nearest scenes without a crash are driven again, until one does not crash
+MIDDLE = "middle"  # of every range
+_PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side"}
+_INTO_EGO = (Fault.ADVERSARY_INTO_EGO, Fault.BACKGROUND_INTO_EGO)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contact:
+    """Who struck whom.
+
+    Attributes:
+        time: When [s].
+        other: Whom the ego collided with.
+        kind: What that is.
+        fault: Who struck whom.
+        ego_part: Where on the ego: ``front``, ``rear``, ``left`` or ``right``.
+        other_part: Where on the other; empty of a walker or a thing.
+        ego_speed: Before the step that ended in contact [m/s].
+        other_speed: The same [m/s].
+        impact_speed: Speed of approach [m/s].
+    """
+
+    time: float
+    other: str
+    kind: str
+    fault: Fault
+    ego_part: str
+    other_part: str
+    ego_speed: float
+    other_speed: float
+    impact_speed: float
+
+    def in_words(self) -> str:
+        """One sentence, without its end."""
+        other, into_ego = _named(self.other, self.kind), self.fault in _INTO_EGO
+        mine, theirs = _PARTS[self.ego_part], _PARTS.get(self.other_part, "")
+        if into_ego:
+            who = f"{other} ran into the {mine} of the ego" + (f" with its {theirs}" if theirs else "")
+        else:
+            who = f"the ego ran into {f'the {theirs} of ' if theirs else ''}{other} with its {mine}"
+        return (
+            f"at {self.time:.1f} s {who}: ego at {self.ego_speed:.1f} m/s, {self.kind} at {self.other_speed:.1f} m/s, "
+            f"closing at {self.impact_speed:.1f} m/s"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Why:
+    """Why a scene crashed. Times are those of the scene [s].
+
+    Attributes:
+        scene_id: Which.
+        contact: Who struck whom.
+        risk: From when on a careful driver sees the crash coming; None if never.
+        careful_brakes: When such a driver would begin to brake; None without a risk.
+        avoidable: Whether that avoids it (decision 0013).
+        last_moment: The last moment at which such braking avoids it; None if there is none.
+        things: Whom and what else the program places, and whether the crash needs them.
+        reference: Where parameters are set back to: the id of a scene, or `MIDDLE`; empty if no scene without a crash
+            was found, so that nothing is known of values.
+        values: The parameters that the crash needs.
+        free: The parameters that it does not: set back together, it still crashes.
+        ranges: The parameters of the program, by name.
+        braking: The latest braking of the ego's own that avoids it; None if there is none.
+        slower: The highest speed to keep to that avoids it; None if there is none.
+        changeable: Whether the ego under test has the wheel, so that it could do otherwise.
+        dt: Length of a step [s].
+        drives: How often the scene was driven to find out.
+    """
+
+    scene_id: str
+    contact: Contact
+    risk: float | None
+    careful_brakes: float | None
+    avoidable: bool
+    last_moment: float | None
+    things: tuple[Thing, ...]
+    reference: str
+    values: tuple[NeededValue, ...]
+    free: tuple[str, ...]
+    ranges: Mapping[str, ParameterRange]
+    braking: Braking | None
+    slower: Slower | None
+    changeable: bool
+    dt: float
+    drives: int
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "scene_id": self.scene_id,
+            "contact": {**asdict(self.contact), "fault": self.contact.fault.value},
+            "risk": self.risk,
+            "careful_brakes": self.careful_brakes,
+            "avoidable": self.avoidable,
+            "last_moment": self.last_moment,
+            "things": [asdict(thing) for thing in self.things],
+            "reference": self.reference,
+            "values": [
+                {"name": one.name, "value": one.value, "back": one.back, "unit": self.ranges[one.name].unit}
+                | {"then": in_words(one.came)}
+                for one in self.values
+            ],
+            "free": list(self.free),
+            "braking": self.braking
+            and {
+                "from": self._at(self.braking.step),
+                "before_contact": self._before(self.braking.step),
+                "earlier": None if self.braking.own is None else round(self._earlier(self.braking), 6),
+                "deceleration": self.braking.deceleration,
+                "holds": round(self.braking.holds * self.dt, 6),
+            },
+            "slower": self.slower
+            and {
+                "limit": self.slower.limit,
+                "by": round(self.slower.highest - self.slower.limit, 6),
+                "holds": round(self.slower.holds * FINENESS, 6),
+            },
+            "drives": self.drives,
+        }
+
+    def in_words(self) -> str:
+        """A few lines for a person."""
+        lines = [f"{self.scene_id}: {self.contact.in_words()}.", self._careful()]
+        lines += self._of_things()
+        lines += self._of_values()
+        lines += self._of_ego()
+        return "\n".join([*lines, f"Found by driving the scene {self.drives} times."])
+
+    def _careful(self) -> str:
+        if not self.changeable:
+            return "The program's own ego drives; what another driver could have done is not asked."
+        if self.risk is None or self.careful_brakes is None:
+            seen = "Nobody could see it coming for long enough to judge it."
+        else:
+            seen = f"It could be seen coming from {self.risk:.1f} s on. "
+            seen += f"A careful driver brakes at {self.careful_brakes:.1f} s"
+            seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
+        if self.last_moment is None:
+            return f"{seen} Begun at no moment does a careful driver's braking avoid it."
+        last = f"{self.last_moment:.1f} s, {self.contact.time - self.last_moment:.1f} s before the contact"
+        return f"{seen} The last moment at which such braking avoids it is {last}."
+
+    def _of_things(self) -> list[str]:
+        lines: list[str] = []
+        for thing in self.things:
+            named = " and ".join(map(_named, thing.actors, thing.kinds))
+            if thing.needed is None:
+                lines.append(f"Whether it takes {named} cannot be told: {thing.why}.")
+            elif thing.needed:
+                lines.append(f"It takes {named}; without: {thing.why}.")
+            else:
+                lines.append(f"It does not take {named}: without, the ego still collides with {self.contact.other}.")
+        return lines
+
+    def _of_values(self) -> list[str]:
+        if not self.ranges:
+            return ["The program has no parameters."]
+        if not self.reference:
+            return [
+                "No parameter can be set back: neither a scene of this run on this route nor the middle of the ranges "
+                "is without a crash."
+            ]
+        where = "the middle of their ranges" if self.reference == MIDDLE else f"those of {self.reference}"
+        if self.reference != MIDDLE:
+            where += ", the nearest scene without a crash"
+        lines = [f"It takes these values; all others set back to {where}, it still crashes, and not with one of them:"]
+        for one in self.values:
+            unit = "" if (given := self.ranges[one.name].unit) == "1" else f" {given}"
+            meaning = f" ({text})" if (text := self.ranges[one.name].meaning) else ""
+            lines.append(
+                f"  {one.name} = {one.value:.4g}{unit}{meaning}; set back to {one.back:.4g}{unit}: {in_words(one.came)}"
+            )
+        return [*lines, f"It does not take the values of: {', '.join(self.free)}."] if self.free else lines
+
+    def _of_ego(self) -> list[str]:
+        if not self.changeable:
+            return []
+        if self.braking is None and self.slower is None:
+            return [
+                "The ego avoids it neither by braking as hard as it can from any moment on, nor by going slower, down "
+                f"to {LEAST_SHARE:g} of its highest speed."
+            ]
+        return [self._of_braking(), self._of_slower()]
+
+    def _of_braking(self) -> str:
+        if self.braking is None:
+            return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
+        earlier = self._earlier(self.braking)
+        if self.braking.own is None:
+            how = "where it did not brake"
+        elif earlier > 0.0:
+            how = f"{earlier:.1f} s earlier than it did"
+        else:
+            how = f"no earlier than it did ({self._at(self.braking.own):.1f} s), but harder"
+        line = (
+            f"The ego avoids it if it brakes as hard as it can ({self.braking.deceleration:g} m/s²) from "
+            f"{self._at(self.braking.step):.1f} s on: {self._before(self.braking.step):.1f} s before the contact, "
+            f"{how}."
+        )
+        if self.braking.holds < BEYOND and self.braking.step > self.braking.holds:
+            line += f" Begun {(self.braking.holds + 1) * self.dt:.1f} s before that, it collides again."
+        return line
+
+    def _of_slower(self) -> str:
+        if self.slower is None:
+            return f"It does not avoid it by going slower, down to {LEAST_SHARE:g} of its highest speed."
+        by = self.slower.highest - self.slower.limit
+        line = (
+            f"It avoids it if it goes at most {self.slower.limit:.1f} m/s, {by:.1f} m/s slower than its highest speed "
+            "before the contact."
+        )
+        if self.slower.holds < BEYOND:
+            line += f" {(self.slower.holds + 1) * FINENESS:.1f} m/s slower still, it does not."
+        return line
+
+    def _at(self, step: int) -> float:
+        return round(step * self.dt, 6)
+
+    def _before(self, step: int) -> float:
+        return round(self.contact.time - self._at(step), 6)
+
+    def _earlier(self, braking: Braking) -> float:
+        return (braking.own or 0) * self.dt - braking.step * self.dt
+
+
+def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why:
+    """Say why a scene of a run crashed, by driving it otherwise.
+
+    Args:
+        folder: The run's.
+        scene_id: Which scene.
+        repeated: What the run names and the user as well.
+
+    Raises:
+        RunError: The run has no such scene, or it did not crash, or does not crash any more; or it names what must be
+            repeated (`chatscene.runs.trust.follow`).
+    """
+    trial, rows = trial_of(folder, scene_id, repeated=repeated)
+    episode, dt, crash = trial.episode, trial.episode.dt, trial.crash
+    struck, who = trial.struck, fault(episode)
+    assert who is not None
+    changeable = not trial.program.as_written
+    risk = risk_step(episode, trial.route)
+    careful = None if risk is None else braking_step(risk, dt)
+    things = things_needed(trial)
+    back = reference(trial, rows)
+    values = values_needed(trial, back[1]) if back else ()
+    needed = {one.name for one in values}
+    last = last_moment(trial) if changeable else None
+    braking = latest_braking(trial) if changeable else None
+    slower = highest_speed(trial) if changeable else None
+    avoidable = (
+        careful is not None
+        and careful < crash.step
+        and not crashes_braking_from(careful, trial.ego, trial.program, trial.scene, trial.simulator, dt)
+    )
+    return Why(
+        scene_id=scene_id,
+        contact=Contact(
+            time=round(crash.step * dt, 6),
+            other=struck.actor,
+            kind=struck.kind,
+            fault=who,
+            ego_part=crash.side,
+            other_part=part_struck(struck, episode.ego_track, crash.step),
+            ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
+            other_speed=float(struck.speed[max(crash.step - 1, 0)]),
+            impact_speed=crash.impact_speed,
+        ),
+        risk=None if risk is None else round(risk * dt, 6),
+        careful_brakes=None if careful is None else round(careful * dt, 6),
+        avoidable=avoidable,
+        last_moment=None if last is None else round(last * dt, 6),
+        things=things,
+        reference=back[0] if back else "",
+        values=values,
+        free=tuple(name for name in trial.scene.values if back and name not in needed),
+        ranges={p.name: p for p in trial.program.parameters},
+        braking=braking,
+        slower=slower,
+        changeable=changeable,
+        dt=dt,
+        drives=trial.drives,
+    )
+
+
+def trial_of(
+    folder: Path, scene_id: str, *, repeated: Repeated | None = None
+) -> tuple[Trial, Sequence[Mapping[str, Any]]]:
+    """A scene of a run that crashed, driven again, and the rows of all scenes of the run.
+
+    Raises:
+        RunError: As `why`.
+    """
+    run = open_run(folder, RunRecord)
+    follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
+    kept, rows = read_record(run), read_scenes(run)
+    row = next((row for row in rows if row["scene_id"] == scene_id), None)
+    if row is None or row["status"] != "ran":
+        raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
+    if not row["collision"]:
+        raise RunError(f"scene {scene_id!r} ended without a collision, so that there is nothing to explain")
+    _, program = rebuild(run)
+    scene, ego = scene_of(row, program), load_ego(kept.ego)
+    simulator = simulator_of(load_generator(kept.generator), map_of(kept), settings_of(kept))
+    episode = simulate(simulator, program, scene, ego)
+    if isinstance(episode, Rejected) or episode.collision is None:
+        raise RunError(f"scene {scene_id!r} crashed when it was made and does not now; `chatscene replay` says more")
+    route = simulator.route_in(program, scene).line
+    trial = Trial(program=program, scene=scene, ego=ego, simulator=simulator, episode=episode, route=route)
+    return trial, rows
+
+
+def reference(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> tuple[str, Mapping[str, float]] | None:
+    """Where the parameters of a scene are set back to, and what that is called.
+
+    The nearest scene of the run on the same route that did not crash and does not; else the middle of every range,
+    if that does not crash. Near is by the root mean square of differences, each as a share of its declared range.
+
+    Returns:
+        None if neither is without a crash.
+    """
+    mine, program = trial.scene, trial.program
+    same = [row for row in rows if row["status"] == "ran" and not row["collision"]]
+    scenes = [scene for scene in (scene_of(row, program) for row in same) if scene.route == mine.route]
+    scenes.sort(key=lambda scene: (_far(program, mine, scene), scene.id))
+    tried = [(scene.id, scene.values) for scene in scenes[:CANDIDATES]]
+    tried.append((MIDDLE, scene_at(program, mine.route, 0.5, name="middle").values))
+    for name, values in tried:
+        if values and trial.drive(values=values).harmless:
+            return name, values
+    return None
+
+
+def _far(program: ScenicProgram, a: Scene, b: Scene) -> float:
+    shares = [(a.values[p.name] - b.values[p.name]) / (p.high - p.low) for p in program.parameters if p.high > p.low]
+    return math.sqrt(sum(share * share for share in shares))
+
+
+def _named(actor: str, kind: str) -> str:
+    role = "the " + actor
+    return role if actor.lower().startswith(kind.lower()) else f"{role} ({kind})"
