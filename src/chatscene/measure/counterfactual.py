@@ -6,7 +6,7 @@ simulated, and what comes of it is compared with the crash. Decision 0074 says w
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from chatscene.ego.observation import SPEED_AT, Observation
@@ -14,7 +14,7 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, observation_of, pedals_of
 from chatscene.errors import ProgramError
 from chatscene.measure.avoidability import crashes_braking_from
 from chatscene.measure.criticality import least_gap
-from chatscene.measure.instead import Driver, drive_instead
+from chatscene.measure.instead import STANDING, Driver, drive_instead
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import Placing, placings, without
 from chatscene.simulate.simulator import Simulator, simulate
@@ -26,9 +26,10 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 FINENESS = 0.1  # [m/s], of how much slower the ego is tried
 LEAST_SHARE = 0.5  # of its highest speed; to go at less than half is no small change
-BEYOND = 5  # how many larger changes are tried beside the smallest one
+BEYOND = 5  # how many larger changes have to avoid it as well, since nobody keeps to a moment or a speed so exactly
 COMFORTABLE = 2.5  # [m/s²] with which an ego that is too fast is slowed down to a speed it keeps to
-BRAKES = 1.0  # [m/s²] of deceleration from which an ego is said to brake
+BRAKES = 0.5  # [m/s²] of deceleration from which an ego is said to brake; it coasts with less
+NEAR = 0.1  # [m], below which a gap is said to be less than that
 MOVED = 1e-6  # [m], of where somebody stands at first
 
 
@@ -159,13 +160,11 @@ class Braking:
         step: When it begins.
         own: When the ego itself began to brake before the contact; None if it did not.
         deceleration: With how much [m/s²].
-        holds: By how many steps more it may begin earlier and still avoid it, at most `BEYOND`.
     """
 
     step: int
     own: int | None
     deceleration: float
-    holds: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -175,12 +174,10 @@ class Slower:
     Attributes:
         limit: The speed [m/s].
         highest: The highest that the ego drove before the contact [m/s].
-        holds: By how many times `FINENESS` more it may be slower and still avoid it, at most `BEYOND`.
     """
 
     limit: float
     highest: float
-    holds: int
 
 
 def last_moment(trial: Trial) -> int | None:
@@ -273,43 +270,50 @@ def values_needed(trial: Trial, back: Mapping[str, float]) -> tuple[NeededValue,
 
 
 def latest_braking(trial: Trial) -> Braking | None:
-    """The latest step from which the ego, braking as hard as it can, collides with nobody; None if there is none."""
+    """The latest step from which the ego, braking as hard as it can, collides with nobody; None if there is none.
+
+    So it must if it begins up to `BEYOND` steps earlier.
+    """
 
     def avoided(step: int) -> bool:
         driver = _Braking(trial.ego, step)
-        return step >= 0 and trial.instead(driver, pedals_of(trial.ego), max(step, trial.crash.step))
+        return trial.instead(driver, pedals_of(trial.ego), max(step, trial.crash.step))
 
-    latest = next((step for step in range(trial.crash.step - 1, -1, -1) if avoided(step)), None)
+    latest = _first_of_run(range(trial.crash.step - 1, -1, -1), avoided)
     if latest is None:
         return None
     return Braking(
         step=latest,
         own=_own_braking(trial.episode, trial.crash.step),
         deceleration=PEDALS[pedals_of(trial.ego)] * LIMITS["Car"].brake,
-        holds=next((more for more in range(BEYOND) if not avoided(latest - more - 1)), BEYOND),
     )
 
 
 def highest_speed(trial: Trial) -> Slower | None:
     """The highest speed that the ego may keep to and collides with nobody; None if there is none.
 
-    It is tried in steps of `FINENESS` below its highest speed before the contact, down to `LEAST_SHARE` of that.
+    It is tried in steps of `FINENESS` below its highest speed before the contact, down to `LEAST_SHARE` of that; up to
+    `BEYOND` steps below the one that is found it must avoid it as well.
     """
     highest = float(trial.episode.ego_track.speed[: trial.crash.step + 1].max())
     count = int(highest * (1.0 - LEAST_SHARE) / FINENESS + 1e-9)
 
     def avoided(less: int) -> bool:
         driver = _Limited(trial.ego, highest - less * FINENESS, trial.episode.dt)
-        return less <= count and trial.instead(driver, pedals_of(trial.ego), trial.crash.step)
+        return trial.instead(driver, pedals_of(trial.ego), trial.crash.step)
 
-    least = next((less for less in range(1, count + 1) if avoided(less)), None)
-    if least is None:
-        return None
-    return Slower(
-        limit=highest - least * FINENESS,
-        highest=highest,
-        holds=next((more for more in range(BEYOND) if not avoided(least + more + 1)), BEYOND),
-    )
+    least = _first_of_run(range(1, count + 1), avoided)
+    return None if least is None else Slower(limit=highest - least * FINENESS, highest=highest)
+
+
+def _first_of_run(tried: Sequence[int], holds: Callable[[int], bool]) -> int | None:
+    """The first for which something holds, and for the next `BEYOND` too, as far as there are so many."""
+    held = 0
+    for place, one in enumerate(tried):
+        held = held + 1 if holds(one) else 0
+        if held > BEYOND:
+            return tried[place - BEYOND]
+    return tried[len(tried) - held] if held else None
 
 
 def in_words(came: Came) -> str:
@@ -320,7 +324,9 @@ def in_words(came: Came) -> str:
         return "the same crash"
     if came.other:
         return f"not this crash, but one with {came.other}"
-    return "no crash" + ("" if came.gap is None else f", {came.gap:.1f} m apart at the closest")
+    if came.gap is None:
+        return "no crash"
+    return f"no crash, {f'{came.gap:.1f}' if came.gap >= NEAR else f'less than {NEAR:g}'} m apart at the closest"
 
 
 class _Braking:
@@ -361,9 +367,12 @@ def _own_braking(episode: Episode, crash: int) -> int | None:
     """The step at which the braking began that lasted until the contact; None if the ego did not brake then."""
     decelerating = -episode.ego_track.acceleration(episode.dt)[: crash + 1]
     step = crash
+    while step > 0 and abs(episode.ego_track.speed[step]) < STANDING:
+        step -= 1
+    stood = step
     while step > 0 and decelerating[step] >= BRAKES:
         step -= 1
-    return step if step < crash else None
+    return step if step < stood else None
 
 
 def _came(trial: Trial, driven: Episode | Rejected) -> Came:

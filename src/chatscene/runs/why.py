@@ -12,10 +12,9 @@ from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError
 from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
 from chatscene.measure.counterfactual import (
-    BEYOND,
-    FINENESS,
     LEAST_SHARE,
     Braking,
+    Came,
     NeededValue,
     Slower,
     Thing,
@@ -44,7 +43,7 @@ from chatscene.terms.snippet import ParameterRange
 
 CANDIDATES = 3  # how many of the nearest scenes without a crash are driven again, until one does not crash
 MIDDLE = "middle"  # of every range
-_PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side"}
+_PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side", "": ""}
 _INTO_EGO = (Fault.ADVERSARY_INTO_EGO, Fault.BACKGROUND_INTO_EGO)
 
 
@@ -76,16 +75,28 @@ class Contact:
 
     def in_words(self) -> str:
         """One sentence, without its end."""
-        other, into_ego = _named(self.other, self.kind), self.fault in _INTO_EGO
-        mine, theirs = _PARTS[self.ego_part], _PARTS.get(self.other_part, "")
-        if into_ego:
-            who = f"{other} ran into the {mine} of the ego" + (f" with its {theirs}" if theirs else "")
-        else:
-            who = f"the ego ran into {f'the {theirs} of ' if theirs else ''}{other} with its {mine}"
+        mine, theirs = ("the ego", _PARTS[self.ego_part]), (_named(self.other, self.kind), _PARTS[self.other_part])
+        (striker, with_its), (struck, on_its) = (theirs, mine) if self.fault in _INTO_EGO else (mine, theirs)
+        where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
         return (
-            f"at {self.time:.1f} s {who}: ego at {self.ego_speed:.1f} m/s, {self.kind} at {self.other_speed:.1f} m/s, "
-            f"closing at {self.impact_speed:.1f} m/s"
+            f"at {self.time:.1f} s {striker} ran into {struck}{where}: ego at {self.ego_speed:.1f} m/s, "
+            f"{self.kind} at {self.other_speed:.1f} m/s, closing at {self.impact_speed:.1f} m/s"
         )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Back:
+    """Where parameters are set back to.
+
+    Attributes:
+        name: The id of a scene, or `MIDDLE`.
+        values: The parameters there.
+        came: What comes with all of them set back.
+    """
+
+    name: str
+    values: Mapping[str, float]
+    came: Came
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,8 +111,7 @@ class Why:
         avoidable: Whether that avoids it (decision 0013).
         last_moment: The last moment at which such braking avoids it; None if there is none.
         things: Whom and what else the program places, and whether the crash needs them.
-        reference: Where parameters are set back to: the id of a scene, or `MIDDLE`; empty if no scene without a crash
-            was found, so that nothing is known of values.
+        back: Where parameters are set back to; None if there is nowhere, so that nothing is known of values.
         values: The parameters that the crash needs.
         free: The parameters that it does not: set back together, it still crashes.
         ranges: The parameters of the program, by name.
@@ -119,7 +129,7 @@ class Why:
     avoidable: bool
     last_moment: float | None
     things: tuple[Thing, ...]
-    reference: str
+    back: Back | None
     values: tuple[NeededValue, ...]
     free: tuple[str, ...]
     ranges: Mapping[str, ParameterRange]
@@ -139,7 +149,7 @@ class Why:
             "avoidable": self.avoidable,
             "last_moment": self.last_moment,
             "things": [asdict(thing) for thing in self.things],
-            "reference": self.reference,
+            "set_back_to": self.back and {"name": self.back.name, "then": in_words(self.back.came)},
             "values": [
                 {"name": one.name, "value": one.value, "back": one.back, "unit": self.ranges[one.name].unit}
                 | {"then": in_words(one.came)}
@@ -152,13 +162,11 @@ class Why:
                 "before_contact": self._before(self.braking.step),
                 "earlier": None if self.braking.own is None else round(self._earlier(self.braking), 6),
                 "deceleration": self.braking.deceleration,
-                "holds": round(self.braking.holds * self.dt, 6),
             },
             "slower": self.slower
             and {
                 "limit": self.slower.limit,
                 "by": round(self.slower.highest - self.slower.limit, 6),
-                "holds": round(self.slower.holds * FINENESS, 6),
             },
             "drives": self.drives,
         }
@@ -181,41 +189,45 @@ class Why:
             seen += f"A careful driver brakes at {self.careful_brakes:.1f} s"
             seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
         if self.last_moment is None:
-            return f"{seen} Begun at no moment does a careful driver's braking avoid it."
-        last = f"{self.last_moment:.1f} s, {self.contact.time - self.last_moment:.1f} s before the contact"
-        return f"{seen} The last moment at which such braking avoids it is {last}."
+            return f"{seen} At no moment does a careful driver's braking avoid it."
+        when = f"{self.last_moment:.1f} s, {self.contact.time - self.last_moment:.1f} s before the contact"
+        return f"{seen} The last moment at which a careful driver's braking avoids it is {when}."
 
     def _of_things(self) -> list[str]:
         lines: list[str] = []
         for thing in self.things:
-            named = " and ".join(map(_named, thing.actors, thing.kinds))
+            named = _all_named(thing)
             if thing.needed is None:
                 lines.append(f"Whether it takes {named} cannot be told: {thing.why}.")
             elif thing.needed:
                 lines.append(f"It takes {named}; without: {thing.why}.")
-            else:
-                lines.append(f"It does not take {named}: without, the ego still collides with {self.contact.other}.")
+        if spare := [_all_named(thing) for thing in self.things if thing.needed is False]:
+            lines.append(f"It does not take {', nor '.join(spare)}; without, it is still the same crash.")
         return lines
 
     def _of_values(self) -> list[str]:
         if not self.ranges:
             return ["The program has no parameters."]
-        if not self.reference:
+        if self.back is None:
+            return ["Whether it takes any value cannot be told: in the middle of the ranges the scene is rejected."]
+        if self.back.came.crashed:
             return [
-                "No parameter can be set back: neither a scene of this run on this route nor the middle of the ranges "
-                "is without a crash."
+                "It takes no value in particular: no scene of the run on this route is without a crash, and with every "
+                "parameter in the middle of its range it is the same crash."
             ]
-        where = "the middle of their ranges" if self.reference == MIDDLE else f"those of {self.reference}"
-        if self.reference != MIDDLE:
-            where += ", the nearest scene without a crash"
-        lines = [f"It takes these values; all others set back to {where}, it still crashes, and not with one of them:"]
+        where = f"those of {self.back.name}, the nearest scene without a crash"
+        if self.back.name == MIDDLE:
+            where = "the middle of their ranges, since no scene of the run on this route is without a crash"
+            if self.back.came.other:
+                where += f" (there it is a crash with {self.back.came.other})"
+        these = "this value" if len(self.values) == 1 else f"these {len(self.values)} values"
+        lines = [f"It takes {these}; with all other parameters set back to {where}, it is still the same crash:"]
         for one in self.values:
             unit = "" if (given := self.ranges[one.name].unit) == "1" else f" {given}"
             meaning = f" ({text})" if (text := self.ranges[one.name].meaning) else ""
-            lines.append(
-                f"  {one.name} = {one.value:.4g}{unit}{meaning}; set back to {one.back:.4g}{unit}: {in_words(one.came)}"
-            )
-        return [*lines, f"It does not take the values of: {', '.join(self.free)}."] if self.free else lines
+            then = f"set back as well, to {one.back:.4g}{unit}: {in_words(one.came)}"
+            lines.append(f"  {one.name} = {one.value:.4g}{unit}{meaning}; {then}")
+        return [*lines, f"It does not take the values of {', '.join(self.free)}."] if self.free else lines
 
     def _of_ego(self) -> list[str]:
         if not self.changeable:
@@ -230,33 +242,26 @@ class Why:
     def _of_braking(self) -> str:
         if self.braking is None:
             return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
-        earlier = self._earlier(self.braking)
-        if self.braking.own is None:
-            how = "where it did not brake"
-        elif earlier > 0.0:
-            how = f"{earlier:.1f} s earlier than it did"
+        begins, own = self._at(self.braking.step), self.braking.own
+        if own is None:
+            how = "it did not brake"
+        elif own > self.braking.step:
+            how = f"{self._earlier(self.braking):.1f} s earlier than it did"
         else:
-            how = f"no earlier than it did ({self._at(self.braking.own):.1f} s), but harder"
-        line = (
+            how = f"it braked from {self._at(own):.1f} s on, but less hard"
+        return (
             f"The ego avoids it if it brakes as hard as it can ({self.braking.deceleration:g} m/s²) from "
-            f"{self._at(self.braking.step):.1f} s on: {self._before(self.braking.step):.1f} s before the contact, "
-            f"{how}."
+            f"{begins:.1f} s on, {self._before(self.braking.step):.1f} s before the contact; {how}."
         )
-        if self.braking.holds < BEYOND and self.braking.step > self.braking.holds:
-            line += f" Begun {(self.braking.holds + 1) * self.dt:.1f} s before that, it collides again."
-        return line
 
     def _of_slower(self) -> str:
         if self.slower is None:
-            return f"It does not avoid it by going slower, down to {LEAST_SHARE:g} of its highest speed."
+            return f"The ego does not avoid it by going slower, down to {LEAST_SHARE:g} of its highest speed."
         by = self.slower.highest - self.slower.limit
-        line = (
-            f"It avoids it if it goes at most {self.slower.limit:.1f} m/s, {by:.1f} m/s slower than its highest speed "
-            "before the contact."
+        return (
+            f"The ego avoids it if it goes at most {self.slower.limit:.1f} m/s, {by:.1f} m/s slower than its highest "
+            "speed before the contact."
         )
-        if self.slower.holds < BEYOND:
-            line += f" {(self.slower.holds + 1) * FINENESS:.1f} m/s slower still, it does not."
-        return line
 
     def _at(self, step: int) -> float:
         return round(step * self.dt, 6)
@@ -288,8 +293,8 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
     risk = risk_step(episode, trial.route)
     careful = None if risk is None else braking_step(risk, dt)
     things = things_needed(trial)
-    back = reference(trial, rows)
-    values = values_needed(trial, back[1]) if back else ()
+    back = back_of(trial, rows)
+    values = () if back is None or back.came.crashed else values_needed(trial, back.values)
     needed = {one.name for one in values}
     last = last_moment(trial) if changeable else None
     braking = latest_braking(trial) if changeable else None
@@ -317,7 +322,7 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
         avoidable=avoidable,
         last_moment=None if last is None else round(last * dt, 6),
         things=things,
-        reference=back[0] if back else "",
+        back=back,
         values=values,
         free=tuple(name for name in trial.scene.values if back and name not in needed),
         ranges={p.name: p for p in trial.program.parameters},
@@ -356,30 +361,36 @@ def trial_of(
     return trial, rows
 
 
-def reference(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> tuple[str, Mapping[str, float]] | None:
-    """Where the parameters of a scene are set back to, and what that is called.
+def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:
+    """Where the parameters of a scene are set back to.
 
     The nearest scene of the run on the same route that did not crash and does not; else the middle of every range,
-    if that does not crash. Near is by the root mean square of differences, each as a share of its declared range.
+    whatever comes of that. Near is by the root mean square of differences, each as a share of its declared range.
 
     Returns:
-        None if neither is without a crash.
+        None if the program has no parameters, or cannot be driven in the middle either.
     """
     mine, program = trial.scene, trial.program
+    if not mine.values:
+        return None
     same = [row for row in rows if row["status"] == "ran" and not row["collision"]]
     scenes = [scene for scene in (scene_of(row, program) for row in same) if scene.route == mine.route]
     scenes.sort(key=lambda scene: (_far(program, mine, scene), scene.id))
-    tried = [(scene.id, scene.values) for scene in scenes[:CANDIDATES]]
-    tried.append((MIDDLE, scene_at(program, mine.route, 0.5, name="middle").values))
-    for name, values in tried:
-        if values and trial.drive(values=values).harmless:
-            return name, values
-    return None
+    for scene in scenes[:CANDIDATES]:
+        if (came := trial.drive(values=scene.values)).harmless:
+            return Back(name=scene.id, values=scene.values, came=came)
+    values = scene_at(program, mine.route, 0.5, name=MIDDLE).values
+    came = trial.drive(values=values)
+    return None if came.rejected else Back(name=MIDDLE, values=values, came=came)
 
 
 def _far(program: ScenicProgram, a: Scene, b: Scene) -> float:
     shares = [(a.values[p.name] - b.values[p.name]) / (p.high - p.low) for p in program.parameters if p.high > p.low]
     return math.sqrt(sum(share * share for share in shares))
+
+
+def _all_named(thing: Thing) -> str:
+    return " and ".join(map(_named, thing.actors, thing.kinds))
 
 
 def _named(actor: str, kind: str) -> str:
