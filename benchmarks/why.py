@@ -8,8 +8,8 @@ again, in a simulator of its own:
 - every subset of the values that differ from those that they are set back to: whether the set that was found crashes,
   whether it does without any single one of them, and how small the smallest set is that crashes;
 - the same for every subset of the things that can be left out;
-- every later braking and every higher speed than those that were found: none of them may avoid it, and so up to the
-  margin beyond those found, all of which must.
+- every braking from the moment found on, and every speed from the one found down, as far as the margin goes: all must
+  avoid it; and how many later moments of braking do by luck.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from chatscene.measure.counterfactual import (
     _Limited,  # pyright: ignore[reportPrivateUsage]
 )
 from chatscene.program.without import Placing, placings, without
-from chatscene.runs.why import Why, trial_of, why
+from chatscene.runs.why import MIDDLE, Why, trial_of, why
 
 MOST = 8  # causes of which every subset is driven
 SENTENCES = (
@@ -96,9 +96,8 @@ def _problems(folder: Path, told: Why, counts: Counter[str]) -> Iterator[str]:
         def with_values(kept: frozenset[str]) -> bool:
             return trial.drive(values={name: mine[name] if name in kept else back[name] for name in mine}).crashed
 
-        counts[
-            f"values needed: {len(told.values)}, set back to {'the middle' if told.back.name == 'middle' else 'a scene'}"
-        ] += 1
+        where = "the middle" if told.back.name == MIDDLE else "a scene"
+        counts[f"values needed: {len(told.values)}, set back to {where}"] += 1
         yield from _minimal(differing, frozenset(one.name for one in told.values), with_values, "values", counts)
     free: dict[Placing, str] = {}
     actors = {actor: thing for thing in told.things if thing.needed is not None for actor in thing.actors}

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+import chatscene
 from chatscene.commands.main import main
 from chatscene.library.load import load_library
 from chatscene.search.generators.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
@@ -47,6 +48,22 @@ def test_the_commands_of_a_page_do_what_it_says(page: str, tmp_path: Path, monke
     for command, status in steps:
         done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
         assert done.exit_code == status, f"{command}\n{done.output}"
+
+
+def test_the_page_on_crashes_asks_for_one_and_shows_what_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    page = ROOT / "docs" / "why.md"
+    (run, _), (why, _) = commands(page)
+    assert CliRunner().invoke(main, shlex.split(run)[1:], catch_exceptions=False).exit_code == 0
+    said = CliRunner().invoke(main, shlex.split(why)[1:], catch_exceptions=False)
+    assert said.exit_code == 0, said.output
+    assert said.output in page.read_text()
+    folder, scene_id = shlex.split(why)[2:]
+    told = chatscene.Run(folder).scene(scene_id).why()
+    assert told.in_words() == said.output.strip()
+    assert json.loads(json.dumps(told.as_dict()))["contact"]["other"] == "adversary"
 
 
 def test_every_command_in_the_readme_exists() -> None:

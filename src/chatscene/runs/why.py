@@ -191,6 +191,7 @@ class Why:
         if self.last_moment is None:
             return f"{seen} At no moment does a careful driver's braking avoid it."
         when = f"{self.last_moment:.1f} s, {self.contact.time - self.last_moment:.1f} s before the contact"
+        when += self._foreseen(self.last_moment)
         return f"{seen} The last moment at which a careful driver's braking avoids it is {when}."
 
     def _of_things(self) -> list[str]:
@@ -249,10 +250,9 @@ class Why:
             how = f"{self._earlier(self.braking):.1f} s earlier than it did"
         else:
             how = f"it braked from {self._at(own):.1f} s on, but less hard"
-        return (
-            f"The ego avoids it if it brakes as hard as it can ({self.braking.deceleration:g} m/s²) from "
-            f"{begins:.1f} s on, {self._before(self.braking.step):.1f} s before the contact; {how}."
-        )
+        when = f"{begins:.1f} s on, {self._before(self.braking.step):.1f} s before the contact{self._foreseen(begins)}"
+        hard = f"as hard as it can ({self.braking.deceleration:g} m/s²)"
+        return f"The ego avoids it if it brakes {hard} from {when}; {how}."
 
     def _of_slower(self) -> str:
         if self.slower is None:
@@ -262,6 +262,9 @@ class Why:
             f"The ego avoids it if it goes at most {self.slower.limit:.1f} m/s, {by:.1f} m/s slower than its highest "
             "speed before the contact."
         )
+
+    def _foreseen(self, time: float) -> str:
+        return ", before it can be seen coming" if self.risk is not None and time < self.risk else ""
 
     def _at(self, step: int) -> float:
         return round(step * self.dt, 6)
