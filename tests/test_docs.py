@@ -57,13 +57,18 @@ def test_the_page_on_crashes_asks_for_one_and_shows_what_is_said(
     page = ROOT / "docs" / "why.md"
     (run, _), (why, _) = commands(page)
     assert CliRunner().invoke(main, shlex.split(run)[1:], catch_exceptions=False).exit_code == 0
-    said = CliRunner().invoke(main, shlex.split(why)[1:], catch_exceptions=False)
-    assert said.exit_code == 0, said.output
-    assert said.output in page.read_text()
     folder, scene_id = shlex.split(why)[2:]
     told = chatscene.Run(folder).scene(scene_id).why()
-    assert told.in_words() == said.output.strip()
-    assert json.loads(json.dumps(told.as_dict()))["contact"]["other"] == "adversary"
+    assert told.in_words() in page.read_text()
+
+    def known(*_: object, **__: object) -> object:  # to find it out again takes seconds
+        return told
+
+    monkeypatch.setattr("chatscene.api.why", known)
+    said = CliRunner().invoke(main, shlex.split(why)[1:], catch_exceptions=False)
+    assert said.output.strip() == told.in_words()
+    again = CliRunner().invoke(main, [*shlex.split(why)[1:], "--json"], catch_exceptions=False)
+    assert json.loads(again.output)["contact"]["other"] == "adversary"
 
 
 def test_every_command_in_the_readme_exists() -> None:

@@ -108,7 +108,7 @@ class Why:
         contact: Who struck whom.
         risk: From when on a careful driver sees the crash coming; None if never.
         careful_brakes: When such a driver would begin to brake; None without a risk.
-        avoidable: Whether that avoids it (decision 0013).
+        avoidable: Whether that avoids it (decision 0013); None where it is not asked.
         last_moment: The last moment at which such braking avoids it; None if there is none.
         things: Whom and what else the program places, and whether the crash needs them.
         back: Where parameters are set back to; None if there is nowhere, so that nothing is known of values.
@@ -126,7 +126,7 @@ class Why:
     contact: Contact
     risk: float | None
     careful_brakes: float | None
-    avoidable: bool
+    avoidable: bool | None
     last_moment: float | None
     things: tuple[Thing, ...]
     back: Back | None
@@ -213,12 +213,12 @@ class Why:
             return ["Whether it takes any value cannot be told: in the middle of the ranges the scene is rejected."]
         if self.back.came.crashed:
             return [
-                "It takes no value in particular: no scene of the run on this route is without a crash, and with every "
-                "parameter in the middle of its range it is the same crash."
+                "It takes no value in particular: no scene without a crash was found to set values back to, and with "
+                "every parameter in the middle of its range it is the same crash."
             ]
         where = f"those of {self.back.name}, the nearest scene without a crash"
         if self.back.name == MIDDLE:
-            where = "the middle of their ranges, since no scene of the run on this route is without a crash"
+            where = "the middle of their ranges, since no scene without a crash was found"
             if self.back.came.other:
                 where += f" (there it is a crash with {self.back.came.other})"
         these = "this value" if len(self.values) == 1 else f"these {len(self.values)} values"
@@ -302,11 +302,13 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
     last = last_moment(trial) if changeable else None
     braking = latest_braking(trial) if changeable else None
     slower = highest_speed(trial) if changeable else None
-    avoidable = (
-        careful is not None
-        and careful < crash.step
-        and not crashes_braking_from(careful, trial.ego, trial.program, trial.scene, trial.simulator, dt)
-    )
+    avoidable = None
+    if changeable:
+        avoidable = (
+            careful is not None
+            and careful < crash.step
+            and not crashes_braking_from(careful, trial.ego, trial.program, trial.scene, trial.simulator, dt)
+        )
     return Why(
         scene_id=scene_id,
         contact=Contact(
