@@ -28,7 +28,7 @@ def sql(query: str | None, folder: Path, show_tables: bool, as_json: bool) -> No
 
     \b
     chatscene sql "SELECT run, scene_id, impact_speed FROM scenes JOIN facts USING (run, scenario_id)
-      WHERE avoidable AND adversary = 'cyclist' AND side = 'left'"
+      WHERE avoidable AND adversary = 'bicycle' AND side = 'left'"
     chatscene sql "SELECT ego, avg(collision::INT) FROM scenes GROUP BY ego" runs/benchmark --json
     chatscene sql --tables
     """
