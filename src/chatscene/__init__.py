@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from chatscene.search.sampler import load_sampler
     from chatscene.settings import Settings
     from chatscene.simulate.simulator import load_simulator
+    from chatscene.testing.scenes import scene
 
     __version__: str
 
@@ -60,6 +61,7 @@ __all__ = [
     "resume",
     "run",
     "sql",
+    "scene",
     "train",
     "why",
 ]
@@ -69,6 +71,7 @@ _ELSEWHERE = {
     "load_ego": "chatscene.ego.policy",
     "load_sampler": "chatscene.search.sampler",
     "load_simulator": "chatscene.simulate.simulator",
+    "scene": "chatscene.testing.scenes",
 }
 """Where a public name is defined, if not in `chatscene.api`."""
 
