@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Generator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -24,6 +25,12 @@ def _marked(function: Any) -> Marked | None:
     return getattr(function, _ASKED, None)
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Where drives that fail are shown."""
+    group = parser.getgroup("chatscene", "scenes as tests")
+    group.addoption("--scene-replays", metavar="DIR", help="write a GIF of each drive that fails into this folder")
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """A test for each scene, numbered: the scenes are looked for when the first of them runs."""
     if (marked := _marked(metafunc.function)) is not None:
@@ -32,11 +39,14 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize(_NUMBER, numbers, ids=[f"scene-{number}" for number in numbers])
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(tryfirst=True)  # before pytest-xdist looks for groups
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Every test with scenes is driven, also where its function does not ask for what came of it."""
     for item in items:
-        if isinstance(item, pytest.Function) and _marked(item.function) is not None:
+        if isinstance(item, pytest.Function) and (marked := _marked(item.function)) is not None:
             item.fixturenames.append(_DRIVEN)
+            if config.pluginmanager.hasplugin("xdist"):
+                item.add_marker(pytest.mark.xdist_group(str(marked.asked.of)))
 
 
 @pytest.fixture
@@ -51,7 +61,7 @@ def scene(request: pytest.FixtureRequest) -> Driven:
 def _driven(request: pytest.FixtureRequest) -> Driven | EgoError:
     """A drive in the scene and in its twin, or how the ego failed, which is no error of set-up."""
     from chatscene.errors import EgoError
-    from chatscene.testing.scenes import ego_of, judge
+    from chatscene.testing.scenes import ego_of, gif_of, judge
 
     marked, number = _marked(request.function), request.getfixturevalue(_NUMBER)
     assert marked is not None
@@ -72,6 +82,11 @@ def _driven(request: pytest.FixtureRequest) -> Driven | EgoError:
     except EgoError as error:
         return error
     told[:] = driven.properties.items()
+    if driven.failures and (folder := request.config.getoption("--scene-replays")):
+        path = Path(folder) / f"{request.node.name.partition('@')[0]}.gif"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(gif_of(found, driven))
+        told.append(("replay", str(path)))
     return driven
 
 
@@ -94,7 +109,9 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, o
         if isinstance(driven, Exception):
             raise driven
         if driven.failures:
-            pytest.fail(f"{driven.in_words()}\n  again     pytest {pyfuncitem.nodeid!r}", pytrace=False)
+            again = f"  again     pytest '{pyfuncitem.nodeid.partition(']')[0]}]'"
+            shown = [f"  replay    {path}" for name, path in pyfuncitem.user_properties if name == "replay"]
+            pytest.fail("\n".join((driven.in_words(), again, *shown)), pytrace=False)
     return (yield)
 
 

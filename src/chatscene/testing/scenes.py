@@ -96,12 +96,14 @@ class Found:
         scenes: Those that are tests.
         unfit: How many were left out, by reason.
         simulator: Where they are driven.
+        map_path: On which map.
     """
 
     text: str
     scenes: tuple[Solvable, ...]
     unfit: dict[str, int]
     simulator: Simulator
+    map_path: Path
 
     def why_fewer(self) -> str:
         """Why there are no more, for a reader."""
@@ -162,7 +164,7 @@ class Driven:
             [
                 *self.failures,
                 f"  sentence  {self.text}",
-                f"  scene     {self.scene.id} (seed {self.scene.seed})",
+                f"  scene     {self.scene.id} (its seed {self.scene.seed})",
                 f"  values    {values}",
                 f"  ego       {self.ego}",
                 f"  survived  by {self.solvable.survivor}; whoever does not react crashes at "
@@ -269,6 +271,17 @@ def judge(found: Found, one: Solvable, ego: EgoPolicy, *, must: str = "avoid") -
     return Driven(text=found.text, solvable=one, ego=name_of(ego), episode=episode, twin=twin, failures=tuple(failures))
 
 
+def gif_of(found: Found, driven: Driven) -> bytes:
+    """What went wrong as an animated GIF: the drive in the scene, or in the twin if all was well in the scene."""
+    from chatscene.maps.drawing import routes_drawing
+    from chatscene.maps.network import load_network
+    from chatscene.report.animation import animate
+
+    route = found.simulator.route_in(driven.solvable.program, driven.scene)
+    drawing = routes_drawing(load_network(found.map_path), {route.id: route})
+    return animate(driven.twin if driven.episode.collision is None else driven.episode, drawing)
+
+
 _OWN = (Fault.EGO_INTO_ADVERSARY, Fault.EGO_INTO_BACKGROUND, Fault.EGO_INTO_STATIC)
 
 
@@ -306,19 +319,19 @@ def _of_text(asked: Asked, text: str) -> Found:
     unfit: dict[str, int] = {}
     for number, route in enumerate(routes):
         wanted = math.ceil((asked.scenes - len(found)) / (len(routes) - number))
-        fit = 0
-        for outcome in _candidates(program, route, simulator, asked):
-            if isinstance(outcome, Unfit):
-                unfit[outcome.reason] = unfit.get(outcome.reason, 0) + 1
-                continue
-            found.append(outcome)
-            fit += 1
-            if fit == wanted:
+        fit: list[Solvable] = []
+        for block in _blocks(program, route, simulator, asked):
+            fit += [one for one in block if isinstance(one, Solvable)]
+            for one in block:
+                if isinstance(one, Unfit):
+                    unfit[one.reason] = unfit.get(one.reason, 0) + 1
+            if len(fit) >= wanted:
                 break
-    return Found(text=text, scenes=tuple(found), unfit=unfit, simulator=simulator)
+        found += sorted(fit, key=lambda one: one.spare)[:wanted]
+    return Found(text=text, scenes=tuple(found), unfit=unfit, simulator=simulator, map_path=path)
 
 
-def _candidates(program: ScenicProgram, route: int, simulator: Simulator, asked: Asked) -> Iterator[Solvable | Unfit]:
+def _blocks(program: ScenicProgram, route: int, simulator: Simulator, asked: Asked) -> Iterator[list[Solvable | Unfit]]:
     """Scenes of a route, block by block, each drawn from where whoever does not react crashed in those before."""
     search = replace(asked.settings.search, seed=asked.seed)
     sampler = load_sampler(search.sampler)
@@ -327,6 +340,7 @@ def _candidates(program: ScenicProgram, route: int, simulator: Simulator, asked:
         stem = f"{program.scenario_id}/route-{route:02d}"
         seed = scene_seed(search.seed, f"{stem}/block-{block:03d}")
         proposal = sampler.propose(program.parameters, history, count=search.block, seed=seed)
+        tried: list[Solvable | Unfit] = []
         came: list[Outcome] = []
         for index in range(block * search.block, (block + 1) * search.block):
             name = f"{stem}/scene-{index:03d}"
@@ -352,7 +366,8 @@ def _candidates(program: ScenicProgram, route: int, simulator: Simulator, asked:
                         completion=float(drive.route_completion),
                     )
                 )
-            yield outcome
+            tried.append(outcome)
+        yield tried
         history.append(came)
 
 
@@ -362,7 +377,8 @@ def _of_run(asked: Asked, folder: Path) -> Found:
     record = runs.read_record(run)
     settings = runs.settings_of(record)
     simulation = replace(settings.simulation, simulator=asked.settings.simulation.simulator)
-    simulator = simulator_of(load_generator(record.generator), map_of(record), replace(settings, simulation=simulation))
+    path = map_of(record)
+    simulator = simulator_of(load_generator(record.generator), path, replace(settings, simulation=simulation))
     _, program = rebuild(run)
     rows = [row for row in runs.read_scenes(run) if row["scene_id"] == asked.scene_id or not asked.scene_id]
     rows = [row for row in rows if row["status"] == "ran" and (row["selected"] or asked.scene_id)]
@@ -380,7 +396,7 @@ def _of_run(asked: Asked, folder: Path) -> Found:
             unfit[outcome.reason] = unfit.get(outcome.reason, 0) + 1
         else:
             found.append(outcome)
-    return Found(text=record.text, scenes=tuple(found), unfit=unfit, simulator=simulator)
+    return Found(text=record.text, scenes=tuple(found), unfit=unfit, simulator=simulator, map_path=path)
 
 
 def _own(asked: Asked) -> tuple[str, ...]:

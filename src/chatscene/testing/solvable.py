@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of
 from chatscene.measure.avoidability import avoidable
+from chatscene.measure.criticality import criticality
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -34,6 +36,7 @@ class Solvable:
         twin: The same without harm.
         survivor: Who survives the scene.
         oblivious: The drive of whoever drives as if the adversary was not there, which ends in a crash.
+        spare: Least time [s] to a collision that the survivor came to; without bound if it never was about to collide.
         completion: Share of the route that the driver of the proof drives in the twin.
         standing: How long [s] it stands there.
     """
@@ -43,6 +46,7 @@ class Solvable:
     twin: Twin
     survivor: str
     oblivious: Episode
+    spare: float
     completion: float
     standing: float
 
@@ -95,17 +99,18 @@ def _proved_by(
     struck = _driven(program, scene, oblivious, simulator)
     if struck.collision is None:
         return Unfit(scene=scene, reason=NOTHING, drive=struck)
-    if not (survivor := _survives(name, program, scene, simulator)):
+    if (survived := _survives(name, program, scene, simulator)) is None:
         return Unfit(scene=scene, reason=NOBODY, drive=struck)
     if (harmless := _harmless(program, scene, name, oblivious, alone, simulator)) is None:
         return Unfit(scene=scene, reason="no twin of it is harmless", drive=struck)
-    twin, free = harmless
+    (survivor, spare), (twin, free) = survived, harmless
     return Solvable(
         program=program,
         scene=scene,
         twin=twin,
         survivor=survivor,
         oblivious=struck,
+        spare=spare,
         completion=float(free.route_completion),
         standing=standing_in(free),
     )
@@ -122,14 +127,15 @@ def _driven(program: ScenicProgram, scene: Scene, ego: EgoPolicy, simulator: Sim
     return episode
 
 
-def _survives(name: str, program: ScenicProgram, scene: Scene, simulator: Simulator) -> str:
-    """Who survives: the driver of that name, or the careful driver in its place; nobody if empty."""
+def _survives(name: str, program: ScenicProgram, scene: Scene, simulator: Simulator) -> tuple[str, float] | None:
+    """Who survives, the driver of that name or the careful driver in its place, and the time [s] it had to spare."""
     ego = load_ego(name)
     episode = _driven(program, scene, ego, simulator)
     if episode.collision is None:
-        return name
+        spare = criticality(episode).time_to_collision
+        return name, math.inf if spare is None else spare
     careful = avoidable(episode, program, scene, ego, simulator)
-    return f"{name}, braking as the careful driver of UN R157" if careful else ""
+    return (f"{name}, braking as the careful driver of UN R157", math.inf) if careful else None
 
 
 def _harmless(
