@@ -1,7 +1,7 @@
 """How many faults of an ego are found by scenes as tests, and how often a sound ego is blamed.
 
-Some hundred scenes of twelve sentences in several voices that `idm` survives; twenty-one egos that are `idm` with one fault;
-`idm` itself again and again, in another order each time. Writes one JSON object to standard output.
+Some hundred scenes of twelve sentences in several voices that `idm` survives; twenty-one egos that are `idm` with one
+fault; `idm` itself again and again, in another order each time. Writes one JSON object to standard output.
 
     python benchmarks/mutated_egos.py --scenes 10 --reruns 10 --seed 0
 """

@@ -16,15 +16,16 @@ from chatscene.ego.observation import Observation
 from chatscene.ego.policy import load_ego
 from chatscene.errors import SettingsError
 from chatscene.maps.network import resolve_map
+from chatscene.program.sample import scene_at
 from chatscene.report.understood import understand
 from chatscene.settings import SimulationSettings
-from chatscene.simulate.simulator import load_simulator
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode, Role
-from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.testing import scenes
 from chatscene.testing.scenes import Asked, find, judge
-from chatscene.testing.solvable import NOTHING, Solvable, Unfit, solvable
+from chatscene.testing.solvable import NOTHING, Unfit, solvable
 from chatscene.testing.twins import twins, without_adversary
 from places import ROOT
 
@@ -149,14 +150,12 @@ def test_a_sentence_that_is_refused_is_an_error_that_says_why(pytester: pytest.P
 
 
 def test_the_same_scenes_are_found_again_and_the_verdict_is_the_same(braking: scenes.Found) -> None:
-    again = find.__wrapped__(Asked(of=BRAKING, scenes=2))
-    assert [one.scene for one in again.scenes] == [one.scene for one in braking.scenes]
-    assert [one.twin for one in again.scenes] == [one.twin for one in braking.scenes]
-    other = find(Asked(of=BRAKING, scenes=1, seed=1))
-    assert {one.scene.seed for one in other.scenes}.isdisjoint(one.scene.seed for one in braking.scenes)
-    for one in braking.scenes:
-        first, second = (judge(found, one, load_ego("rule-based")) for found in (braking, again))
-        assert first.properties == second.properties
+    again = find(Asked(of=BRAKING, scenes=1))  # in a simulator of its own
+    first, second = (found.scenes[0] for found in (braking, again))
+    assert (first.scene, first.twin) == (second.scene, second.twin)
+    one, other = (judge(found, second, load_ego("planner")) for found in (braking, again))
+    assert one.properties == other.properties
+    assert find(Asked(of=BRAKING, scenes=1, seed=1)).scenes[0].scene.seed != first.scene.seed
 
 
 def test_in_each_scene_whoever_does_not_react_crashes_and_in_its_twin_nobody_need_react(braking: scenes.Found) -> None:
@@ -217,11 +216,13 @@ def test_the_nearest_twin_is_one_that_stays_in_its_first_phase(text: str, first:
 
 
 def test_without_the_adversary_all_others_stay_where_they_are() -> None:
-    one = solvable_child()
-    away = without_adversary(one.program)
+    program, scene = child()
+    away = without_adversary(program)
     assert away is not None
     simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator="native"))
-    with_it, without = (scenes._drive(simulator, p, one.scene, load_ego("idm")) for p in (one.program, away))  # pyright: ignore[reportPrivateUsage]
+    with_it, without = (simulate(simulator, one, scene, load_ego("idm")) for one in (program, away))
+    assert isinstance(with_it, Episode)
+    assert isinstance(without, Episode)
     assert [track.actor for track in with_it.tracks] == [track.actor for track in without.tracks]
     for here, there in zip(with_it.tracks, without.tracks, strict=True):
         assert bool(here.x[0] == there.x[0]) == (here.role is not Role.ADVERSARY)
@@ -231,8 +232,8 @@ def test_without_the_adversary_all_others_stay_where_they_are() -> None:
 def test_a_program_that_calls_nobody_the_adversary_has_no_twin() -> None:
     program = ScenicProgram(scenario_id="own", source="ego = new Car\n", parameters=(), snippet_ids=(), digest="0")
     assert twins(program) == ()
-    one = solvable_child()
-    found = solvable(program, one.scene, None)  # pyright: ignore[reportArgumentType]
+    simulator = load_simulator(resolve_map("town"), SimulationSettings())
+    found = solvable(program, child()[1], simulator)
     assert isinstance(found, Unfit)
     assert "no twin" in found.reason
 
@@ -273,6 +274,7 @@ def test_nothing_but_pytest_is_loaded_with_the_plugin(pytester: pytest.Pytester)
     assert pytester.runpython(pytester.makepyfile(loaded=code)).ret == 0
 
 
-def solvable_child() -> Solvable:
-    """A child behind a van, as the page shows it."""
-    return find(Asked(of="a child runs out behind a van", scenes=1)).scenes[0]
+def child() -> tuple[ScenicProgram, Scene]:
+    """A child behind a van."""
+    program = understand("a child runs out behind a van").program
+    return program, scene_at(program, 0, 0.5, name="child")
