@@ -54,7 +54,7 @@ def test_the_example_of_the_page_drives_fails_what_stands_and_says_all_of_it(pyt
     done.assert_outcomes(passed=4, failed=2)
     done.stdout.fnmatch_lines(
         [
-            "In the harmless twin the ego stops where it need not: it stood for 30.1 s; the driver that survives *",
+            "In the harmless twin the ego does not get on: it stood for 30.1 s; the driver that survives *",
             f"  sentence  {BRAKING}",
             "  scene     the-car-ahead-brakes-*/route-*/scene-* (its seed *)",
             "  values    ADV_DISTANCE=*, BRAKE=*, GEO_Y=*",

@@ -35,7 +35,7 @@ from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-from chatscene.testing.solvable import Solvable, Unfit, hindered, solvable
+from chatscene.testing.solvable import SLOW, Solvable, Unfit, hindered, solvable
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -263,9 +263,9 @@ def judge(found: Found, one: Solvable, ego: EgoPolicy, *, must: str = "avoid") -
         failures.append(crash)
     if crash := _crash(twin):
         failures.append(f"In the harmless twin: {crash}")
-    elif why := hindered(twin, completion=one.completion, standing=one.standing):
+    elif why := hindered(twin, least=SLOW * one.completion, standing=one.standing):
         failures.append(
-            f"In the harmless twin the ego stops where it need not: {why}; the driver that survives the scene comes "
+            f"In the harmless twin the ego does not get on: {why}; the driver that survives the scene comes "
             f"{100 * one.completion:.0f} % of the way there and stands for {one.standing:.1f} s."
         )
     return Driven(text=found.text, solvable=one, ego=name_of(ego), episode=episode, twin=twin, failures=tuple(failures))

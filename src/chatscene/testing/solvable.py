@@ -23,7 +23,8 @@ LONGER = 3.0  # [s] that an ego may stand in a twin beyond what the driver that 
 ALONE = "no driver at hand drives it even without the adversary"
 NOTHING = "nothing is to be avoided: whoever does not react gets through"
 NOBODY = "no driver at hand survives it"
-BEHIND = 0.15  # of the route, that an ego may be behind that driver at the end of a twin
+BEHIND = 0.15  # of the route, that the driver of the proof may be behind in a twin, against without the adversary
+SLOW = 0.5  # of the way of that driver, that an ego may come in a twin: slower is no driving
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -149,7 +150,7 @@ def _harmless(
         drive = simulate(simulator, twin.program, scene, load_ego(name))
         if isinstance(drive, Rejected) or drive.collision is not None:
             continue
-        if not hindered(drive, completion=float(alone.route_completion), standing=standing_in(alone)):
+        if not hindered(drive, least=float(alone.route_completion) - BEHIND, standing=standing_in(alone)):
             return twin, drive
     return None
 
@@ -159,12 +160,18 @@ def standing_in(episode: Episode) -> float:
     return float(np.count_nonzero(np.abs(episode.ego_track.speed) < STANDING)) * episode.dt
 
 
-def hindered(episode: Episode, *, completion: float, standing: float) -> str:
-    """Why a drive is not as free as another, by the route it completed and how long [s] it stood; empty if it is."""
+def hindered(episode: Episode, *, least: float, standing: float) -> str:
+    """Why a drive is not free: it completed less than the `least` share of its route, or stood `LONGER` than another.
+
+    Args:
+        episode: The drive.
+        least: In [0, 1].
+        standing: How long [s] the other stood.
+    """
     stood = standing_in(episode)
     if stood > standing + LONGER:
         return f"it stood for {stood:.1f} s"
-    if episode.route_completion < completion - BEHIND:
+    if episode.route_completion < least:
         return f"it came {100 * episode.route_completion:.0f} % of its way in {episode.duration:.1f} s"
     return ""
 
