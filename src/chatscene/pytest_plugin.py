@@ -83,7 +83,7 @@ def _driven(request: pytest.FixtureRequest) -> Driven | EgoError:
         return error
     told[:] = driven.properties.items()
     if driven.failures and (folder := request.config.getoption("--scene-replays")):
-        path = Path(folder) / f"{request.node.name.partition('@')[0]}.gif"
+        path = Path(folder) / f"{request.node.path.stem}-{request.node.name.partition('@')[0]}.gif"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(gif_of(found, driven))
         told.append(("replay", str(path)))

@@ -62,7 +62,7 @@ def test_the_example_of_the_page_drives_fails_what_stands_and_says_all_of_it(pyt
             "  survived  by idm; whoever does not react crashes at * m/s after * s",
             "  twin      the same place and start, but the adversary never begins its act",
             "  again     pytest 'test_egos.py::test_standing_is_no_driving[[]scene-0]'",
-            "  replay    replays/test_standing_is_no_driving[[]scene-0].gif",
+            "  replay    replays/test_egos-test_standing_is_no_driving[[]scene-0].gif",
             "*= scenes =*",
             f"4 passed, 2 failed: {BRAKING}",
         ],
