@@ -60,8 +60,8 @@ __all__ = [
     "replay",
     "resume",
     "run",
-    "sql",
     "scene",
+    "sql",
     "train",
     "why",
 ]
