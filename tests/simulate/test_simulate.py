@@ -255,6 +255,13 @@ def test_what_a_program_takes_to_compile_is_not_counted_as_driving(
     assert watchdog.PATIENCE - left[0] < 2.0  # opening a session takes processor time, and more on a busy machine
 
 
+def test_a_program_compiles_and_runs_though_a_session_was_left_open(simulator: Simulator) -> None:
+    left = simulator.open(program(WALL), scene())
+    assert not isinstance(left, Rejected)
+    compile_program(program(WALL).source, map_path=resolve_map("town"), route=0)
+    assert isinstance(simulate(simulator, program(WALL), scene(), RuleBased()), Episode)
+
+
 def _compute(seconds: float) -> None:
     until = time.process_time() + seconds
     while time.process_time() < until:

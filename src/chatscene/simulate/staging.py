@@ -9,7 +9,6 @@ from __future__ import annotations
 import random
 import time
 from collections import Counter, OrderedDict
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -25,23 +24,10 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
 from chatscene.world.places import EgoRoute
 
-_open: list[Callable[[], None]] = []  # how to end the session that is open in this process
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
-
-
-def take_process(end: Callable[[], None]) -> None:
-    """Say that a session is open in this process, and how it is ended where another needs the process."""
-    free_process()
-    _open.append(end)
-
-
-def free_process() -> None:
-    """End the session that is open in this process, if any: Scenic compiles and runs one program at a time."""
-    while _open:
-        _open.pop()()
 
 
 class _InOrder(SampleChecker):
@@ -96,7 +82,6 @@ class Stage:
         """
         key = (program.digest, 0 if program.drawn else route)
         if key not in self._compiled:
-            free_process()
             load_network(self._map_path)  # a large map takes its time, which is not the program's
             with time_limit(f"program {program.scenario_id!r}, being compiled,"):
                 scenario = compile_program(

@@ -14,10 +14,11 @@ from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
-from chatscene.simulate.staging import Stage, free_process, take_process
+from chatscene.simulate.staging import Stage
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.simulator import SimulatorIdentity
+from chatscene.world.compilation import free_process, take_process
 
 DRAWN = 10  # routes of a program that draws where its ego stands; each is a sequence of draws of its own
 KEPT = 64  # routes whose surroundings are kept per process

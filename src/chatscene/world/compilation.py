@@ -11,7 +11,7 @@ import ast
 import gc
 import hashlib
 import marshal
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from importlib.metadata import version
@@ -37,7 +37,21 @@ _SEAL = 16  # bytes; `marshal` may break the interpreter with what is damaged
 keeping = True
 """Whether code is kept between processes; a confined one, which may touch no such folder, sets it off."""
 
+_open: list[Callable[[], None]] = []  # how to end the session that is open in this process
+
 _code: dict[tuple[bytes, str], tuple[Any, Any, bytes]] = {}
+
+
+def take_process(end: Callable[[], None]) -> None:
+    """Say that a session is open in this process, and how it is ended where another needs the process."""
+    free_process()
+    _open.append(end)
+
+
+def free_process() -> None:
+    """End the session that is open in this process, if any: Scenic compiles and runs one program at a time."""
+    while _open:
+        _open.pop()()
 
 
 def _compile_stream(stream: Any, namespace: dict[str, Any], options: Any, filename: str) -> tuple[Any, str]:
@@ -122,7 +136,7 @@ def _without_collecting() -> Generator[None]:
 def compile_program(
     source: str, *, map_path: Path, route: int, filename: str = "<program>", model: str = OWN_MODEL
 ) -> Any:
-    """Compile a program for one route of one map.
+    """Compile a program for one route of one map. A session that is open in this process is ended.
 
     Args:
         source: Scenic text.
@@ -138,6 +152,7 @@ def compile_program(
         DoesNotCompile: With Scenic's message and the line.
         MapError: The map has no such route.
     """
+    free_process()  # else Scenic stops half-way, and counts a compilation ever after that none can go beside
     translator.compileStream = _compile_stream
     install_network_memo()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
