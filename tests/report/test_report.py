@@ -26,7 +26,8 @@ from chatscene.commands import main as cli
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError
-from chatscene.report import viewer
+from chatscene.maps import picture
+from chatscene.report import animation, viewer
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
 from chatscene.report.highlight import highlight
@@ -51,7 +52,20 @@ from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import contact_point
-from fake_run import PROGRAM, SCENARIO, TEXT, asked, blocks, drawing, drive, finished, resealed, scene, started
+from fake_run import (
+    DECLARED,
+    PROGRAM,
+    SCENARIO,
+    TEXT,
+    asked,
+    blocks,
+    drawing,
+    drive,
+    finished,
+    resealed,
+    scene,
+    started,
+)
 
 NASTY = """</script><script>alert(1)</script><img src=x onerror="alert(2)"> & 'quotes' "too" {{script}} <!--"""
 
@@ -444,6 +458,24 @@ def test_a_gif_needs_a_scene_that_was_driven(tmp_path: Path) -> None:
     run = started(tmp_path / "run")
     with pytest.raises(RunError, match="nothing to animate"):
         write_gif(run.path)
+
+
+def test_a_gif_of_a_drive_without_a_collision_shows_when_the_ego_was_nearest(monkeypatch: pytest.MonkeyPatch) -> None:
+    values = dict(zip((p.name for p in DECLARED), (1.0, 0.0, 30.0), strict=True))  # the walker stays at the kerb
+    episode = drive(scene(0, values))
+    assert episode.collision is None
+    (walker,) = episode.adversaries
+    apart = np.hypot(walker.x - episode.ego_track.x, walker.y - episode.ego_track.y)
+    shown: list[int] = []
+
+    def noting(camera: Any, ground: Any, driven: Any, step: int) -> Any:
+        shown.append(step)
+        return picture.draw_frame(camera, ground, driven, step)
+
+    monkeypatch.setattr(animation, "draw_frame", noting)
+    animation.animate(episode, drawing(), frames=20)
+    assert len(shown) == 20
+    assert shown[0] < apart.argmin() < shown[-1] < len(apart) - 1
 
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's script")

@@ -18,7 +18,8 @@ from chatscene.runs import note, open_run, read_drawing, read_episode, read_scen
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
-FRAMES = 75  # at most; a longer drive is cut to its end, where things happen
+FRAMES = 75  # at most; a longer drive is cut to those that lead up to what happens
+AFTER = 1.5  # [s] that are shown of a drive without a collision once the ego was nearest to its adversary
 BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
 
@@ -56,9 +57,7 @@ def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
     """
-    ego = episode.ego_track
-    apart = [np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries] or [np.zeros(1)]
-    step = episode.collision.step if episode.collision else int(np.min(apart, axis=0).argmin())
+    step = _decisive(episode)
     camera = Camera.on(episode, range(max(0, step - BEFORE), step + 1), WIDEST)
     frame = draw_frame(camera, draw_ground(camera, drawing), episode, step)
     sink = io.BytesIO()
@@ -67,18 +66,30 @@ def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
     return sink.getvalue()
 
 
+def _decisive(episode: Episode) -> int:
+    """The step at which the ego crashes, or comes nearest to its adversary; the last one where there is none."""
+    ego = episode.ego_track
+    if episode.collision:
+        return episode.collision.step
+    if not (apart := [np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries]):
+        return len(ego.x) - 1
+    return int(np.min(apart, axis=0).argmin())
+
+
 def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES, widest: float = WIDEST) -> bytes:
     """A drive as an animated GIF.
 
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
-        frames: At most; a longer drive is cut to its end.
+        frames: At most; of a longer drive those up to its collision are shown, or till `AFTER` the ego was nearest.
         widest: Width of the picture [m] at most; a longer way is shown to its end.
     """
-    steps = len(episode.ego_track.x)
+    last = len(episode.ego_track.x) - 1
     stride = max(1, round(0.1 / episode.dt))
-    shown = list(range(steps - 1, -1, -stride))[:frames][::-1]
+    if episode.collision is None and last // stride >= frames:
+        last = min(last, max(_decisive(episode) + round(AFTER / episode.dt), (frames - 1) * stride))
+    shown = list(range(last, -1, -stride))[:frames][::-1]
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
     drawn = [draw_frame(camera, ground, episode, step) for step in shown]
