@@ -31,7 +31,7 @@ def main() -> None:
     network = load_network(resolve_map("town"))
     lanes = LaneMap(network)
     simulator = load_simulator(resolve_map("town"), SimulationSettings())
-    program = ScenicProgram(scenario_id="x", source=PROGRAM, parameters=(), snippet_ids=(), digest="x")
+    program = ScenicProgram(scenario_id="x", source=PROGRAM, parameters=(), snippet_ids=())
     scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
     ego = load_ego("rule-based")
     episode = simulate(simulator, program, scene, ego)

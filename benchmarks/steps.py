@@ -63,7 +63,7 @@ def ours(
 ) -> float:
     """Seconds per step, everything on."""
     simulator = load_simulator(map_path, SimulationSettings(physics=physics))
-    program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=(), digest=source)
+    program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=())
     scene = Scene(id="bench", scenario_id="bench", route=0, block=0, seed=0, values={})
     simulate(simulator, program, scene, ego)
     if profile:

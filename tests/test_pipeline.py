@@ -115,7 +115,7 @@ AdvAgent = new Car at pointOn(egoRoute, globalParameters.OPT_GEO_Y), facing 0, w
     from chatscene.terms.snippet import ParameterRange
 
     p = ParameterRange(name="OPT_GEO_Y", low=0.0, high=1.0, unit="m")
-    program = ScenicProgram(scenario_id="stuck", source=source, parameters=(p,), snippet_ids=(), digest="stuck")
+    program = ScenicProgram(scenario_id="stuck", source=source, parameters=(p,), snippet_ids=())
     with pytest.raises(Unsatisfiable, match="adversary overlaps ego"):
         check(program, Slots(), simulator, RuleBased())
     assert {scene.values["OPT_GEO_Y"] for scene in probe_scenes(program, 0)} >= {0.5, 0.25}

@@ -80,14 +80,14 @@ class Run:
         language_model: Names = (),
     ) -> None:
         self.folder = Path(folder)
-        self._repeated = Repeated(
-            ego=_names(ego),
-            generator=_names(generator),
-            sampler=_names(sampler),
-            simulator=_names(simulator),
-            library=_names(library),
-            embedder=_names(embedder),
-            language_model=_names(language_model),
+        self._repeated = _again(
+            ego=ego,
+            generator=generator,
+            sampler=sampler,
+            simulator=simulator,
+            library=library,
+            embedder=embedder,
+            language_model=language_model,
         )
         self._workspace = runs.open_run(self.folder, runs.RunRecord)
         self._record = runs.read_record(self._workspace)
@@ -562,14 +562,14 @@ def resume(
             names what must be repeated.
     """
     where = Path(folder)
-    repeated = Repeated(
-        ego=_names(ego),
-        generator=_names(generator),
-        sampler=_names(sampler),
-        simulator=_names(simulator),
-        library=_names(library),
-        embedder=_names(embedder),
-        language_model=_names(language_model),
+    repeated = _again(
+        ego=ego,
+        generator=generator,
+        sampler=sampler,
+        simulator=simulator,
+        library=library,
+        embedder=embedder,
+        language_model=language_model,
     )
     kind = runs.read_record(runs.Workspace(where), runs.Record).kind
     go_on: Callable[..., Any] = import_module(_RESUMES[kind]).resume
@@ -619,9 +619,7 @@ def replay(
     """
     from chatscene.runs.replay import replay as replay_scene
 
-    repeated = Repeated(
-        ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
-    )
+    repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
     return replay_scene(Path(folder), scene_id, repeated=repeated, watch=watch, record=record)
 
 
@@ -650,9 +648,7 @@ def why(
     """
     from chatscene.runs.why import why as why_crashed
 
-    repeated = Repeated(
-        ego=_names(ego), generator=_names(generator), simulator=_names(simulator), library=_names(library)
-    )
+    repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
     return why_crashed(Path(folder), scene_id, repeated=repeated)
 
 
@@ -743,7 +739,7 @@ def evaluate(
         physics=physics or "",
         jobs=jobs,
         progress=progress,
-        repeated=Repeated(generator=_names(generator), library=_names(library)),
+        repeated=_again(generator=generator, library=library),
     )
 
 
@@ -898,6 +894,11 @@ def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
             f"[chatscene.run(one) for one in chatscene.conflicts({str(report)!r})]"
         )
     return found
+
+
+def _again(**named: Names) -> Repeated:
+    """What the user names beside a record, by the fields of `Repeated`."""
+    return Repeated(**{field: _names(names) for field, names in named.items()})
 
 
 def _folder(folder: Name | None) -> Path:

@@ -45,7 +45,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::FutureWarning"),
     pytest.mark.filterwarnings("ignore::UserWarning"),
 ]
-PROGRAM = ScenicProgram(scenario_id="s", source="", parameters=(), snippet_ids=(), digest="0")
+PROGRAM = ScenicProgram(scenario_id="s", source="", parameters=(), snippet_ids=())
 
 
 def silent(_what: str, _done: int, _total: int) -> None:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from blind import Blind
 from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
 from chatscene.maps.network import resolve_map
@@ -154,14 +155,6 @@ def test_the_careful_driver_s_foot_leaves_to_a_brake_that_lags_what_that_does_of
 
 
 STRAIGHT = ordinary_program(ordinary_queries()[0])
-
-
-class Blind:
-    """Drives at about 8 m/s and brakes for nobody."""
-
-    def act(self, observation: Observation) -> tuple[float, float]:
-        lateral, heading, speed, _ = observation.tolist()
-        return 0.5 * (8.0 - speed), 0.35 * lateral + 1.6 * heading
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import itertools
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import chatscene
-from chatscene.ego.observation import Observation
+from blind import Blind
 from chatscene.errors import RunError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.counterfactual import (
@@ -65,16 +64,7 @@ def program(body: str, **ranges: tuple[float, float]) -> ScenicProgram:
             ParameterRange(name=f"OPT_{name}", low=low, high=high, unit="m") for name, (low, high) in ranges.items()
         ),
         snippet_ids=(),
-        digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
     )
-
-
-class Blind:
-    """Drives at about 8 m/s and brakes for nobody."""
-
-    def act(self, observation: Observation) -> tuple[float, float]:
-        lateral, heading, speed, _ = observation.tolist()
-        return 0.5 * (8.0 - speed), 0.35 * lateral + 1.6 * heading
 
 
 @pytest.fixture(scope="module")

@@ -312,7 +312,7 @@ class Shown:
 
 
 def climbed(track: Track, contact: int) -> None:
-    program = ScenicProgram(scenario_id="toy", source="", parameters=(), snippet_ids=(), digest="")
+    program = ScenicProgram(scenario_id="toy", source="", parameters=(), snippet_ids=())
     simulator = cast("Simulator", Shown(episode(track, contact=contact, through=True)))
     check(program, Slots(actions=(Action.CROSS, Action.STOP)), simulator, RuleBased())
 

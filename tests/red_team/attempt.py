@@ -104,7 +104,7 @@ def attempt(nursery: Nursery, source: str, limits: Limits = LIMITS) -> Outcome:
         limits: What it may use up.
     """
     nursery.limits = limits
-    program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=(), digest="x")
+    program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=())
     said: list[str] = []
     confined = nursery.confine(program)
     try:

@@ -8,6 +8,7 @@ import shlex
 import shutil
 import sys
 from collections.abc import Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +19,12 @@ from click.testing import CliRunner, Result
 import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import MissingExtra, QueryError, RunError
-from chatscene.report.index import Index, index
+from chatscene.report.index import OTHERWISE_CALLED, Index, index
 from chatscene.report.index_columns import ROWS, TABLES, schema_of
 from chatscene.report.sql import ask, rows_of
 from chatscene.runs import Status, Workspace, update
 from chatscene.runs.tables import SCENES, read_table, write_table
+from chatscene.terms.scenario import Slots
 from fake_run import finished, resealed, started
 from places import ROOT
 
@@ -319,3 +321,8 @@ def test_only_one_column_has_a_name_that_must_be_quoted(one_index: Index) -> Non
     for name, columns in TABLES.items():
         ask(f"SELECT {', '.join(one.name for one in columns if one.name != 'or')} FROM {name}", one_index)
     assert ask('SELECT "or" FROM scenes', one_index).num_rows == 55
+
+
+def test_every_slot_has_a_column_since_what_has_none_would_be_dropped_in_silence() -> None:
+    columns = {column.name for column in TABLES["facts"]}
+    assert {OTHERWISE_CALLED.get(field.name, field.name) for field in fields(Slots)} <= columns

@@ -553,7 +553,6 @@ def test_a_scene_that_lacks_a_value_of_its_program_is_one_message(tmp_path: Path
         source="",
         parameters=(ParameterRange(name="OPT_LOST", low=0.0, high=1.0, unit="m"),),
         snippet_ids=(),
-        digest="",
     )
     with pytest.raises(RunError, match=r"has no OPT_LOST in scenes\.parquet"):
         scene_of(scene, program)

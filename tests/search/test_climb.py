@@ -34,7 +34,7 @@ CLIMBED = Checked(episodes=(), meaning=(), rejected=())
 
 
 def program(number: int) -> ScenicProgram:
-    return ScenicProgram(scenario_id=f"p{number}", source="", parameters=(), snippet_ids=(), digest="")
+    return ScenicProgram(scenario_id=f"p{number}", source="", parameters=(), snippet_ids=())
 
 
 class Counting(Retrieved):

@@ -257,7 +257,7 @@ def test_a_record_without_a_physics_is_kinematic() -> None:
 def test_behind_the_walls_bodies_lag_as_they_do_before_them() -> None:
     source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
     source += "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
-    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest="road")
+    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=())
     scene = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})
 
     def speeds(simulator: str, physics: str) -> list[float]:

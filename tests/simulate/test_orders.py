@@ -48,7 +48,7 @@ def program(orders: str, *, at_line: bool = False) -> ScenicProgram:
     source = PROGRAM.format(
         orders=f", with orders ({orders})" if orders else "", start="param egoStart = 'at-line'" if at_line else ""
     )
-    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=())
 
 
 def drive(simulator: Simulator, orders: str, ego: Pedals | None = None) -> Episode:

@@ -84,7 +84,7 @@ class Coast:
 
 def toy(behavior: str, rest: str) -> ScenicProgram:
     source = PROGRAM.format(behavior=behavior, rest=rest)
-    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=())
 
 
 @pytest.fixture(scope="module")

@@ -47,7 +47,7 @@ def simulator() -> Simulator:
 
 
 def program(source: str) -> ScenicProgram:
-    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=())
 
 
 def scene(route: int = 0, **values: float) -> Scene:

@@ -51,7 +51,7 @@ def test_each_built_in_simulator_says_its_own_name() -> None:
 def test_what_moves_the_bodies_is_the_simulator_that_was_chosen() -> None:
     source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
     source += "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
-    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest="road")
+    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=())
     scene = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})
     episode = simulate(make_simulator(TOWN, SCRIPTED), program, scene, RuleBased())
     assert isinstance(episode, Episode)

@@ -67,7 +67,7 @@ def road(
     before: str = "", *, act: str = "Halt()", kind: str = "Car", at: float = 30, left: float = 0, speed: float = 0
 ) -> ScenicProgram:
     source = ROAD.format(before=before, act=act, kind=kind, at=at, left=left, speed=speed)
-    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="toy", source=source, parameters=(), snippet_ids=())
 
 
 def driven(simulator: Simulator, program: ScenicProgram, acceleration: float = 0.0) -> Episode:

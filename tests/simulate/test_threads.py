@@ -30,7 +30,7 @@ model chatscene.world.model
 egoRoute = selectRoute(maneuver="straight")
 ego = new Car at pointOn(egoRoute, 0), facing directionOn(egoRoute, 0), with route egoRoute
 '''
-program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=(), digest="x")
+program = ScenicProgram(scenario_id="x", source=source, parameters=(), snippet_ids=())
 scene = Scene(id="x", scenario_id="x", route=0, block=0, seed=0, values={})
 simulate(load_simulator(resolve_map("town"), SimulationSettings()), program, scene, load_ego("sac"))
 print(json.dumps([library["num_threads"] for library in threadpool_info()]))
@@ -97,7 +97,7 @@ def test_the_workers_of_a_run_have_one_thread_per_library() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="strangers' programs are confined on Linux alone")
 def test_the_process_that_strangers_programs_are_forked_from_has_one_thread() -> None:
-    program = ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=(), digest="x")
+    program = ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=())
     with Nursery(resolve_map("town"), SimulationSettings()) as nursery:
         nursery.confine(program).close()
         (warm,) = (

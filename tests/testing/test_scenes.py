@@ -230,7 +230,7 @@ def test_without_the_adversary_all_others_stay_where_they_are() -> None:
 
 
 def test_a_program_that_calls_nobody_the_adversary_has_no_twin() -> None:
-    program = ScenicProgram(scenario_id="own", source="ego = new Car\n", parameters=(), snippet_ids=(), digest="0")
+    program = ScenicProgram(scenario_id="own", source="ego = new Car\n", parameters=(), snippet_ids=())
     assert twins(program) == ()
     simulator = load_simulator(resolve_map("town"), SimulationSettings())
     found = solvable(program, child()[1], simulator)

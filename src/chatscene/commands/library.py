@@ -124,6 +124,20 @@ def AGAIN(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a 
     )
 
 
+class DrivenAgain(TypedDict):
+    """The same where scenes of a record are driven again, and nothing is read or searched."""
+
+    ego: tuple[str, ...]
+    generator: tuple[str, ...]
+    simulator: tuple[str, ...]
+    library: tuple[str, ...]
+
+
+def DRIVEN_AGAIN(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802
+    """Options for what a record may name of a scene to be driven again."""
+    return EGO_AGAIN(GENERATOR_AGAIN(SIMULATOR_AGAIN(LIBRARY_AGAIN(command))))
+
+
 OWN = click.option("--library", "own", default="", metavar="DIR", help="Your own snippets, beside the packaged ones.")
 
 

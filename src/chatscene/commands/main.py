@@ -21,7 +21,7 @@ from chatscene.commands.finetune import PHYSICS_THERE, finetune, say_finetuned
 from chatscene.commands.library import (
     AGAIN,
     CHOOSING,
-    EGO_AGAIN,
+    DRIVEN_AGAIN,
     GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
@@ -29,9 +29,9 @@ from chatscene.commands.library import (
     MAP_WITH_SITE,
     PHYSICS_OPTION,
     READING,
-    SIMULATOR_AGAIN,
     Again,
     Chosen,
+    DrivenAgain,
     console,
     library,
     progress,
@@ -466,24 +466,11 @@ def train(
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("scene_id")
-@EGO_AGAIN
-@GENERATOR_AGAIN
-@SIMULATOR_AGAIN
-@LIBRARY_AGAIN
+@DRIVEN_AGAIN
 @click.option("--watch", is_flag=True, help="Let the window of a CARLA server look down on the ego.")
 @click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
 @JSON
-def replay(
-    folder: Path,
-    scene_id: str,
-    ego: tuple[str, ...],
-    generator: tuple[str, ...],
-    simulator: tuple[str, ...],
-    library: tuple[str, ...],
-    watch: bool,
-    record: bool,
-    as_json: bool,
-) -> None:
+def replay(folder: Path, scene_id: str, watch: bool, record: bool, as_json: bool, **again: Unpack[DrivenAgain]) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
     In a CARLA server, which does not repeat itself to the bit, they have to be the same within half a metre.
@@ -494,16 +481,7 @@ def replay(
     """
     from chatscene import api
 
-    outcome = api.replay(
-        folder,
-        scene_id,
-        ego=ego,
-        generator=generator,
-        simulator=simulator,
-        library=library,
-        watch=watch,
-        record=record,
-    )
+    outcome = api.replay(folder, scene_id, watch=watch, record=record, **again)
     if as_json:
         say(json.dumps(outcome.as_dict()))
     else:

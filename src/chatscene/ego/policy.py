@@ -38,6 +38,12 @@ def name_of(ego: EgoPolicy) -> str:
     return str(getattr(ego, "name", type(ego).__name__))
 
 
+def begin(ego: EgoPolicy) -> None:
+    """Tell an ego that an episode begins, if it wants to know: it forgets what was before."""
+    if (reset := getattr(ego, "reset", None)) is not None:
+        reset()
+
+
 def observation_of(ego: EgoPolicy) -> str:
     """Which preset an ego sees.
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, begin, pedals_of
 from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
@@ -140,8 +140,7 @@ class _CarefulDriver:
         self._dt = dt
         self._ramp = max(RAMP - 2.0 * brake_lag, dt)
         self._step = 0
-        if (reset := getattr(ego, "reset", None)) is not None:
-            reset()
+        begin(ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from chatscene.ego.observation import SPEED_AT, Observation
-from chatscene.ego.policy import PEDALS, EgoPolicy, observation_of, pedals_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, begin, observation_of, pedals_of
 from chatscene.errors import ProgramError
 from chatscene.measure.avoidability import crashes_braking_from
 from chatscene.measure.criticality import least_gap
@@ -334,7 +334,7 @@ class _Braking:
 
     def __init__(self, ego: EgoPolicy, step: int) -> None:
         self._ego, self._left = ego, step
-        _begin(ego)
+        begin(ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)
@@ -349,18 +349,13 @@ class _Limited:
         self._ego, self._limit, self._dt = ego, limit, dt
         self._speed_at = SPEED_AT[observation_of(ego)]
         self._brake = PEDALS[pedals_of(ego)] * LIMITS["Car"].brake
-        _begin(ego)
+        begin(ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)
         most = (self._limit - float(observation[self._speed_at])) / self._dt  # [m/s²]
         allowed = most / LIMITS["Car"].throttle if most > 0.0 else max(most, -COMFORTABLE) / self._brake
         return min(acceleration, allowed), steering
-
-
-def _begin(ego: EgoPolicy) -> None:
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
 
 
 def _own_braking(episode: Episode, crash: int) -> int | None:

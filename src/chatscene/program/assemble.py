@@ -5,7 +5,6 @@ Paper: section 3.3, step iii. The reference joins text and hopes; here the parts
 
 from __future__ import annotations
 
-import hashlib
 import textwrap
 from dataclasses import asdict, replace
 
@@ -63,7 +62,6 @@ def assemble(scenario: Scenario, triple: tuple[Snippet, Snippet, Snippet], adver
         source=source,
         parameters=tuple(sorted((p for part in triple for p in part.parameters), key=lambda p: p.name)),
         snippet_ids=tuple(part.id for part in triple),
-        digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
     )
 
 

@@ -5,7 +5,6 @@ What an ego is trained on and judged by before any adversary; never the benchmar
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -130,7 +129,6 @@ def ordinary_program(query: RouteQuery) -> ScenicProgram:
             for name in names
         ),
         snippet_ids=(),
-        digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
     )
 
 

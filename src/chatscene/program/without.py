@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -70,7 +69,7 @@ def without(program: ScenicProgram, left_out: Iterable[Placing]) -> ScenicProgra
         # As many lines as before, so that messages name those of the program that is kept.
         lines[placing.first : placing.last + 1] = [" " * indent + "pass"] + [""] * (placing.last - placing.first)
     source = "\n".join(lines) + "\n"
-    return replace(program, source=source, digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest())
+    return replace(program, source=source)
 
 
 def _goes_on(text: str) -> bool:

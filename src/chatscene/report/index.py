@@ -23,7 +23,7 @@ from chatscene.terms.scenario import Slots
 
 _BLOCK = ("scenario_id", "route_id", "block")
 _COUNTS = ("scenes", "ran", "rejected", "collided", "selected", "fill_in")
-_OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
+OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
 """Slots whose names are words of SQL, or columns of `scenes`, by their columns in `facts`."""
 
 
@@ -170,7 +170,7 @@ def _facts(run: runs.Workspace, scenes: Table) -> Iterator[dict[str, Any]]:
 
 def _slots_row(slots: Slots) -> dict[str, Any]:
     told = {field.name: getattr(slots, field.name) for field in fields(Slots)}
-    return {_OTHERWISE_CALLED.get(name, name): value for name, value in told.items()} | {"others": len(slots.others)}
+    return {OTHERWISE_CALLED.get(name, name): value for name, value in told.items()} | {"others": len(slots.others)}
 
 
 def _parameters(scenes: Table, ranges: Table, names: list[str]) -> Iterator[dict[str, Any]]:

@@ -44,7 +44,6 @@ from chatscene.terms.snippet import ParameterRange
 CANDIDATES = 3  # how many of the nearest scenes without a crash are driven again, until one does not crash
 MIDDLE = "middle"  # of every range
 _PARTS = {"front": "front", "rear": "rear", "left": "left side", "right": "right side", "": ""}
-_INTO_EGO = (Fault.ADVERSARY_INTO_EGO, Fault.BACKGROUND_INTO_EGO)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +75,7 @@ class Contact:
     def in_words(self) -> str:
         """One sentence, without its end."""
         mine, theirs = ("the ego", _PARTS[self.ego_part]), (_named(self.other, self.kind), _PARTS[self.other_part])
-        (striker, with_its), (struck, on_its) = (theirs, mine) if self.fault in _INTO_EGO else (mine, theirs)
+        (striker, with_its), (struck, on_its) = (mine, theirs) if self.fault.by_ego else (theirs, mine)
         where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
         return (
             f"at {self.time:.1f} s {striker} ran into {struck}{where}: ego at {self.ego_speed:.1f} m/s, "

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, name_of, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, begin, name_of, observation_of, pedals_of
 from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
 from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
@@ -183,8 +183,7 @@ def drive(session: Session, ego: EgoPolicy) -> None:
         EgoError: The ego fails, or does not answer.
         ProgramError: The program's own code fails.
     """
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
+    begin(ego)
     if isinstance(session, DrivesItself) and session.drive(ego):
         return
     act, step = ego.act, session.step

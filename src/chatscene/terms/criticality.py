@@ -24,6 +24,11 @@ class Fault(StrEnum):
     BACKGROUND_INTO_EGO = "background-into-ego"
     EGO_INTO_BACKGROUND = "ego-into-background"
 
+    @property
+    def by_ego(self) -> bool:
+        """Whether it was the ego that struck."""
+        return self in (Fault.EGO_INTO_ADVERSARY, Fault.EGO_INTO_STATIC, Fault.EGO_INTO_BACKGROUND)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criticality:

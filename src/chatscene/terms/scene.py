@@ -5,8 +5,9 @@ Paper: section 3.1 ("Scenario", "Scene").
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from chatscene.terms.snippet import ParameterRange
 
@@ -32,9 +33,12 @@ class ScenicProgram:
     source: str
     parameters: tuple[ParameterRange, ...]
     snippet_ids: tuple[str, ...]
-    digest: str
+    digest: str = field(init=False)
     model: str = OWN_MODEL
     as_written: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "digest", hashlib.blake2b(self.source.encode(), digest_size=8).hexdigest())
 
     @property
     def drawn(self) -> bool:

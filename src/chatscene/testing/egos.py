@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from chatscene.ego.observation import Observation, RouteView
-from chatscene.ego.policy import EgoPolicy, controls, load_ego, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, begin, controls, load_ego, observation_of, pedals_of
 from chatscene.errors import EgoError
 from chatscene.terms.polyline import Polyline
 from chatscene.testing.contract import ContractBroken, require
@@ -67,8 +67,7 @@ def check_ego(ego: str | EgoPolicy) -> None:
 
 def _driven(ego: EgoPolicy) -> Iterator[tuple[float, float]]:
     """The actions of an episode on an empty road and on one with a car ahead."""
-    if (reset := getattr(ego, "reset", None)) is not None:
-        reset()
+    begin(ego)
     for pose in _POSES:
         for others in ([], [_Car(pose[0] + 12.0, 0.0, 0.0, 2.0)]):
             observation = _seen(observation_of(ego), _Car(*pose), others)

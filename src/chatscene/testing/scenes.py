@@ -31,7 +31,6 @@ from chatscene.search.generator import load_generator
 from chatscene.search.sampler import load_sampler
 from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, routes_of, simulate
-from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -259,7 +258,7 @@ def judge(found: Found, one: Solvable, ego: EgoPolicy, *, must: str = "avoid") -
     episode = _drive(found.simulator, one.program, one.scene, ego)
     twin = _drive(found.simulator, one.twin.program, one.scene, ego)
     failures: list[str] = []
-    if (crash := _crash(episode)) and (must == "avoid" or fault(episode) in _OWN):
+    if (crash := _crash(episode)) and (must == "avoid" or _struck_by_ego(episode)):
         failures.append(crash)
     if crash := _crash(twin):
         failures.append(f"In the harmless twin: {crash}")
@@ -282,9 +281,6 @@ def gif_of(found: Found, driven: Driven) -> bytes:
     return animate(driven.twin if driven.episode.collision is None else driven.episode, drawing)
 
 
-_OWN = (Fault.EGO_INTO_ADVERSARY, Fault.EGO_INTO_BACKGROUND, Fault.EGO_INTO_STATIC)
-
-
 def _drive(simulator: Simulator, program: ScenicProgram, one: Scene, ego: EgoPolicy) -> Episode:
     episode = simulate(simulator, program, one, ego)
     if isinstance(episode, Rejected):
@@ -301,12 +297,17 @@ def _crash(episode: Episode) -> str:
     called = f"{other.kind} {other.actor!r}"
     ego = float(episode.ego_track.speed[max(crash.step - 1, 0)])
     theirs = float(other.speed[min(max(crash.step - 1, 0), len(other.speed) - 1)])
-    struck = f"The ego runs into the {called}" if fault(episode) in _OWN else f"The {called} runs into the ego"
+    struck = f"The ego runs into the {called}" if _struck_by_ego(episode) else f"The {called} runs into the ego"
     return (
         f"{struck} after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s "
         f"({3.6 * crash.impact_speed:.0f} km/h) of approach, on the ego's {crash.side}; "
         f"the ego drives {ego:.1f} m/s then, the other {theirs:.1f} m/s."
     )
+
+
+def _struck_by_ego(episode: Episode) -> bool:
+    striker = fault(episode)
+    return striker is not None and striker.by_ego
 
 
 def _of_text(asked: Asked, text: str) -> Found:

@@ -104,7 +104,7 @@ def _about(track: Track) -> tuple[Any, ...]:
 
 
 def _program(source: str) -> ScenicProgram:
-    return ScenicProgram(scenario_id="contract", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="contract", source=source, parameters=(), snippet_ids=())
 
 
 def _scene(route: int = 0, **values: float) -> Scene:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, load_ego, name_of, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, begin, load_ego, name_of, observation_of, pedals_of
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.criticality import criticality
 from chatscene.simulate.simulator import Simulator, simulate
@@ -186,8 +186,7 @@ class _Recording:
 
     def reset(self) -> None:
         self.actions.clear()
-        if (reset := getattr(self._ego, "reset", None)) is not None:
-            reset()
+        begin(self._ego)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         self.actions.append(self._ego.act(observation))

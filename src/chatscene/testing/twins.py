@@ -6,7 +6,6 @@ avoided. Candidates come nearest first; which of them is harmless is found by dr
 
 from __future__ import annotations
 
-import hashlib
 import re
 from dataclasses import dataclass, replace
 
@@ -93,4 +92,4 @@ def _end_of_value(source: str, start: int) -> int:
 
 
 def _with(program: ScenicProgram, source: str) -> ScenicProgram:
-    return replace(program, source=source, digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest())
+    return replace(program, source=source)

@@ -49,7 +49,7 @@ class Driver:
 
 def program(*rest: str, before: str = "", asked: str = "") -> ScenicProgram:
     source = HEAD.format(before=before, asked=asked) + EGO + "".join(rest)
-    return ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=())
 
 
 SCENE = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})

@@ -173,7 +173,7 @@ def test_a_run_whose_server_was_killed_keeps_what_was_finished(finished: tuple[s
 def test_a_server_that_is_killed_within_a_scene_ends_it_with_one_message() -> None:
     source = "model chatscene.world.model\negoRoute = selectRoute(maneuver='straight')\n"
     source += "ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute\n"
-    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=(), digest=source)
+    program = ScenicProgram(scenario_id="road", source=source, parameters=(), snippet_ids=())
     scene = Scene(id="road/0", scenario_id="road", route=0, block=0, seed=0, values={})
     with serving() as (port, server):
         simulator = load(f"carla:127.0.0.1:{port}")

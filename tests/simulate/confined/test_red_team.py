@@ -88,9 +88,7 @@ def test_no_process_is_started_for_what_the_allow_list_refuses(monkeypatch: pyte
     monkeypatch.setattr(subprocess, "Popen", start)
     simulator = ConfinedSimulator(resolve_map("town"), SimulationSettings())
     for attack in REFUSED[::12]:
-        program = ScenicProgram(
-            scenario_id="x", source=attack.source, parameters=(), snippet_ids=(), digest=attack.name
-        )
+        program = ScenicProgram(scenario_id="x", source=attack.source, parameters=(), snippet_ids=())
         with pytest.raises(ForeignCodeRefused):
             simulator.routes(program)
 

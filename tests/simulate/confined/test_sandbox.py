@@ -309,7 +309,7 @@ def test_faults_of_a_program_are_told_as_by_the_trusting_simulator(simulator: Co
     with pytest.raises(ProgramError, match="has values for"):
         simulate(simulator, CROSSES, scene(OPT_X=1.0), RuleBased())
     with pytest.raises(ForeignCodeRefused, match="import"):
-        simulator.routes(replace(CROSSES, source=CROSSES.source + "import os\n", digest="other"))
+        simulator.routes(replace(CROSSES, source=CROSSES.source + "import os\n"))
 
 
 def test_a_scene_that_cannot_be_placed_is_rejected_in_words(simulator: ConfinedSimulator) -> None:

@@ -64,7 +64,7 @@ PHASES = {
 
 def _program(behavior: str, kind: str = "Car", left: float = 0.0, ego: str = "", more: str = "") -> ScenicProgram:
     source = HEAD.format(behavior=f"    {behavior}", kind=kind, left=left, ego=ego, more=more)
-    return ScenicProgram(scenario_id="native", source=source, parameters=(), snippet_ids=(), digest=source)
+    return ScenicProgram(scenario_id="native", source=source, parameters=(), snippet_ids=())
 
 
 def _scene(route: int = 0) -> Scene:

@@ -17,7 +17,7 @@ from torch import nn
 
 from chatscene.ego.network import Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
-from chatscene.ego.policy import EgoPolicy, observation_of, pedals_of
+from chatscene.ego.policy import EgoPolicy, begin, observation_of, pedals_of
 from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.learner import Schedule
 from chatscene.learn.finetune.settings import FinetuneSettings
@@ -104,8 +104,7 @@ class Pupil:
         seed = int(np.random.SeedSequence((self._seed, episode)).generate_state(1)[0])
         observation, _ = self._env.reset(seed=seed, options=self._schedule.options(episode))
         seen, shown, noise = list[Array](), list[Any](), np.zeros(2)
-        if (reset := getattr(self._teacher, "reset", None)) is not None:
-            reset()
+        begin(self._teacher)
         terminated = truncated = False
         while not (terminated or truncated):
             told = self._teacher.act(observation.astype(np.float64))

@@ -8,7 +8,6 @@ text: the world model, the ego, the adversary, the ranges of the parameters, the
 from __future__ import annotations
 
 import ast
-import hashlib
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -155,7 +154,6 @@ def _made(name: str, source: str, trusted: bool, as_written: bool) -> tuple[Scen
             for parameter, (low, high) in sorted(ranges.items())
         ),
         snippet_ids=(),
-        digest=hashlib.blake2b(source.encode(), digest_size=8).hexdigest(),
         model=model,
         as_written=as_written,
     )

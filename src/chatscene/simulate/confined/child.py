@@ -110,8 +110,8 @@ def _warm_up(map_path: Path, settings: SimulationSettings, cache: str) -> Simula
 def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
     load_network(map_path)
     simulator = load_simulator(map_path, settings)
-    program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=(), digest="warm-up")
-    drawn = replace(program, source=WARM_UP_DRAWN, digest="drawn", model="scenic.simulators.carla.model")
+    program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=())
+    drawn = replace(program, source=WARM_UP_DRAWN, model="scenic.simulators.carla.model")
     simulator.routes(drawn)
     scene = Scene(id="warm-up", scenario_id="warm-up", route=0, block=0, seed=0, values={"OPT_SPEED": 1.5})
     try:

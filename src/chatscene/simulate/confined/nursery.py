@@ -76,7 +76,7 @@ class Nursery:
         Raises:
             SandboxError: Too few to run anything of a stranger's.
         """
-        empty = ScenicProgram(scenario_id="nothing", source="", parameters=(), snippet_ids=(), digest="")
+        empty = ScenicProgram(scenario_id="nothing", source="", parameters=(), snippet_ids=())
         confined = self.confine(empty)
         confined.close()
         return confined.layers

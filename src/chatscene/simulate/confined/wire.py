@@ -91,7 +91,6 @@ def program_from_json(message: Message) -> ScenicProgram:
         source=message["source"],
         parameters=(),
         snippet_ids=tuple(message["snippet_ids"]),
-        digest=message["digest"],
         model=message["model"],
         as_written=message["as_written"],
     )
