@@ -51,7 +51,7 @@ from chatscene.runs import (
 from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
-from chatscene.terms.episode import contact_point
+from chatscene.terms.episode import Episode, contact_point
 from fake_run import (
     DECLARED,
     PROGRAM,
@@ -466,6 +466,25 @@ def test_a_gif_of_a_drive_without_a_collision_shows_when_the_ego_was_nearest(mon
     assert episode.collision is None
     (walker,) = episode.adversaries
     apart = np.hypot(walker.x - episode.ego_track.x, walker.y - episode.ego_track.y)
+    shown = _steps_shown(episode, monkeypatch)
+    assert len(shown) == 20
+    assert shown[0] < apart.argmin() < shown[-1] < len(apart) - 1
+
+
+def test_a_gif_shows_what_is_done_after_the_ego_was_nearest(monkeypatch: pytest.MonkeyPatch) -> None:
+    values = dict(zip((p.name for p in DECLARED), (1.0, 0.0, 30.0), strict=True))
+    episode = drive(scene(0, values))
+    ego, (walker,) = episode.ego_track, episode.adversaries
+    late = len(ego.x) * 2 // 3  # level with the ego till then; it falls back by five metres from there on, and stays so
+    behind = np.clip((np.arange(len(ego.x)) - late) * 1.0, 0.0, 5.0)
+    beside = replace(walker, x=ego.x - behind, y=ego.y + 3.5)
+    tracks = tuple(beside if track is walker else track for track in episode.tracks)
+    shown = _steps_shown(replace(episode, tracks=tracks), monkeypatch)
+    assert shown[0] < late < late + 5 <= shown[-1] < len(ego.x) - 1
+
+
+def _steps_shown(episode: Episode, monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The steps of a drive that are drawn in a GIF of twenty frames."""
     shown: list[int] = []
 
     def noting(camera: Any, ground: Any, driven: Any, step: int) -> Any:
@@ -474,8 +493,7 @@ def test_a_gif_of_a_drive_without_a_collision_shows_when_the_ego_was_nearest(mon
 
     monkeypatch.setattr(animation, "draw_frame", noting)
     animation.animate(episode, drawing(), frames=20)
-    assert len(shown) == 20
-    assert shown[0] < apart.argmin() < shown[-1] < len(apart) - 1
+    return shown
 
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's script")

@@ -9,6 +9,7 @@ from typing import Any
 from urllib.parse import quote
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image
 
 from chatscene.errors import RunError
@@ -19,9 +20,13 @@ from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
 FRAMES = 75  # at most; a longer drive is cut to those that lead up to what happens
-AFTER = 1.5  # [s] that are shown of a drive without a collision once the ego was nearest to its adversary
+AFTER = 1.5  # [s] that are shown of a drive without a collision once the ego was nearest to its adversary, at least
+WITHIN = 10.0  # [m] further apart than at their nearest, ego and adversary are still at it
+STILL = 0.2  # [m/s] of drawing near or apart, at most, at which they have come to terms
 BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
+
+Floats = NDArray[np.float64]
 
 
 def write_gif(folder: Path, scene_id: str | None = None) -> Path:
@@ -68,12 +73,30 @@ def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
 
 def _decisive(episode: Episode) -> int:
     """The step at which the ego crashes, or comes nearest to its adversary; the last one where there is none."""
-    ego = episode.ego_track
     if episode.collision:
         return episode.collision.step
-    if not (apart := [np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries]):
-        return len(ego.x) - 1
-    return int(np.min(apart, axis=0).argmin())
+    return int(_apart(episode).argmin()) if episode.adversaries else len(episode.ego_track.x) - 1
+
+
+def _apart(episode: Episode) -> Floats:
+    """(steps,) how far the ego is from the nearest of its adversaries [m], between centres."""
+    ego = episode.ego_track
+    return np.min([np.hypot(one.x - ego.x, one.y - ego.y) for one in episode.adversaries], axis=0)
+
+
+def _settled(episode: Episode) -> int:
+    """The last step of a drive without a collision at which it is open how it goes.
+
+    Two that drive side by side are nearest before one cuts in: so it is not over as long as they are about as near and
+    still draw nearer or apart.
+    """
+    nearest = _decisive(episode)
+    if not episode.adversaries:
+        return nearest
+    apart = _apart(episode)
+    moving = np.abs(np.diff(apart, prepend=apart[0])) > STILL * episode.dt
+    open_steps = np.flatnonzero(moving & (apart < apart[nearest] + WITHIN))
+    return max(nearest + round(AFTER / episode.dt), int(open_steps.max(initial=0)))
 
 
 def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES, widest: float = WIDEST) -> bytes:
@@ -82,13 +105,13 @@ def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAME
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
-        frames: At most; of a longer drive those up to its collision are shown, or till `AFTER` the ego was nearest.
+        frames: At most; of a longer drive those up to its collision are shown, or till the two have come to terms.
         widest: Width of the picture [m] at most; a longer way is shown to its end.
     """
     last = len(episode.ego_track.x) - 1
     stride = max(1, round(0.1 / episode.dt))
     if episode.collision is None and last // stride >= frames:
-        last = min(last, max(_decisive(episode) + round(AFTER / episode.dt), (frames - 1) * stride))
+        last = min(last, max(_settled(episode), (frames - 1) * stride))
     shown = list(range(last, -1, -stride))[:frames][::-1]
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
