@@ -121,7 +121,7 @@ def pytest_terminal_summary(terminalreporter: Any) -> None:
     worst: dict[str, float] = {}
     for outcome in ("passed", "failed", "error", "skipped"):
         for report in terminalreporter.stats.get(outcome, ()):
-            told = dict(report.user_properties)
+            told = dict(getattr(report, "user_properties", ()))  # a file that cannot be collected has none
             if (text := told.get("sentence")) is not None and report.when != "teardown":
                 became.setdefault(text, Counter())[outcome] += 1
                 worst[text] = max(worst.get(text, 0.0), float(told.get("impact_speed", 0.0)))
