@@ -106,6 +106,15 @@ def test_a_folder_is_not_gone_on_with_after_another_edit(edited: tuple[Path, str
     assert "edits was" in other.output
 
 
+def test_what_is_asked_back_is_answered_in_a_conversation() -> None:
+    lines = ["the car ahead brakes hard", "set adversary=truck", "make it a bus", "reading 2", "show", "quit"]
+    done = said("chat", *FEW, lines="\n".join(lines))
+    assert done.exit_code == 0
+    assert "A truck" in done.stdout
+    assert "there is no reading 2" in done.stdout
+    assert "A bus" in done.stdout[done.stdout.index("no reading 2") :]  # what is refused changes nothing
+
+
 def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
     lines = ["the car ahead brakes hard", "make it a truck", "undo", "undo", "make it a dragon", "at night", "show"]
     done = said("chat", *FEW, lines="\n".join([*lines, f"run {tmp_path / 'night'}", "quit", "never read"]))

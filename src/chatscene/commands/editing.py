@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Unpack
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
 
@@ -21,7 +22,7 @@ from chatscene.commands.library import (
     progress,
     say,
 )
-from chatscene.errors import ChatSceneError
+from chatscene.errors import ChatSceneError, NothingFits
 
 if TYPE_CHECKING:
     from chatscene.report.understood import Understood
@@ -95,50 +96,133 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
     """Talk about a situation: the first line says it, each further line changes it.
 
     Lines come from the keyboard or a pipe. Besides edits they may be: show (the facts and the snippets), undo (the last
-    edit), run [DIR] (search it for scenes), new TEXT (another situation), quit. What is refused changes nothing.
+    edit), reading N (of those that are offered), set SLOT=VALUE (a fact), run [DIR] (search it for scenes), new TEXT
+    (another situation), quit. What is refused changes nothing.
 
     \b
     chatscene chat
     printf 'the car ahead brakes hard\\nmake it a truck\\nat night\\nrun runs/truck\\n' | chatscene chat
     """
-    from chatscene import api
-
-    said: list[Understood] = []
-    edits: list[str] = []
-    text = ""
+    talk = Talk(reading, {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed})
     for line in _lines():
-        verb, _, rest = line.partition(" ")
+        if line in ("quit", "exit"):
+            break
         try:
-            if verb in ("quit", "exit") and not rest:
-                break
-            if not said or verb == "new":
-                text = rest if verb == "new" else line
-                first = api.explain(text, **reading)
-                said, edits = [first], []
-                _show(first)
-            elif line == "undo":
-                _undo(said, edits)
-            elif line == "show":
-                _show(said[-1])
-            elif verb == "run" and len(rest.split()) <= 1:
-                done = api.run(
-                    text,
-                    rest or _free(edits[-1] if edits else text),
-                    edit=edits,
-                    map=map_name,
-                    ego=ego,
-                    scenes=scenes,
-                    seed=seed,
-                    progress=progress(),
-                    **reading,
-                )
-                say(str(done))
-            else:
-                said.append(said[-1].edit(line))
-                edits.append(line)
-                say(str(said[-1]))
+            talk.hear(line)
         except ChatSceneError as error:
+            from chatscene.report.terminal import readings_in_words
+
             say(f"{type(error).__name__}: {error}")
+            for told in readings_in_words(error.readings if isinstance(error, NothingFits) else (), talk=True):
+                say(told)
+
+
+class Talk:
+    """A situation that is talked about.
+
+    Args:
+        reading: How sentences are read.
+        search: How a run is searched.
+    """
+
+    def __init__(self, reading: Reading, search: Mapping[str, Any]) -> None:
+        self._reading, self._search = reading, search
+        self._text, self._answer = "", Answer()
+        self._said: list[Understood] = []
+        self._edits: list[str] = []
+
+    def hear(self, line: str) -> None:
+        """Do what a line says, and say what came of it.
+
+        Raises:
+            ChatSceneError: The line is refused; nothing is changed but for a situation that could not be read, which
+                may be answered for.
+        """
+        verb, _, rest = line.partition(" ")
+        if self._text and (answer := self._answer.further(verb, rest)):
+            self._understand(answer)
+        elif not self._said or verb == "new":
+            self._text, self._answer, self._said, self._edits = rest if verb == "new" else line, Answer(), [], []
+            self._understand(self._answer)
+        elif line == "undo":
+            self._undo()
+        elif line == "show":
+            self._show()
+        elif verb == "run" and len(rest.split()) <= 1:
+            self._run(rest)
+        else:
+            self._said.append(self._said[-1].edit(line))
+            self._edits.append(line)
+            say(str(self._said[-1]))
+
+    def _understand(self, answer: Answer) -> None:
+        from chatscene import api
+
+        said = [api.explain(self._text, **self._reading, **answer.options())]
+        for edit in self._edits:
+            said.append(said[-1].edit(edit))
+        self._said, self._answer = said, answer
+        self._show()
+
+    def _undo(self) -> None:
+        if not self._edits:
+            say("nothing to undo: this is what was said first")
+            return
+        self._said.pop()
+        say(f"undone: {self._edits.pop()}")
+
+    def _show(self) -> None:
+        from chatscene.report.terminal import print_understanding
+
+        say(f"now: {self._said[-1].told}")
+        print_understanding(console(), self._said[-1], show_program=False)
+
+    def _run(self, folder: str) -> None:
+        from chatscene import api, runs
+
+        done = api.run(
+            self._text,
+            folder or runs.free_folder(Path("runs"), self._edits[-1] if self._edits else self._text),
+            edit=self._edits,
+            progress=progress(),
+            **self._search,
+            **self._reading,
+            **self._answer.options(),
+        )
+        say(str(done))
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What was answered to what was asked back of a text.
+
+    Attributes:
+        reading: The number of the one taken, of those that were offered; 0 for none.
+        facts: What was stated, by slot.
+    """
+
+    reading: int = 0
+    facts: tuple[tuple[str, str], ...] = ()
+
+    def further(self, verb: str, rest: str) -> Answer | None:
+        """The same with what a line answers; None if it answers nothing."""
+        if verb == "reading" and rest.isdecimal():
+            return replace(self, reading=int(rest))
+        name, equals, value = rest.partition("=")
+        if verb == "set" and equals:
+            return replace(self, facts=(*self.facts, (name.strip(), value.strip())))
+        return None
+
+    def options(self) -> Answered:
+        """The same as options of `chatscene.explain` and `chatscene.run`."""
+        return {"reading": self.reading, "set": dict(self.facts)}
+
+
+class Answered(TypedDict):
+    """An answer, as options of `chatscene.explain` and `chatscene.run`."""
+
+    reading: int
+    set: dict[str, str]
 
 
 def _lines() -> Iterator[str]:
@@ -154,25 +238,3 @@ def _lines() -> Iterator[str]:
             return
         if plain := " ".join(line.split()):
             yield plain
-
-
-def _undo(said: list[Understood], edits: list[str]) -> None:
-    """Take the last edit back."""
-    if not edits:
-        say("nothing to undo: this is what was said first")
-        return
-    said.pop()
-    say(f"undone: {edits.pop()}")
-
-
-def _show(understood: Understood) -> None:
-    from chatscene.report.terminal import print_understanding
-
-    say(f"now: {understood.told}")
-    print_understanding(console(), understood, show_program=False)
-
-
-def _free(text: str) -> Path:
-    from chatscene import runs
-
-    return runs.free_folder(Path("runs"), text)

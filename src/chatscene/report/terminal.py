@@ -90,17 +90,19 @@ def _print_doubts(console: Console, scenario: Scenario, retrieval: Retrieval) ->
         console.print(f"[yellow]{_plain(line)}[/]" if line[0] != " " else _plain(line))
 
 
-def readings_in_words(readings: Sequence[OfferedReading], *, also: bool = False) -> list[str]:
+def readings_in_words(readings: Sequence[OfferedReading], *, also: bool = False, talk: bool = False) -> list[str]:
     """What a sentence may say, and how to take one of the readings, in lines.
 
     Args:
         readings: Which.
         also: Whether it is served as something else.
+        talk: Whether the answer is a line of a talk, not an option.
     """
     if not readings:
         return []
-    ways = " or ".join(f"--reading {one.number}" for one in readings)
-    if facts := " or ".join(f"--set {one.settled_by}" for one in readings if one.settled_by):
+    option = "" if talk else "--"
+    ways = " or ".join(f"{option}reading {one.number}" for one in readings)
+    if facts := " or ".join(f"{option}set {one.settled_by}" for one in readings if one.settled_by):
         ways += f"; or state what is open: {facts}"
     return [
         "It may also say:" if also else "It may say:",
