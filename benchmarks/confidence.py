@@ -1,11 +1,10 @@
 """Fit how far a reading is trusted: what speaks for every fact of it being right, weighed by likelihood.
 
-    python benchmarks/confidence.py --narratives FOLDER/dev.jsonl
+    python benchmarks/confidence.py LEFT_OUT TEXTS…
 
-Texts that the classifier did not learn from, with the facts that people wrote down for them: `benchmarks/texts/`
-(`first`, `second`, `everyday`, `classes`, `protocols` and `claims`, a writer each; labels of crash narratives by their
-ids, whose texts are in FOLDER, without which they are left out), and of the packaged sentences the ones held out, those
-out of scope, and those to fit with that the classifier has not seen. Prints the weights (`trust.ACCOUNT`,
+TEXTS, in the order in which the classifier learned from them, are read by the classifiers in LEFT_OUT that did not
+(`chatscene library fit --left-out LEFT_OUT --texts …`); of the packaged sentences those held out, those out of scope,
+and those to fit with that the classifier has not seen are read by itself. Prints the weights (`trust.ACCOUNT`,
 `retrieve.CONFIDENCE`) and, by cross-validation over the styles of writing, how many texts of each set are served
 rightly and wrongly at some thresholds, how well right is told from wrong, and the calibration error.
 """
@@ -13,28 +12,31 @@ rightly and wrongly at some thresholds, how well right is told from wrong, and t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
 import numpy as np
-from labelled import auc, labelled
+from labelled import auc
 
 from chatscene.errors import ChatSceneError
+from chatscene.grow.course import FOLDS, fold_of
 from chatscene.grow.curation import FITTING, kept_back
 from chatscene.interpret.decide import likeliest_together, understood
 from chatscene.interpret.retrieve import CONFIDENCE, doubts, retrieve
 from chatscene.interpret.trust import ACCOUNT, speaks_for_account
 from chatscene.library.load import load_library
 from chatscene.models.encoders.embedding import load_embedder
+from chatscene.read.decompose import hear
 from chatscene.read.reading import read
+from chatscene.read.slot_classifier import believed_by, load_classifier
 from chatscene.settings import RetrievalSettings
 from chatscene.studies.facts import differing
-from chatscene.studies.reading import load_sentences
-from chatscene.terms.scenario import Slots
+from chatscene.studies.reading import Sentence, load_sentences
+from chatscene.terms.frame import Frame
 
-FOLDS, RIDGE, BINS = 8, 1.0, 5
+PARTS, RIDGE, BINS = 8, 1.0, 5
 THRESHOLDS = (0.5, 0.6, 0.7)
 
 
@@ -52,21 +54,26 @@ class Row:
     guess_right: bool = False
 
 
-def known(narratives: Path | None) -> Iterator[tuple[str, str, str, bool, Slots]]:
-    """Group, style, text, whether it is in scope, and its facts."""
-    for name in ("first", "second", "everyday", "classes", "protocols", "claims", "narratives"):
-        for one in labelled(name, narratives):
-            yield name, *one
+def known(left_out: Path, texts: Sequence[Path]) -> Iterator[tuple[str, Sentence, Frame]]:
+    """Group, sentence with its facts, and how it is read by who did not learn from it."""
+    folds = [load_classifier(left_out / f"{fold}.npz") for fold in range(FOLDS)]
+    encoders = [fold.encoders() for fold in folds]
+    for i, path in enumerate(texts):
+        for one in load_sentences(path):
+            frame, fold = hear(one.text), fold_of(i)
+            if not frame.whole:
+                frame = replace(frame, beliefs=believed_by(folds[fold], encoders[fold], frame))
+            yield path.stem, one, frame
     packaged = {name: load_sentences(name) for name in ("held-out", "out-of-scope")}
     packaged["kept back"] = tuple(one for one in load_sentences(FITTING) if kept_back(one))
     for name, sentences in packaged.items():
         for one in sentences:
-            yield name, one.style, one.text, one.in_scope, one.slots
+            yield name, one, read(one.text)
 
 
-def row_of(group: str, style: str, text: str, in_scope: bool, said: Slots) -> Row:
+def row_of(group: str, sentence: Sentence, frame: Frame) -> Row:
     library, embedder = load_library(), load_embedder()
-    frame = read(text)
+    style, in_scope, said = sentence.style, sentence.in_scope, sentence.slots
     if frame.whole:
         return Row(group, style, in_scope, whole=True, account_right=in_scope and not differing(said, frame.outright))
     guess, account = likeliest_together(frame, RetrievalSettings()), frame.account
@@ -111,17 +118,18 @@ def cross_validated(x: np.ndarray, y: np.ndarray, styles: list[tuple[str, str]])
     order = sorted(set(styles))
     np.random.default_rng(0).shuffle(order)
     p, weight = np.zeros(len(x)), balanced([group for group, _ in styles])
-    for fold in range(FOLDS):
-        left = {tuple(style) for style in order[fold::FOLDS]}
+    for fold in range(PARTS):
+        left = {tuple(style) for style in order[fold::PARTS]}
         out = np.array([style in left for style in styles])
         p[out] = 1 / (1 + np.exp(-x[out] @ fit(x[~out], y[~out], weight[~out])))
     return p
 
 
 @click.command()
-@click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-def main(narratives: Path | None) -> None:
-    rows = [row_of(*one) for one in known(narratives)]
+@click.argument("left_out", type=click.Path(exists=True, file_okay=False, path_type=Path))
+@click.argument("texts", nargs=-1, type=click.Path(exists=True, dir_okay=False, path_type=Path))
+def main(left_out: Path, texts: tuple[Path, ...]) -> None:
+    rows = [row_of(*one) for one in known(left_out, texts)]
     sure: dict[int, tuple[float, bool]] = {}
     weights = {}
     for what, names in (("guess", CONFIDENCE), ("account", ACCOUNT)):

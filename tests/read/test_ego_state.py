@@ -61,7 +61,6 @@ def test_what_the_ego_does_in_answer_to_somebody_is_no_state(text: str) -> None:
 
 def test_a_state_survives_beside_what_the_classifier_believes() -> None:
     frame = read("While we wait at a red light, a car drives into us from behind.")
-    assert "ego" not in frame.beliefs.slots
     said = frame.outright
     assert (said.ego, said.control, said.position) == (EgoState.STANDS, Control.SIGNAL, Position.BEHIND)
     assert said.actions == (Action.FOLLOW,)

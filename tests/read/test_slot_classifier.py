@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,8 @@ import pytest
 
 from chatscene.errors import SnippetError
 from chatscene.grow.compose_texts import Labelled, compose, wordings
-from chatscene.grow.fit import fit, fit_trust, heads_of
+from chatscene.grow.course import of_others
+from chatscene.grow.fit import fit, heads_of, trust_of, unseen
 from chatscene.interpret.decide import likeliest, scenario_of
 from chatscene.interpret.retrieve import guessed
 from chatscene.interpret.wording_index import stem
@@ -154,15 +156,40 @@ def test_a_damaged_file_says_how_to_train_again(tmp_path: Path) -> None:
 
 
 def test_trust_is_found_within_its_bounds(trained: SlotClassifier) -> None:
-    fitted = fit_trust(trained, sentences())
-    for head, trust in fitted.trust.items():
+    for head, trust in trust_of(trained.classes, unseen(trained, sentences())).items():
         assert trust.found >= (2.0 if head in ("maneuver", "control") else 0.0)
         assert trust.silent <= 0.0 if head == "actions" else trust.silent >= 0.0
 
 
 def test_slots_that_nobody_labelled_keep_the_default_trust(trained: SlotClassifier) -> None:
     open_ = [replace(s, open=frozenset((*VALUES, "actions"))) for s in sentences()]
-    assert fit_trust(trained, open_).trust["side"] == Trust()
+    assert trust_of(trained.classes, unseen(trained, open_))["side"] == Trust()
+
+
+def test_an_account_that_is_right_counts(trained: SlotClassifier) -> None:
+    seen = unseen(trained, sentences())
+    left = Slots(side=Side.LEFT)
+    told = [replace(row, account=left, sentence=replace(row.sentence, slots=left)) for row in seen]
+    assert trust_of(trained.classes, told)["side"].told > 0.0
+
+
+def test_training_goes_on_from_what_was_learned(trained: SlotClassifier) -> None:
+    other = [Labelled(f"a blick halts over there {w}", Slots(actions=(Action.STOP,)), ()) for w in WORDS]
+    member = fit(other, trained.classes, epochs=1, seed=5, told=_silent, onward=(trained.members[0], trained.classes))
+    after = SlotClassifier((member,), trained.classes, dict.fromkeys(TRUSTED, Trust()))
+    text = "a zorp glides over the way x"
+    found = after.classify([encoder.states(text) for encoder in after.encoders()], Slots())
+    assert found.behaviors["behavior/cross"] > 0.5
+
+
+def test_a_text_of_others_means_any_behavior_that_does_what_it_says(tmp_path: Path) -> None:
+    row = {"text": "the lead car brakes", "style": "x", "in_scope": True, "slots": {"actions": ["brake"]}}
+    (tmp_path / "theirs.jsonl").write_text(json.dumps(row))
+    (one,) = of_others(tmp_path / "theirs.jsonl", load_library())
+    does = {load_library().get(name).slots.actions for name in one.behaviors}
+    assert (Action.BRAKE,) in does
+    assert all(Action.BRAKE in actions for actions in does)
+    assert "lanes" in one.open  # few write it down
 
 
 def test_composed_sentences_say_what_their_labels_say() -> None:

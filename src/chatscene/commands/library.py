@@ -297,15 +297,31 @@ def evaluate(
 @click.option("--count", default=4000, show_default=True, help="Sentences to compose.")
 @click.option("--epochs", default=4, show_default=True, help="How often each sentence is seen.")
 @click.option("--seed", default=0, show_default=True)
-def fit(own: str, count: int, epochs: int, seed: int) -> None:
+@click.option("--anew", is_flag=True, help="Begin with the encoder as it came: some two hours.")
+@click.option(
+    "--texts",
+    multiple=True,
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Texts of others with their facts, to learn from too; a file for each writer.",
+)
+@click.option(
+    "--left-out",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="Folder for the classifiers that left out some of the texts, to tell how far one is right on new ones.",
+)
+def fit(
+    own: str, count: int, epochs: int, seed: int, anew: bool, texts: tuple[Path, ...], left_out: Path | None
+) -> None:
     """Train the classifier that reads sentences on the library as it is now.
 
-    Takes some two hours of one core, and the extra train.
+    It goes on from the packaged one. Takes some twenty minutes of one core, and the extra train.
 
     \b
     chatscene library fit
+    chatscene library fit --texts reports.jsonl --library my-snippets
     """
-    from chatscene.grow.curation import fit_classifier
+    from chatscene.grow.curation import course_of, fit_classifier
 
-    path = fit_classifier(own, count=count, epochs=epochs, seed=seed, progress=progress())
+    course = course_of(own, anew=anew, count=count, epochs=epochs, seed=seed, told=progress())
+    path = fit_classifier(own, texts, course, left_out)
     say(f"trained: {path}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
@@ -33,6 +33,7 @@ from chatscene.read.slot_classifier import (
     classes_of,
     rule_marks,
 )
+from chatscene.terms.scenario import Slots
 
 FROZEN = 3  # of the encoder's six layers
 LONGEST = 128  # tokens of a sentence that are learned from
@@ -46,7 +47,15 @@ Told = Callable[[str, int, int], None]
 Classes = Mapping[str, tuple[str, ...]]  # of each head
 
 
-def fit(sentences: Sequence[Labelled], classes: Classes, *, epochs: int, seed: int, told: Told) -> Member:
+def fit(
+    sentences: Sequence[Labelled],
+    classes: Classes,
+    *,
+    epochs: int,
+    seed: int,
+    told: Told,
+    onward: tuple[Member, Classes] | None = None,
+) -> Member:
     """Train one member of a classifier.
 
     Args:
@@ -55,6 +64,8 @@ def fit(sentences: Sequence[Labelled], classes: Classes, *, epochs: int, seed: i
         epochs: How often each sentence is seen.
         seed: Of the order and the dropout.
         told: Of the steps done.
+        onward: A member to begin with, and its classes; what it has no class for begins anew. None to begin with the
+            encoder as it is.
 
     Raises:
         MissingExtra: torch or onnx is missing.
@@ -68,8 +79,19 @@ def fit(sentences: Sequence[Labelled], classes: Classes, *, epochs: int, seed: i
     rng = random.Random(seed)
     torch.manual_seed(seed)
     targets = {head: targets_of(head, names, sentences) for head, names in classes.items()}
-    model = Tuned(frozen=FROZEN, columns=[len(names) for names in classes.values()], dropout=DROPOUT)
-    lower = model.lower([tokenize(plain(s.text), LONGEST) for s in sentences])
+    columns = [len(names) for names in classes.values()]
+    model = Tuned(frozen=FROZEN, columns=columns, dropout=DROPOUT, changes=onward[0].changes if onward else None)
+    if onward:
+        queries, weights, bias = _heads_of(*onward, classes)
+        model.load_state_dict(
+            {
+                "queries": torch.from_numpy(queries),
+                "weights": torch.from_numpy(weights),
+                "bias": torch.from_numpy(bias),
+            },
+            strict=False,
+        )
+    lower = model.lower([tokenize(plain(hear(s.text).told), LONGEST) for s in sentences])
     optimizer = torch.optim.AdamW(
         [{"params": model.upper.parameters(), "lr": RATE}, {"params": model.heads(), "lr": HEAD_RATE}]
     )
@@ -102,15 +124,21 @@ def heads_of(library: Library) -> Classes:
     return {head: classes_of(head, [s.id for s in library if s.component.value == BEHAVIOR]) for head in HEADS}
 
 
-def joined(members: Sequence[Member], classes: Classes, sentences: Sequence[Labelled]) -> SlotClassifier:
-    """A classifier of some members, which counts the patterns beside them as far as they are right: `fit_trust`.
-
-    Args:
-        members: What was trained on the same classes.
-        classes: Of each head.
-        sentences: Written by hand; no member learned from them.
-    """
-    return fit_trust(SlotClassifier(tuple(members), classes, {head: Trust() for head in TRUSTED}), sentences)
+def _heads_of(member: Member, old: Classes, classes: Classes) -> tuple[Array, Array, Array]:
+    """Queries, weights and biases of a member for other classes: those that it has by their names, the others zero."""
+    rows = {head: row for row, head in enumerate(old)}
+    at = {pair: i for i, pair in enumerate((head, name) for head, names in old.items() for name in names)}
+    queries = np.zeros((len(classes), member.queries.shape[1]), np.float32)
+    for row, head in enumerate(classes):
+        if head in rows:
+            queries[row] = member.queries[rows[head]]
+    wanted = [at.get((head, name)) for head, names in classes.items() for name in names]
+    weights = np.zeros((member.weights.shape[0], len(wanted)), np.float32)
+    bias = np.zeros(len(wanted), np.float32)
+    for column, found in enumerate(wanted):
+        if found is not None:
+            weights[:, column], bias[column] = member.weights[:, found], member.bias[found]
+    return queries, weights, bias
 
 
 def _rate(done: float) -> float:
@@ -119,10 +147,10 @@ def _rate(done: float) -> float:
 
 
 def _loss_of(torch: Any, head: str, odds: Any, right: Any) -> Any:
-    """(N,) how unlikely what is right is: of one class, or of several that are each there or not."""
+    """(N,) how unlikely what is right is: of several that are each there or not, or that it is one of some."""
     if head == "actions":
         return torch.nn.functional.binary_cross_entropy_with_logits(odds, right, reduction="none").sum(1)
-    return -(right * odds.log_softmax(1)).sum(1)
+    return -odds.log_softmax(1).masked_fill(right == 0, -1e4).logsumexp(1)
 
 
 def _batches(lengths: Sequence[int], rng: random.Random) -> list[list[int]]:
@@ -152,39 +180,66 @@ def targets_of(head: str, classes: tuple[str, ...], sentences: Sequence[Labelled
         if head in sentence.open or (head == BEHAVIOR and not right):
             known[row] = 0.0
         elif right:
-            target[row, right] = 1.0 if head == "actions" else 1.0 / len(right)
+            target[row, right] = 1.0
     return target, known
 
 
-# Trust in the patterns
+# Trust in the patterns and the account
 
 _ODDS, _FOUND, _SILENT = (0.3, 0.6, 1.0, 1.5), (0.0, 1.0, 2.0, 4.0, 8.0), (0.0, 1.0, 2.0, 4.0)
+_TOLD, _UNTOLD = (0.0, 0.5, 1.0, 2.0, 4.0), (0.0, 0.5, 1.0, 2.0)
 # Patterns know words of the field ("unprotected", "overtake") that few of the sentences written by hand have.
 _LEAST = {"maneuver": 2.0, "control": 4.0, "position": 1.0}  # of what they found
 
 
-def fit_trust(classifier: SlotClassifier, sentences: Sequence[Labelled]) -> SlotClassifier:
-    """Find how much the patterns count beside the classifier: the likeliest of a grid.
+@dataclass(frozen=True, slots=True)
+class Unseen:
+    """A sentence as a classifier sees it that did not learn from it.
+
+    Attributes:
+        sentence: With what it says.
+        outright: What the patterns found.
+        account: What was made out clause by clause; None where nothing was.
+        odds: Log-odds of each class of each head.
+    """
+
+    sentence: Labelled
+    outright: Slots
+    account: Slots | None
+    odds: Mapping[str, Array]
+
+
+def unseen(classifier: SlotClassifier, sentences: Sequence[Labelled]) -> list[Unseen]:
+    """Sentences as a classifier sees them that did not learn from them."""
+    encoders = classifier.encoders()
+    found: list[Unseen] = []
+    for sentence in sentences:
+        frame = hear(sentence.text)
+        odds = classifier.log_odds([encoder.states(frame.told) for encoder in encoders])
+        found.append(Unseen(sentence, frame.outright, frame.account.slots if frame.account else None, odds))
+    return found
+
+
+def trust_of(classes: Classes, rows: Sequence[Unseen]) -> dict[str, Trust]:
+    """How much the patterns and the account count beside a classifier, per slot: the likeliest of a grid.
 
     Args:
-        classifier: One that did not learn from these sentences.
-        sentences: Written by hand.
+        classes: Of each head.
+        rows: Sentences that nobody learned from who says something of them.
     """
-    encoders = classifier.encoders()
-    odds = [classifier.log_odds([encoder.states(s.text) for encoder in encoders]) for s in sentences]
-    rules = [hear(s.text).outright for s in sentences]
+    sentences = [row.sentence for row in rows]
     trust: dict[str, Trust] = {}
     for head in TRUSTED:
-        classes = classifier.classes[head]
-        target, known = targets_of(head, classes, sentences)
-        rows = np.stack([each[head] for each in odds])
-        marks = np.stack([rule_marks(head, classes, slots) for slots in rules])
-        silent = [-s for s in _SILENT] if head == "actions" else _SILENT
+        target, known = targets_of(head, classes[head], sentences)
+        odds = np.stack([row.odds[head] for row in rows])
+        marks = np.stack([rule_marks(head, classes[head], row.outright) for row in rows])
+        account = np.stack([rule_marks(head, classes[head], row.account) for row in rows])
+        silent, untold = ([-s for s in part] if head == "actions" else part for part in (_SILENT, _UNTOLD))
         found = [least for least in _FOUND if least >= _LEAST.get(head, 0.0)]
-        grid = [Trust(*values) for values in product(_ODDS, found, silent)]
-        losses = [_loss(t.joined(rows, marks), target, known, one_of=head != "actions") for t in grid]
+        grid = [Trust(*values) for values in product(_ODDS, found, silent, _TOLD, untold)]
+        losses = [_loss(t.joined(odds, marks, account), target, known, one_of=head != "actions") for t in grid]
         trust[head] = grid[int(np.argmin(losses))] if known.any() else Trust()
-    return replace(classifier, trust=trust)
+    return trust
 
 
 def _loss(z: Array, target: Array, known: Array, *, one_of: bool) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -21,9 +22,9 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Measure, Scenario, Slots, Unused, Why
-from chatscene.terms.slots import SLOTS
 
-KNOWN = 0.1  # what the likeliest behavior does is said if that behavior is as likely as this
+TOGETHER = 0.6  # weight of a behavior's log-likelihood beside those of its acts
+FAINTEST = 1e-3  # likelihood
 _ORDER = {why: place for place, why in enumerate(Why)}
 
 
@@ -105,8 +106,8 @@ def decided(weighed: Weighed) -> Scenario:
 def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
     """What a text is likeliest to say, by patterns and classifier, settled together with what the library has."""
     library = library_with(settings.library)
-    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)})
-    slots = replace(slots, **{name: getattr(frame.outright, name) for name, slot in SLOTS.items() if not slot.taught})
+    told = frame.account.slots.actions if frame.account else ()
+    slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)}, told)
     slots = settle(frame, slots, library)
     if any(one.measure is Measure.DISTANCE for one in frame.quantities):
         slots = replace(slots, distance=None)  # the number says it
@@ -171,22 +172,42 @@ def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
     )
 
 
-def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]) -> Slots:
-    """The likeliest value of each slot, and what the likeliest behavior does.
+def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]], told: tuple[Action, ...] = ()) -> Slots:
+    """The likeliest value of each slot, and what is likeliest done.
 
-    Actions come together or not at all, as in the behaviors that people speak of; taken one by one where each is
-    likelier than not, half as many are right. Where no behavior is likely, they are.
+    Acts come together, as in the behaviors that people speak of, and one by one: the likeliest are those of which both
+    are likely, the acts as they were heard and the behaviors that do just these.
 
     Args:
         beliefs: How sure everything is.
         behaviors: What each behavior of the library does.
+        told: What is done according to the account.
     """
     values = {name: beliefs.likeliest(name) for name in beliefs.slots}
-    likely = {name: p for name, p in beliefs.behaviors.items() if name in behaviors}
-    best = max(likely, key=lambda name: likely[name], default="")
-    if likely.get(best, 0.0) >= KNOWN:
-        return Slots(**values, actions=behaviors[best])
-    return Slots(**values, actions=tuple(a for a in Action if beliefs.heard(a) >= LIKELY))
+    heard = frozenset(action for action in Action if beliefs.heard(action) >= LIKELY)
+    together: dict[tuple[Action, ...], float] = {_in_order(heard, beliefs, behaviors): 0.0, told: 0.0}
+    for name, p in beliefs.behaviors.items():
+        if name in behaviors:
+            together[behaviors[name]] = together.get(behaviors[name], 0.0) + p
+    odds = {action: _log_odds(beliefs.heard(action)) for action in Action}
+
+    def likelihood(acts: tuple[Action, ...]) -> float:
+        return sum(odds[act] for act in set(acts)) + TOGETHER * math.log(together[acts] + FAINTEST)
+
+    return Slots(**values, actions=max(together, key=likelihood) if beliefs.actions else told)
+
+
+def _in_order(
+    acts: frozenset[Action], beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]
+) -> tuple[Action, ...]:
+    """Acts of which nobody said the order, in that of the likeliest behavior that does them all."""
+    likely = {name: p for name, p in beliefs.behaviors.items() if acts <= set(behaviors.get(name, ()))}
+    order = behaviors[max(likely, key=lambda name: likely[name])] if likely else tuple(Action)
+    return tuple(action for action in dict.fromkeys(order) if action in acts)
+
+
+def _log_odds(p: float) -> float:
+    return math.log((p + FAINTEST) / (1.0 - p + FAINTEST))
 
 
 def _with_own_behaviors(frame: Frame, settings: RetrievalSettings) -> Frame:
@@ -222,13 +243,18 @@ def _without_effect(one: Unused, text: str) -> Unused:
 def _others(mentions: tuple[Mention, ...], slots: Slots) -> list[Mention]:
     """The road users that are spoken of beside the adversary and what the slots have: "a cyclist", "another car"."""
     found: list[Mention] = []
+    read = [other.adversary for other in slots.others]
     seen = False  # of the adversary
     for one in mentions:
         if (one.hides and (slots.occluder is not None or slots.blocker)) or (one.leads and slots.leader):
             continue
         own = slots.adversary in one.kinds or slots.adversary is None
         if one.said and ((not own) or (seen and one.another)):
-            found.append(one)
+            known = next((kind for kind in read if kind in one.kinds), None)
+            if known is None:
+                found.append(one)
+            else:
+                read.remove(known)
         seen = seen or own
     return found
 

@@ -98,10 +98,10 @@ def _taken(frame: Frame, offered: tuple[Reading, ...], number: int) -> Scenario:
         raise SettingsError(f"there is no reading {number} of this text; there is {there}")
     one = offered[number - 1]
     note = Note(about=About.TAKEN, said=(str(number), f"{one.probability:.0%} likely"))
-    return _as_read(frame, one.slots, (*frame.notes, note))
+    return as_read(frame, one.slots, (*frame.notes, note))
 
 
-def _as_read(frame: Frame, slots: Slots, notes: tuple[Note, ...] = ()) -> Scenario:
+def as_read(frame: Frame, slots: Slots, notes: tuple[Note, ...] = ()) -> Scenario:
     """A text of which this is known to be what it says."""
     notes = tuple(note for note in notes if note.about not in _SETTLED)
     if frame.account is not None and frame.account.slots.actions == slots.actions:
@@ -115,7 +115,7 @@ _SETTLED = (About.WHO, About.STRANGER, About.WHAT, About.SIDE)  # by the choice 
 
 def _is_served(frame: Frame, reading: Reading, settings: RetrievalSettings) -> bool:
     try:
-        choose(_as_read(frame, reading.slots), settings)
+        choose(as_read(frame, reading.slots), settings)
     except NothingFits:
         return False
     return True

@@ -58,9 +58,9 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
 # by several people, each of whom weighs the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": -5.04, "scope": 0.39, "beyond": 0.58, "outright": 0.45, "wording": 2.05, "meant": 0.67,
-    "same acts": 1.29, "same kind": 0.80, "same place": 0.11, "no account": 0.62, "touched": -2.30,
-    "unused": -1.00, "words": -0.14,
+    "base": 0.05, "scope": 0.18, "beyond": 0.46, "outright": 0.37, "wording": 0.45, "meant": 0.23,
+    "same acts": 0.92, "same kind": -0.15, "same place": 0.25, "no account": 0.54, "touched": -0.04,
+    "unused": -1.10, "words": -0.48, "facts": 0.94, "acts": 0.24,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more
@@ -76,6 +76,7 @@ MEANT = 1.4  # weight of a behavior's log-likelihood beside the words that it sh
 FAINTEST = 1e-4  # least likelihood of a behavior
 
 SURE, POSSIBLE = 0.9, 0.05  # a fact as likely as this stands; one as likely as this may be what was meant
+AS_A_WHOLE = 0.3  # a behavior as likely as this is meant, with all that it does
 HEARD = 0.25  # an action less likely than this was not heard
 
 IN_LANE = (Position.AHEAD, Position.BEHIND)
@@ -156,9 +157,8 @@ def settle(frame: Frame, slots: Slots, library: Library) -> Slots:
             said, value = getattr(slots, name), getattr(snippet.slots, name)
             if name == "actions":
                 known = beliefs.behaviors.get(snippet.id, 1.0)  # the classifier has not heard of a user's own
-                heard = bool(outright.actions) and set(outright.actions) <= set(value)
                 sure = tuple(a for a in said if a in outright.actions or beliefs.heard(a) >= HEARD)
-                slots = replace(slots, actions=value if known >= POSSIBLE or heard else sure)
+                slots = replace(slots, actions=value if known >= AS_A_WHOLE or not said else sure)
             elif name == "side" and value is None and outright.side is None:
                 slots = replace(slots, side=None)  # no word says it, and where the triple starts there is none
             elif said is not None and _agreement(said, _does(snippet, name)) == 0.0:
@@ -554,6 +554,8 @@ def doubts(
         "touched": float(account is not None and account.touched),
         "unused": sum(one.why is not Why.BESIDES for one in frame.unused) / max(words, FEW),
         "words": math.log(max(words, 1)),
+        "facts": beliefs.facts(scenario.slots),
+        "acts": beliefs.acts(scenario.slots.actions),
     }
 
 

@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 2.05, "unread": 0.60, "share": -8.90, "words": -2.13, "same acts": 1.03, "some acts": 0.17,
-    "same kind": 0.52, "same place": 0.98, "same way": 0.80, "placed": 3.53, "touched": 1.55,
-    "acts": -0.41, "quiet": -0.10, "others": -0.33, "behavior": -0.22, "scope": -0.02,
+    "base": 3.53, "unread": 0.35, "share": -6.23, "words": -1.44, "same acts": -0.02, "some acts": -0.30,
+    "same kind": 0.19, "same place": 0.72, "same way": -0.20, "placed": 2.31, "touched": 1.05, "acts": -0.15,
+    "quiet": 0.13, "others": -0.05, "behavior": 0.17, "facts": 0.41, "done": 0.56, "scope": 0.07,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little
@@ -51,6 +51,8 @@ def speaks_for_account(frame: Frame, account: Account, guessed: Slots) -> dict[s
         "quiet": float(does <= {Action.FOLLOW, Action.STAND, Action.SLOW}),
         "others": float(len(slots.others)),
         "behavior": math.log(likeliest + _FAINT),
+        "facts": frame.beliefs.facts(slots),
+        "done": frame.beliefs.acts(slots.actions),
         "scope": math.log((frame.beliefs.in_scope + _FAINT) / (1.0 - frame.beliefs.in_scope + _FAINT)),
     }
 

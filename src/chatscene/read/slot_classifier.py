@@ -13,7 +13,7 @@ from __future__ import annotations
 import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
 from chatscene.models.encoders.embedding import MiniLM
-from chatscene.read.lexicon import KINDS
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Frame
 from chatscene.terms.scenario import Slots
@@ -36,7 +35,7 @@ BEHAVIOR = "behavior"  # the head over the behaviors' ids
 SCOPE = "scope"  # the head that tells what a library of driving scenarios can serve at all
 NOT_SAID = ""  # the class of a slot that the sentence leaves open
 
-VALUES = {name: tuple(map(str, slot.values)) for name, slot in SLOTS.items() if slot.taught}  # as names of classes
+VALUES = {name: tuple(map(str, slot.values)) for name, slot in SLOTS.items()}  # as names of classes
 HEADS = (*VALUES, "actions", BEHAVIOR, SCOPE)
 TRUSTED = (*VALUES, "actions")  # of which the patterns know something
 
@@ -45,21 +44,26 @@ Floats = NDArray[np.float32]
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """How a slot is decided from the classifier's log-odds and the patterns: their log-odds are added.
+    """How a slot is decided from the classifier's log-odds, the patterns and the account: their log-odds are added.
 
     Attributes:
         odds: Factor of the classifier's log-odds.
         found: Added to what the patterns found.
         silent: Added to what they did not find: to "not said" where they found no value, to an action they missed.
+        told: Added to what the account says.
+        untold: Added to what it does not say, as `silent` is.
     """
 
     odds: float = 1.0
     found: float = 0.0
     silent: float = 0.0
+    told: float = 0.0
+    untold: float = 0.0
 
-    def joined(self, odds: Floats, marks: Floats) -> Floats:
-        """Log-odds from the classifier's and the patterns' marks: 1 for found, -1 for not found, 0 for neither."""
-        return self.odds * odds + np.where(marks > 0, self.found, 0.0) + np.where(marks < 0, self.silent, 0.0)
+    def joined(self, odds: Floats, marks: Floats, account: Floats) -> Floats:
+        """Log-odds from the classifier's, and the marks of patterns and account: 1 found, -1 not found, 0 neither."""
+        joined = self.odds * odds + np.where(marks > 0, self.found, 0.0) + np.where(marks < 0, self.silent, 0.0)
+        return joined + np.where(account > 0, self.told, 0.0) + np.where(account < 0, self.untold, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,17 +124,21 @@ class SlotClassifier:
             first += len(classes)
         return found
 
-    def classify(self, states: Sequence[Floats], rules: Slots) -> Beliefs:
+    def classify(self, states: Sequence[Floats], rules: Slots, account: Slots | None = None) -> Beliefs:
         """How likely each value of each slot, each action and each behavior is.
 
         Args:
             states: The states of the sentence, (tokens, D), of each member's encoder.
             rules: What the patterns found in it.
+            account: What was made out of it clause by clause; None where nothing was.
         """
         slots: dict[str, dict[str, float]] = {}
         for name, odds in self.log_odds(states).items():
             classes = self.classes[name]
-            joined = self.trust[name].joined(odds, rule_marks(name, classes, rules)) if name in self.trust else odds
+            joined = odds
+            if name in self.trust:
+                marks = rule_marks(name, classes, rules), rule_marks(name, classes, account)
+                joined = self.trust[name].joined(odds, *marks)
             likely = 1 / (1 + np.exp(-joined)) if name == "actions" else _softmax(joined)
             slots[name] = dict(zip(classes, likely.tolist(), strict=True))
         return Beliefs(
@@ -146,8 +154,10 @@ def _softmax(x: Floats) -> Floats:
     return e / e.sum()
 
 
-def rule_marks(head: str, classes: Sequence[str], rules: Slots) -> Floats:
-    """(classes,) 1 for what the patterns found; -1 for "not said" where they found nothing, and no action found."""
+def rule_marks(head: str, classes: Sequence[str], rules: Slots | None) -> Floats:
+    """(classes,) 1 for what rules found; -1 for "not said" where they found nothing, and no action found; 0 without."""
+    if rules is None:
+        return np.zeros(len(classes), np.float32)
     if head == "actions":
         return np.array([1.0 if name in rules.actions else -1.0 for name in classes], np.float32)
     found = as_class(getattr(rules, head))
@@ -192,7 +202,7 @@ def save_classifier(classifier: SlotClassifier, path: Path) -> None:
         queries=np.stack([member.queries for member in members]),
         weights=np.stack([member.weights for member in members]).astype(np.float16),
         bias=np.stack([member.bias for member in members]),
-        trust=np.array([[t.odds, t.found, t.silent] for t in classifier.trust.values()]),
+        trust=np.array([astuple(t) for t in classifier.trust.values()]),
     )
 
 
@@ -215,13 +225,14 @@ def load_classifier(path: Path = PACKAGED) -> SlotClassifier:
             rows = zip(changes, queries, arrays["weights"].astype(np.float32), arrays["bias"], strict=True)
             named = [line.split("\t") for line in str(arrays["classes"]).split("\n")]
             trust = [Trust(*row) for row in arrays["trust"].tolist()]
+            classes = {head: tuple(names) for head, *names in named}
             return SlotClassifier(
                 members=tuple(
                     Member({at: changes[a:b].tobytes() for at, a, b in places}, queries, weights, bias)
                     for changes, queries, weights, bias in rows
                 ),
-                classes={head: tuple(names) for head, *names in named},
-                trust=dict(zip(TRUSTED, trust, strict=True)),
+                classes=classes,
+                trust=dict(zip([head for head in classes if head in TRUSTED], trust, strict=True)),
             )
     except (OSError, ValueError, KeyError, TypeError, MemoryError, zipfile.BadZipFile, zlib.error) as error:
         raise SnippetError(
@@ -249,7 +260,7 @@ def _trained(path: Path) -> tuple[SlotClassifier, tuple[MiniLM, ...]]:
 
 
 def believe(frame: Frame, own: str = "") -> Beliefs:
-    """How likely each fact is in a sentence; a kind of road user that was not trained is heard as what it is like.
+    """How likely each fact is in a sentence.
 
     Args:
         frame: The sentence, and what its words say outright.
@@ -257,10 +268,10 @@ def believe(frame: Frame, own: str = "") -> Beliefs:
     """
     at = Path(own) / NAME
     classifier, encoders = _trained(at if own and at.exists() else PACKAGED)
-    kind = frame.outright.adversary
-    if kind is None or kind.lies or kind.acts_as is kind or str(kind) in classifier.classes["adversary"]:
-        return classifier.classify([encoder.states(frame.canonical) for encoder in encoders], frame.outright)
-    text, known = KINDS[kind].sub(kind.acts_as.noun, frame.canonical), replace(frame.outright, adversary=kind.acts_as)
-    beliefs = classifier.classify([encoder.states(text) for encoder in encoders], known)
-    who = {kind if value is kind.acts_as else value: p for value, p in beliefs.slots["adversary"].items()}
-    return replace(beliefs, slots={**beliefs.slots, "adversary": who})
+    return believed_by(classifier, encoders, frame)
+
+
+def believed_by(classifier: SlotClassifier, encoders: Sequence[MiniLM], frame: Frame) -> Beliefs:
+    """How likely a classifier, with the encoders of its members, finds each fact in a sentence."""
+    account = frame.account.slots if frame.account else None
+    return classifier.classify([encoder.states(frame.told) for encoder in encoders], frame.outright, account)

@@ -5,14 +5,15 @@ Paper: section 3.3, step ii. A reader makes a frame once; whoever interprets it 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Quantity, Shift, Slots, Unused
+from chatscene.terms.scenario import Maneuver, Quantity, Shift, Slots, Unused
 from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Surroundings
 
@@ -30,6 +31,14 @@ class Clauses:
     whole: str = ""
     ego: str = ""
     adversary: str = ""
+
+
+_FAINT = 1e-3  # likelihood
+
+
+def _alike(name: str, value: object) -> tuple[object, ...]:
+    """A value, and those that mean the same: who is said to drive straight on may be said to drive."""
+    return (Maneuver.STRAIGHT, None) if name == "maneuver" and value in (Maneuver.STRAIGHT, None) else (value,)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +76,21 @@ class Beliefs:
         """The probability that the adversary does something."""
         return self.actions.get(action, 0.0)
 
+    def facts(self, slots: Slots) -> float:
+        """Log-likelihood of the facts of a reading, but for what is done: what each slot has, or that it has none.
+
+        Lanes, groups and distances are left out: few of those who labelled texts wrote them down.
+        """
+        return sum(
+            math.log(sum(likely.get(value, 0.0) for value in _alike(name, getattr(slots, name))) + _FAINT)
+            for name, likely in self.slots.items()
+            if SLOTS[name].labelled
+        )
+
+    def acts(self, actions: Collection[Action]) -> float:
+        """Log-likelihood that these are done and no others."""
+        return sum(math.log((p if action in actions else 1.0 - p) + _FAINT) for action, p in self.actions.items())
+
 
 def certain(slots: Slots, beliefs: Beliefs | None = None) -> Beliefs:
     """Beliefs in which facts are sure: each value and each action has probability one or zero.
@@ -75,7 +99,7 @@ def certain(slots: Slots, beliefs: Beliefs | None = None) -> Beliefs:
         slots: The facts.
         beliefs: How sure the rest is, which behavior is meant and whether any is.
     """
-    single = {name: {getattr(slots, name): 1.0} for name, slot in SLOTS.items() if slot.taught}
+    single = {name: {getattr(slots, name): 1.0} for name in SLOTS}
     return replace(
         beliefs or Beliefs(), slots=single, actions={action: float(action in slots.actions) for action in Action}
     )

@@ -38,13 +38,14 @@ class Retrieved:
         return _benchmark_texts()[base]
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:
-        """Step 2: any sentence; one of the benchmark belongs where it is listed, whatever it reads like."""
-        from chatscene.interpret.readings import understand  # no sentence is read for a scene that is replayed
+        """Step 2: any sentence; one of the benchmark says what is listed of it, whatever it reads like."""
+        from chatscene.interpret.readings import as_read, understand  # no sentence is read for a replayed scene
         from chatscene.read.reading import read
         from chatscene.sentences.plain import told
 
         frame = read(text, settings)
-        scenario = understand(frame, settings)
+        facts = None if settings.stated or settings.reading else _facts().get(frame.canonical)
+        scenario = understand(frame, settings) if facts is None else as_read(frame, facts, frame.notes)
         readings = tuple(replace(one, told=told(one.slots)) for one in scenario.readings)
         return replace(scenario, base=_listed().get(frame.canonical, scenario.base), readings=readings)
 
@@ -103,6 +104,18 @@ class Retrieved:
 def _benchmark_texts() -> dict[BaseScenario, tuple[str, ...]]:
     packaged = files("chatscene.search.generators").joinpath("benchmark_scenarios.json").read_text(encoding="utf-8")
     return {BaseScenario(base): tuple(texts) for base, texts in json.loads(packaged).items()}
+
+
+@cache
+def _facts() -> dict[str, Slots]:
+    """What each sentence of the benchmark says, by its canonical text, so that it is the same for every reader."""
+    from pydantic import TypeAdapter
+
+    from chatscene.read.canonical import canonical
+
+    packaged = files("chatscene.search.generators").joinpath("benchmark_facts.json").read_text(encoding="utf-8")
+    slots = TypeAdapter(Slots)
+    return {canonical(text): slots.validate_python(facts) for text, facts in json.loads(packaged).items()}
 
 
 @cache
