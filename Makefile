@@ -4,7 +4,7 @@
 PYTHON ?= python3
 PY := .venv/bin/python
 PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
-SENTENCE ?= A pedestrian steps out from behind a bus stop on the right and freezes in front of us.
+SENTENCE ?= A car runs the red light from the left.
 
 .PHONY: demo test check clean
 

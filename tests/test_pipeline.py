@@ -144,7 +144,7 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
     said = re.search(r"<dt>Time</dt><dd>([\d.]+) s, until this page was written</dd>", page)
     assert said
     assert first < float(said[1]) < summary.seconds
-    assert "sac sees its route" in summary.in_words()
+    assert "planner sees its route" in summary.in_words()
 
 
 def test_nonsense_is_refused() -> None:

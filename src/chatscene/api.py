@@ -20,7 +20,7 @@ from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
-from chatscene.settings import RetrievalSettings, Settings
+from chatscene.settings import EGO, RetrievalSettings, Settings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
@@ -346,7 +346,7 @@ def run(
     as_written: bool = False,
     edit: Names = (),
     map: Name | None = None,  # noqa: A002 - the word of the command line
-    ego: Name = "sac",
+    ego: Name = EGO,
     scenes: int | None = None,
     routes: int | None = None,
     seed: int | None = None,

@@ -10,6 +10,7 @@ from chatscene.errors import SettingsError, no_such
 SELECTIONS = ("shown", "worst", "last")
 PHYSICS = ("kinematic", "lagged")
 MOST_READINGS = 2  # how many readings of a text are offered
+EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 

@@ -18,6 +18,7 @@ from fake_run import resealed
 from places import ROOT
 
 SENTENCE = "A cyclist rides out from the left and stops in front of us."
+SURE = ("--ego", "sac")  # which does not see the cyclist, so that there are collisions
 SAME = ("scenes.parquet", "events.parquet", "signals.parquet", "ranges.parquet", "map.json", "explanation.json")
 
 
@@ -36,7 +37,7 @@ def started(*arguments: str) -> "subprocess.Popen[str]":
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An uninterrupted run of one process."""
     folder = tmp_path_factory.mktemp("whole run") / "one job"
-    run = started("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1")
+    run = started("run", SENTENCE, *SURE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "1")
     errors = run.communicate()[1]
     assert run.returncode == 0, errors
     return folder
@@ -66,7 +67,7 @@ def test_a_sentence_becomes_scenes_and_a_report(finished: Path) -> None:
 
 def test_two_processes_give_the_same_files_as_one(finished: Path, tmp_path: Path) -> None:
     folder = tmp_path / "two"
-    run = started("run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2")
+    run = started("run", SENTENCE, *SURE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2")
     errors = run.communicate()[1]
     assert run.returncode == 0, errors
     assert content(folder) == content(finished)
@@ -74,7 +75,7 @@ def test_two_processes_give_the_same_files_as_one(finished: Path, tmp_path: Path
 
 def test_a_run_killed_three_times_ends_like_one_that_was_not(finished: Path, tmp_path: Path) -> None:
     folder = tmp_path / "killed"
-    arguments = ["run", SENTENCE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2"]
+    arguments = ["run", SENTENCE, *SURE, "--out", str(folder), "--routes", "2", "--scenes", "20", "--jobs", "2"]
     for blocks in (0, 1, 3):
         process = started(*arguments)
         while not (folder / "run.json").exists() or len(list(folder.glob("parts/*.json"))) < blocks:

@@ -207,7 +207,7 @@ def scenes(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A small run on two routes."""
     folder = tmp_path_factory.mktemp("runs") / "bus-stop"
     text = "A pedestrian steps out from behind a bus stop on the right and freezes in front of us."
-    pipeline.run(runs.asked_run(text, settings=Settings(search=SearchSettings(scenes=4, routes=2))), folder)
+    pipeline.run(runs.asked_run(text, ego="sac", settings=Settings(search=SearchSettings(scenes=4, routes=2))), folder)
     return folder
 
 

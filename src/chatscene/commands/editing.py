@@ -23,6 +23,7 @@ from chatscene.commands.library import (
     say,
 )
 from chatscene.errors import ChatSceneError, NothingFits
+from chatscene.settings import EGO
 
 if TYPE_CHECKING:
     from chatscene.report.understood import Understood
@@ -88,7 +89,7 @@ def edit(
 
 @click.command()
 @MAP_WITH_SITE
-@click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
+@click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations of a run.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @READING

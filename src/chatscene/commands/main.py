@@ -46,7 +46,7 @@ from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
-from chatscene.settings import SimulationSettings
+from chatscene.settings import EGO, SimulationSettings
 from chatscene.terms.conflict import Conflict
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ goes into looking through what has just been loaded and stays."""
 @click.option("--as-written", is_flag=True, help="Let the program's own ego drive.")
 @EDITS
 @MAP_WITH_SITE
-@click.option("--ego", default="sac", show_default=True, help="An ego by name, file or package.module:factory.")
+@click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
 @click.option("--scenes", default=50, show_default=True, help="Simulations per scenario and route.")
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")

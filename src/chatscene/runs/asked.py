@@ -28,7 +28,7 @@ from chatscene.runs.record import (
 from chatscene.search.climb import simulator_of
 from chatscene.search.generator import Generator, load_generator
 from chatscene.search.sampler import load_sampler
-from chatscene.settings import RetrievalSettings, Settings
+from chatscene.settings import EGO, RetrievalSettings, Settings
 from chatscene.simulate.simulator import load_simulator
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.scenario import Scenario
@@ -40,7 +40,7 @@ def asked_run(
     program: ProgramRecord | None = None,
     settings: Settings | None = None,
     map_name: str | None = None,
-    ego: str = "sac",
+    ego: str = EGO,
     generator: str = "chatscene",
     edits: Sequence[str] = (),
 ) -> RunRecord:
