@@ -535,6 +535,7 @@ def test_in_a_browser_the_replay_starts_by_itself_and_time_goes_on(tmp_path: Pat
     assert re.search(r'id="trouble"[^>]*hidden', document)
     assert _text(document, "clock") == "3.2 s of 3.2 s"
     assert _text(document, "play") == "Replay"
+    assert re.findall(r"<span>([^<]*) <b>", document)[:3] == ["ego: rule-based", "pedestrian", "between centres"]
     assert f'data-scene="{SCENARIO}/route-00/scene-006" aria-current="true"' in document
 
 

@@ -68,7 +68,7 @@ const map = {
 
 const view = $("view"), speeds = $("speeds");
 const canvas = view.getContext("2d"), chart = speeds.getContext("2d");
-const camera = { x: 0, y: 0, zoom: 8, follow: true };
+const camera = { x: 0, y: 0, zoom: 8, closer: 1, follow: true };
 let shown = 0, drive = null, step = 0, playing = false, timer = 0, last = 0;
 let colours = {};
 
@@ -89,6 +89,13 @@ function at(values, when) {
 const ego = () => drive.actors[0];
 const adversaries = () => drive.actors.filter((a) => a.role === "adversary");
 const crash = () => drive.events.find((event) => event.kind === "collision");
+const LEAD = 4; // [s] before a contact that a replay starts at
+
+/** Who the ego meets: whom it collides with, else the adversary. */
+const met = () => drive.actors.find((a) => a.name === crash()?.other) || adversaries()[0];
+
+/** What an actor is called: by what it is, and the ego by who drives. */
+const called = (actor) => (actor.role === "ego" ? "ego: " + content.ego : content.called[actor.kind]);
 
 // --- drawing -------------------------------------------------------------------------------------------------------
 
@@ -218,10 +225,22 @@ function drawProp(length, width) {
   canvas.restore();
 }
 
+/** Larger ones first, so that nobody is hidden under whom they meet; the star lies between the two that touch. */
+function drawActors() {
+  const order = [...drive.actors].sort((a, b) => b.length * b.width - a.length * a.width);
+  const above = order[Math.max(order.indexOf(ego()), order.indexOf(met()))];
+  for (const actor of order) {
+    if (actor === above) drawCrash();
+    drawActor(actor);
+  }
+}
+
+const starRadius = () => Math.max(1.6, 17 / camera.zoom); // [m]
+
 function drawCrash() {
   const hit = crash();
   if (!hit || !hit.at || step < hit.step - 0.5) return;
-  const [x, y] = hit.at, radius = Math.max(2, 19 / camera.zoom);
+  const [x, y] = hit.at, radius = starRadius();
   const star = [];
   for (let i = 0; i < 20; i++) {
     const angle = i * Math.PI / 10, r = i % 2 ? radius * 0.5 : radius;
@@ -236,20 +255,65 @@ function drawCrash() {
   canvas.globalAlpha = 1;
 }
 
-/** Text and the scale bar, in screen pixels. */
-function drawWords(width, height) {
+/** Names and the speed of the impact, each beside what it tells of and none over another; screen pixels. */
+function drawLabels(width, height) {
   const toScreen = (x, y) => [(x - camera.x) * camera.zoom + width / 2, height / 2 - (y - camera.y) * camera.zoom];
-  canvas.font = "600 12px system-ui, sans-serif";
-  canvas.textAlign = "center";
+  const labels = [], taken = [];
   for (const actor of drive.actors) {
-    if (actor.role !== "ego" && actor.role !== "adversary" || camera.zoom < 3) continue;
-    const [x, y] = toScreen(at(actor.x, step), at(actor.y, step));
-    const half = Math.max(actor.length, actor.width) / 2 * camera.zoom;
-    const lift = actor.role === "ego" ? half + 8 : -half - 20; // on two sides, as they meet
-    canvas.lineWidth = 3;
-    canvas.strokeStyle = colours.ground; canvas.fillStyle = colours.label;
-    canvas.strokeText(actor.name, x, y - lift); canvas.fillText(actor.name, x, y - lift);
+    if (camera.zoom < 3 || (actor.role === "background" && actor !== met())) continue;
+    const [x, y] = toScreen(at(actor.x, step), at(actor.y, step)), heading = at(actor.heading, step);
+    const long = Math.max(actor.length * camera.zoom, 12) / 2, wide = Math.max(actor.width * camera.zoom, 12) / 2;
+    const w = long * Math.abs(Math.cos(heading)) + wide * Math.abs(Math.sin(heading));
+    const h = long * Math.abs(Math.sin(heading)) + wide * Math.abs(Math.cos(heading));
+    if (x < -w || x > width + w || y < -h || y > height + h) continue;
+    taken.push([x - w, y - h, x + w, y + h]);
+    labels.push({ x, y, w, h, text: called(actor), side: actor });
   }
+  const hit = crash();
+  if (hit && hit.at && step >= hit.step - 0.5) {
+    const [x, y] = toScreen(...hit.at), r = starRadius() * camera.zoom;
+    taken.push([x - r, y - r, x + r, y + r]);
+    labels.push({ x, y, w: r, h: r, text: "impact " + hit.impact.toFixed(1) + " m/s", side: hit, colour: colours.hit });
+  }
+  canvas.textAlign = "center";
+  canvas.textBaseline = "middle";
+  canvas.font = "600 12px system-ui, sans-serif";
+  canvas.lineJoin = "round";
+  for (const label of labels) {
+    const [x, y] = place(label, canvas.measureText(label.text).width / 2 + 4, 9, taken, width, height);
+    canvas.lineWidth = 4;
+    canvas.strokeStyle = colours.ground; canvas.fillStyle = label.colour || colours.label;
+    canvas.strokeText(label.text, x, y); canvas.fillText(label.text, x, y);
+  }
+  canvas.textBaseline = "alphabetic";
+}
+
+const SIDES = [[0, -1], [1, 0], [-1, 0], [0, 1], [1, -1], [-1, -1], [1, 1], [-1, 1]];
+const sides = new WeakMap(); // where each label was last, so that it does not jump while there is room
+
+/** The middle of a label of half size `w`, `h` where it covers least; that place is then taken. */
+function place(label, w, h, taken, width, height) {
+  let best = null, least = Infinity;
+  const last = sides.get(label.side);
+  for (const far of [2, 18, 36]) {
+    for (const side of last ? [last, ...SIDES] : SIDES) {
+      const x = label.x + side[0] * (label.w + w + far), y = label.y + side[1] * (label.h + h + far);
+      const box = [x - w, y - h, x + w, y + h];
+      const outside = x < w + 4 || x > width - w - 4 || y < h + 46 || y > height - h - 40; // clear of the buttons
+      const cost = taken.reduce((sum, other) => sum + overlap(box, other), outside ? 1e6 : 0) + far / 100;
+      if (cost < least) { least = cost; best = { x, y, side, box }; }
+    }
+    if (least < 1) break;
+  }
+  sides.set(label.side, best.side);
+  taken.push(best.box);
+  return [best.x, best.y];
+}
+
+const overlap = (a, b) =>
+  Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
+
+function drawScale(height) {
   const metres = [1, 2, 5, 10, 20, 50, 100, 200].find((m) => m * camera.zoom > 60) || 500;
   canvas.textAlign = "left";
   canvas.font = "11px system-ui, sans-serif";
@@ -263,7 +327,7 @@ function drawWords(width, height) {
 
 function draw() {
   const [width, height] = fit(view, canvas);
-  if (camera.follow) aim(height);
+  if (camera.follow) aim(width, height);
   canvas.fillStyle = colours.ground;
   canvas.fillRect(0, 0, width, height);
   canvas.save();
@@ -272,10 +336,10 @@ function draw() {
   canvas.translate(-camera.x, -camera.y);
   drawMap(); drawRoute(); drawSignals();
   drive.actors.forEach(drawTrail);
-  drawCrash(); // under the actors, so that they stay in sight
-  [...drive.actors].reverse().forEach(drawActor);
+  drawActors();
   canvas.restore();
-  drawWords(width, height);
+  drawLabels(width, height);
+  drawScale(height);
   drawSpeeds();
   tell();
 }
@@ -326,11 +390,11 @@ function tell() {
   $("time").value = Math.round(step);
   $("time").setAttribute("aria-valuetext", seconds + " seconds");
   $("play").textContent = playing ? "Pause" : step >= drive.steps - 1 ? "Replay" : "Play";
-  const gauges = [["ego", at(ego().speed, step).toFixed(1) + " m/s"]];
-  const other = adversaries()[0];
+  const gauges = [[called(ego()), at(ego().speed, step).toFixed(1) + " m/s"]];
+  const other = met();
   if (other) {
     const gap = Math.hypot(at(other.x, step) - at(ego().x, step), at(other.y, step) - at(ego().y, step));
-    gauges.push([other.name, at(other.speed, step).toFixed(1) + " m/s"], ["between centres", gap.toFixed(1) + " m"]);
+    gauges.push([called(other), at(other.speed, step).toFixed(1) + " m/s"], ["between centres", gap.toFixed(1) + " m"]);
   }
   $("gauges").replaceChildren(...gauges.map(([name, value]) => {
     const span = element("span", name + " ");
@@ -339,15 +403,22 @@ function tell() {
   }));
 }
 
+/** Of an actor that an event names, what it is called. */
+function namedIn(name) {
+  const actor = drive.actors.find((a) => a.name === name);
+  return actor ? called(actor) : name;
+}
+
 function eventWords(event) {
-  const what = event.kind.replace("-", " ") + (event.other ? (event.kind === "collision" ? " with " : ": ") + event.other : "");
+  const what = event.kind.replace("-", " ") + (event.other ? (event.kind === "collision" ? " with " : ": ") + namedIn(event.other) : "");
   const how = event.kind === "collision" ? ", " + event.side + ", " + event.impact.toFixed(1) + " m/s" : "";
   return (event.step * drive.dt).toFixed(1) + " s  " + what + how;
 }
 
 function introduce(scene) {
   $("scene-name").textContent = scene.label;
-  $("scene-outcome").textContent = scene.collision ? "collision, " + scene.impact.toFixed(1) + " m/s" : scene.ending;
+  const careful = { true: "; a careful driver avoids it", false: "; a careful driver does not avoid it" }[scene.avoidable] || "";
+  $("scene-outcome").textContent = scene.collision ? "collision, " + scene.impact.toFixed(1) + " m/s" + careful : scene.ending;
   $("scene-outcome").className = "chip" + (scene.collision ? " hit" : "");
   $("time").max = drive.steps - 1;
   $("events").replaceChildren(...drive.events.map((event) => {
@@ -370,11 +441,16 @@ function introduce(scene) {
 
 // --- camera --------------------------------------------------------------------------------------------------------
 
-/** A little ahead of the ego. */
-function aim(height) {
-  const heading = at(ego().heading, step), ahead = Math.min(12, height / camera.zoom / 4);
-  camera.x = at(ego().x, step) + ahead * Math.cos(heading);
-  camera.y = at(ego().y, step) + ahead * Math.sin(heading);
+/** Ego and whom it meets, the nearer the larger; where they are too far apart, the ego and a part of the way there. */
+function aim(width, height) {
+  const other = met() || ego(), x = at(ego().x, step), y = at(ego().y, step);
+  const dx = at(other.x, step) - x, dy = at(other.y, step) - y, margin = 16; // [m]
+  const near = Math.max(width / 44, 8), far = Math.max(width / 130, 4); // pixels a metre
+  const fits = Math.min(width / (Math.abs(dx) + margin), height / (Math.abs(dy) + margin));
+  const share = 0.5 * Math.min(1, fits / far) ** 2;
+  camera.zoom = Math.min(Math.max(Math.min(Math.max(fits, far), near) * camera.closer, 0.5), 60);
+  camera.x = x + share * dx;
+  camera.y = y + share * dy;
 }
 
 function follow(on) {
@@ -383,6 +459,7 @@ function follow(on) {
 }
 
 function zoomBy(factor) {
+  if (camera.follow) camera.closer *= factor;
   camera.zoom = Math.min(Math.max(camera.zoom * factor, 0.5), 60);
   draw();
 }
@@ -433,9 +510,11 @@ function pause() {
 function choose(index, start) {
   shown = (index + scenes.length) % scenes.length;
   drive = unpackDrive(scenes[shown].drive);
-  step = 0;
+  const hit = crash();
+  step = hit ? Math.max(hit.step - LEAD / drive.dt, 0) : 0;
+  if (hit && !start) step = hit.step; // a still picture shows what happened
   follow(true);
-  camera.zoom = Math.max(view.clientWidth / 70, 6);
+  camera.closer = 1;
   introduce(scenes[shown]);
   play(start);
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -79,6 +80,8 @@ def _page(run: Workspace) -> str:
         "scenes": [_shown(row, replays[row["scene_id"]]) for row in order if row["scene_id"] in replays],
         "map": pack_drawing(read_drawing(run), boxes),
         "manners": {name: kind.row.manner for name, kind in BY_CLASS.items()},
+        "ego": record.ego,
+        "called": {actor["kind"]: _called(actor["kind"]) for drive in replays.values() for actor in drive["actors"]},
     }
     script = asset("viewer.js")
     return fill(
@@ -130,10 +133,16 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "ending": row["ending"],
         "collision": row["collision"],
         "impact": row["impact_speed"],
+        "avoidable": row["avoidable"],
         "kept": row["selected"],
         "metrics": in_words(metrics_of(row) | criticality_of(row)),
         "drive": drive,
     }
+
+
+def _called(kind: str) -> str:
+    """What a road user or a thing is called, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
+    return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
 
 
 def _json(content: object) -> Markup:
