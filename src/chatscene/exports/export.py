@@ -13,6 +13,7 @@ from chatscene.maps.network import check_opendrive
 from chatscene.runs import (
     RunRecord,
     open_run,
+    read_drawing,
     read_episodes,
     read_programs,
     read_record,
@@ -21,6 +22,7 @@ from chatscene.runs import (
     route_index,
 )
 from chatscene.runs.rebuild import map_of
+from chatscene.terms.polyline import Polyline
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,8 +100,10 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
     programs = read_programs(run)
+    ways = read_drawing(run).get("routes", {})
     for episode in read_episodes(run, chosen):
         row = rows[episode.scene_id]
+        way = ways.get(f"{row['scenario_id']}/{row['route_id']}")
         yield KeptScene(
             episode=episode,
             text=record.program.name if record.program else record.text,
@@ -107,6 +111,7 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
             values={name: value for name, value in row.items() if name.startswith("OPT_") and value is not None},
             route=route_index(row["route_id"]),
             map=where,
+            way=Polyline(way) if way else None,
         )
 
 

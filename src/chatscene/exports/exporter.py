@@ -13,6 +13,7 @@ from urllib.parse import quote
 
 from chatscene.plugins import Kind, make
 from chatscene.terms.episode import Episode
+from chatscene.terms.polyline import Polyline
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,6 +40,7 @@ class KeptScene:
         values: The value of each ``OPT_`` parameter, in the unit its range declares.
         route: Which of the routes that the program's geometry asks for.
         map: Where it lies.
+        way: The line of that route [m], map frame, as a run keeps it, to the centimetre; None where it keeps none.
     """
 
     episode: Episode
@@ -47,6 +49,7 @@ class KeptScene:
     values: Mapping[str, float]
     route: int
     map: MapFile
+    way: Polyline | None = None
 
     @property
     def stem(self) -> str:
@@ -75,6 +78,7 @@ EXPORTERS: Kind[Exporter] = Kind(
     method="files",
     built_in={
         "openscenario": "chatscene.exports.openscenario:OpenScenario",
+        "commonroad": "chatscene.exports.commonroad:CommonRoad",
         "csv": "chatscene.exports.tracks_csv:TracksCsv",
         "osi": "chatscene.exports.osi_trace:OsiTrace [osi]",
         "scenic": "chatscene.exports.filled_program:FilledProgram",

@@ -17,6 +17,13 @@ def element(tag: str, attributes: Mapping[str, str | float | bool] | None = None
     return made
 
 
+def told(tag: str, value: str | float) -> Xml.Element:
+    """An element that holds a value and nothing else, written as those of attributes are."""
+    made = Xml.Element(tag)
+    made.text = _text(value)
+    return made
+
+
 def _text(value: str | float | bool) -> str:
     match value:
         case str():

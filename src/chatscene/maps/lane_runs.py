@@ -78,16 +78,17 @@ def centre_line(lane: Any) -> Polyline:
     Without the points at which Scenic's own line steps back by some centimetres, which it does where pieces of a
     reference line or sections of a lane join: a heading taken there would be reversed.
     """
-    return Polyline(_forward(lane.centerline.points))
+    return Polyline(forward(lane.centerline.points))
 
 
 def _run(lanes: list[Any]) -> LaneRun:
     lines = [centre_line(lane) for lane in lanes]
     ends = tuple(accumulate(line.length for line in lines))
-    return LaneRun(tuple(lanes), Polyline(_forward(Polyline.join(*lines).points.tolist())), ends)
+    return LaneRun(tuple(lanes), Polyline(forward(Polyline.join(*lines).points.tolist())), ends)
 
 
-def _forward(points: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
+def forward(points: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
+    """The points [m] of a line without those that step back; see `centre_line`."""
     kept = [(float(x), float(y)) for x, y, *_ in points[:2]]
     for x, y, *_ in points[2:]:
         (x0, y0), (x1, y1) = kept[-2:]

@@ -14,7 +14,15 @@ from chatscene.terms.episode import Ending, Episode, Role, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 from chatscene.testing.contract import maker, require
 
-_MAP = MapFile(name="some map.xodr", content=b"<OpenDRIVE/>\n")
+_MAP = MapFile(
+    name="some map.xodr",
+    content=b"""<OpenDRIVE><header revMajor="1" revMinor="4"/><road name="" length="400" id="1" junction="-1">
+<planView><geometry s="0" x="99900" y="0" hdg="0" length="400"><line/></geometry></planView>
+<lanes><laneSection s="0"><center><lane id="0" type="none" level="false"/></center>
+<right><lane id="-1" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right>
+</laneSection></lanes></road></OpenDRIVE>
+""",
+)
 _PROGRAM = """# Somebody steps out.
 
 model chatscene.world.model
