@@ -120,29 +120,30 @@ def feasible(track: dict[str, Any], dt: float) -> list[bool]:
     return [state_transition_feasibility(a, b, car, dt)[0] for a, b in pairwise(states)]
 
 
-def reached(problem: Any, ego: dict[str, Any]) -> bool:
-    """Whether the ego as driven is at the goal at a time that is asked for."""
+def reached(problem: Any, on: list[list[int]]) -> bool:
+    """Whether the ego as driven, on these lanelets step by step, is at the goal at a time that is asked for."""
     (goal,) = problem.goal.state_list
-    steps = range(goal.time_step.start, goal.time_step.end + 1)
-    place = getattr(goal, "position", None)
-    inside = (place is None or place.contains_point(ego["poses"][step, :2]) for step in steps)
-    return any(inside)
+    wanted = (problem.goal.lanelets_of_goal_position or {}).get(0)
+    steps = on[goal.time_step.start : goal.time_step.end + 1]
+    return any(wanted is None or not set(wanted).isdisjoint(there) for there in steps)
 
 
 def read(path: Path, scenario: Any, problem: Any, tracks: Tracks) -> Counter[str]:
     """What the reader and the schema say."""
     etree.XMLSchema(etree.parse(str(SCHEMA))).assertValid(etree.parse(str(path)))
     away, turned, poses = farthest(scenario, problem, tracks)
-    network, centres = scenario.lanelet_network, list(tracks["ego"]["poses"][:, :2])
-    print(f"{path.stem}: {100 * away:.1e} cm, {turned:.1e} rad at most, of {poses} poses")
+    network = scenario.lanelet_network
+    on = network.find_lanelet_by_position(list(tracks["ego"]["poses"][:, :2]))
+    print(f"{path.stem}: {100 * away:.1e} cm, {turned:.1e} rad at most, of {poses} poses; goal reached: {reached(problem, on)}")
     return Counter(
         scenes=1,
         poses=poses,
         lanelets=len(network.lanelets),
         valid_lanelets=sum(lanelet.polygon.shapely_object.is_valid for lanelet in network.lanelets),
-        reached=reached(problem, tracks["ego"]),
-        ego_poses=len(centres),
-        ego_poses_on_lanelets=sum(map(bool, network.find_lanelet_by_position(centres))),
+        goals_of_lanelets=problem.goal.lanelets_of_goal_position is not None,
+        reached=reached(problem, on),
+        ego_poses=len(on),
+        ego_poses_on_lanelets=sum(map(bool, on)),
     )
 
 
