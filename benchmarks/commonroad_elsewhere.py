@@ -134,7 +134,8 @@ def read(path: Path, scenario: Any, problem: Any, tracks: Tracks) -> Counter[str
     away, turned, poses = farthest(scenario, problem, tracks)
     network = scenario.lanelet_network
     on = network.find_lanelet_by_position(list(tracks["ego"]["poses"][:, :2]))
-    print(f"{path.stem}: {100 * away:.1e} cm, {turned:.1e} rad at most, of {poses} poses; goal reached: {reached(problem, on)}")
+    told = f"{100 * away:.1e} cm, {turned:.1e} rad at most, of {poses} poses"
+    print(f"{path.stem}: {told}; goal reached: {reached(problem, on)}")
     return Counter(
         scenes=1,
         poses=poses,
