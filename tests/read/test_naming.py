@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from chatscene.read.decompose import hear
 from chatscene.read.naming import plainly_named
 
 
@@ -70,6 +71,18 @@ def test_a_text_that_is_no_report_is_left_as_it_is(said: str) -> None:
 def test_what_a_bracket_tells_of_another_is_read_and_an_aside_is_listed() -> None:
     assert plainly_named("The AV was hit by Vehicle 2 (a truck).").text == "The ego was hit by the truck"
     assert plainly_named("The AV was hit by a car (it was late).").dropped == ("it was late",)
+
+
+@pytest.mark.parametrize("first", ["Veh #1", "Veh. 1", "Vehicle #1", "V1"])
+def test_a_sentence_behind_the_name_of_a_street_is_not_taken_for_a_part_of_it(first: str) -> None:
+    second = first.replace("1", "2")
+    said = f"{first} WB on Alder Ave, stopped at Pine St. {second}, a pickup, was ahead and rolled into {first}."
+    assert plainly_named(said).text == "The ego WB, stopped. The pickup, was ahead and rolled into the ego"
+
+
+@pytest.mark.parametrize(("said", "meant"), [("A car WB on Main", "westbound on"), ("A van, s/b", "southbound")])
+def test_compass_directions_are_known_by_their_letters(said: str, meant: str) -> None:
+    assert meant in hear(said).told
 
 
 def test_a_make_is_a_car_whoever_speaks() -> None:

@@ -42,14 +42,14 @@ _OWN_DRIVER = re.compile(
 # Others, by their place in a report
 
 _PARTY = re.compile(
-    r"\b(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar|VEHICLE|UNIT) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1|(?:[Vv]eh(?:icle)?|[Uu]nit) A|TP|[Cc]lmt|[Cc]laimant)\b"
+    r"\b(?:(?:[Vv]eh(?:icle|\.)?|[Uu]nit|[Cc]ar|VEHICLE|VEH|UNIT) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1|(?:[Vv]eh(?:icle)?|[Uu]nit) A|TP|[Cc]lmt|[Cc]laimant)\b"
 )
-_FIRST = re.compile(r"\b(?:[Tt]he )?(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1)\b")
+_FIRST = re.compile(r"\b(?:[Tt]he )?(?:(?:[Vv]eh(?:icle|\.)?|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?)?1|[Vv]-?1)\b")
 _THEIRS = re.compile(
     r"\b(?:TP|[Cc]laimant)(?:'s)? (?=(?:[\w-]+ )?(?:coach|bus|truck|van|lorry|trailer|semi-trailer|car|motorcycle)\b)"
 )
 _SECOND = re.compile(
-    r"\b(?:[Tt]he )?(?:(?:[Vv]ehicle|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?|number )?2|[Vv]-?2|[Vv]eh(?:icle)? B|[Uu]nit B|TP(?: [Vv]ehicle)?(?!'s)|[Cc]laimant|[Cc]lmt)\b(?: ?\((?:an? )?(?P<kind>[\w -]+)\)|, an? (?P<kind2>[\w-]+))?"
+    r"\b(?:[Tt]he )?(?:(?:[Vv]eh(?:icle|\.)?|[Uu]nit|[Cc]ar) ?(?:#|[Nn]o\.? ?|number )?2|[Vv]-?2|[Vv]eh(?:icle)? B|[Uu]nit B|TP(?: [Vv]ehicle)?(?!'s)|[Cc]laimant|[Cc]lmt)\b(?: ?\((?:an? )?(?P<kind>[\w -]+)\)|, an? (?P<kind2>[\w-]+))?"
 )
 
 # Streets
@@ -76,7 +76,9 @@ _MAKE = re.compile(
 
 # What no scene shows
 
-_NAMES = rf"{_WORD}(?: (?:(?:and|&|de|of) )?{_WORD})*(?: {_STREET})?"
+_OPENS = r"(?:The|An?|Our|His|Her|Its?|He|She|We|They|Their|This|That|There|When|While|As|Then|Upon|Both|Another|Driver|Unit|Vehicle)\b"
+# What begins a sentence behind "St." is no part of the street's name.
+_NAMES = rf"{_WORD}(?: (?!(?<=\. ){_OPENS})(?:(?:and|&|de|of) )?{_WORD})*(?: {_STREET})?"
 _NAMES_OF_STREET = rf"(?:{_WORD} )*(?:{_WORD} {_STREET}|\d+(?:st|nd|rd|th)(?: {_STREET})?|\[X+\])"
 _COMPASS = r"(?:[Nn]orth|[Ss]outh|[Ee]ast|[Ww]est)(?:[ -]?(?:[Ee]ast|[Ww]est))?[ -]?[Bb]ound"
 _MOTORWAY = re.compile(
@@ -125,6 +127,7 @@ _TELLS = re.compile(
 )
 _SENTENCE_END = re.compile(
     r"(?<!\b(?:St|Dr|Jr|Ln|Rd|Pl|Ct|vs|No))(?<!\b(?:Ave|Mrs|Hwy|Inc))(?<!\bBlvd)(?<![ .][A-Z])\.(?=\s|$)(?!\s+[a-z])"
+    rf"|(?:(?<=\b(?:St|Dr|Ln|Rd|Pl|Ct))|(?<=\b(?:Ave|Hwy))|(?<=\bBlvd))\.(?=\s+{_OPENS})"
 )
 
 
