@@ -27,16 +27,6 @@ from chatscene.terms.episode import Array, Ending, Episode, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 AROUND = 50.0  # [m] from anybody, at any time, within which lanelets are part of the scene
-# Types of dynamic obstacles, by the category that a kind of road user has in OpenSCENARIO; of others it is unknown.
-_TYPES = {
-    "car": "car",
-    "truck": "truck",
-    "bus": "bus",
-    "motorbike": "motorcycle",
-    "bicycle": "bicycle",
-    "pedestrian": "pedestrian",
-    "wheelchair": "pedestrian",
-}
 _OCLOCK = {Light.DAY: ("12:00:00", "day"), Light.DUSK: ("18:30:00", "unknown"), Light.NIGHT: ("00:00:00", "night")}
 # In clear weather the schema asks for `sunny`, which the format's own reader refuses, and refuses what that reads.
 _WEATHER = {Weather.RAIN: "light_rain", Weather.SNOW: "snow", Weather.FOG: "fog"}
@@ -157,13 +147,11 @@ def _obstacles(episode: Episode, first: int) -> Iterator[Xml.Element]:
             yield element("staticObstacle", {"id": number}, told("type", "unknown"), *_body(track, episode.dt))
     for number, track in others:
         if number not in still:
-            kind = BY_CLASS[track.kind].row
-            named = "priorityVehicle" if kind.role else _TYPES.get(kind.openscenario, "unknown")
             states = _states(track, episode.dt)
             yield element(
                 "dynamicObstacle",
                 {"id": number},
-                told("type", named),
+                told("type", BY_CLASS[track.kind].row.commonroad),
                 *_body(track, episode.dt),
                 element("trajectory", {}, *(element("state", {}, *state) for state in states[1:])),
             )

@@ -85,6 +85,7 @@ class RoadUser:
         wheel: Diameter of its wheels [m]; nominal; 0 where formats ask for none.
         osi: Its type in `VehicleClassification` of the Open Simulation Interface 3, without `TYPE_`; empty of what is
             no vehicle there.
+        commonroad: Its type of dynamic obstacle in CommonRoad 2020a.
         role: What it is there for, in the words of both formats; empty of one for nothing in particular.
         like: The kind that it acts like, by name; empty where it acts like none but itself.
         slow: Speed [m/s] below which a watcher calls it slow.
@@ -105,6 +106,7 @@ class RoadUser:
     motorised: bool = True
     wheel: float = 0.0
     osi: str = ""
+    commonroad: str = "unknown"
     role: str = ""
     like: str = ""
     slow: float = 4.0
@@ -148,6 +150,7 @@ class AdversaryKind(StrEnum):
             height=1.5,
             wheel=0.65,
             openscenario="car",
+            commonroad="car",
             osi="CAR",
             words=(
                 r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|"
@@ -193,6 +196,7 @@ class AdversaryKind(StrEnum):
             height=3.2,
             wheel=1.0,
             openscenario="truck",
+            commonroad="truck",
             osi="HEAVY_TRUCK",
             words=(
                 r"trucks?|lorry|lorries|semis?|(?:semi-?)?(?:tractor-)?trailers?|hgvs?|heavy goods vehicles?|(?:box|"
@@ -233,6 +237,7 @@ class AdversaryKind(StrEnum):
             height=3.1,
             wheel=1.0,
             openscenario="bus",
+            commonroad="bus",
             osi="BUS",
             words=(r"(?:mini|omni|trolley)?bus|buses|coach|coaches|motorcoach|double[- ]decker|shuttle"),
             nouns="""
@@ -265,6 +270,7 @@ class AdversaryKind(StrEnum):
             height=1.6,
             wheel=0.6,
             openscenario="motorbike",
+            commonroad="motorcycle",
             osi="MOTORCYCLE",
             words=(
                 r"motor(?: |-)?(?:cycl\w+|bikes?|bikers?|scooters?)|bikers?|mopeds?|scooters?|"
@@ -302,6 +308,7 @@ class AdversaryKind(StrEnum):
             height=1.7,
             wheel=0.65,
             openscenario="bicycle",
+            commonroad="bicycle",
             osi="BICYCLE",
             words=(
                 r"(?:bi)?cycl(?:es?|ists?)|bicyclists?|(?:push|cargo)? ?bikes?|bike riders?|e-?bikes?|pedal cycl\w+|"
@@ -328,6 +335,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.WALKS,
             height=1.7,
             openscenario="pedestrian",
+            commonroad="pedestrian",
             words=(
                 r"pedestrians?|(?:dog )?walkers?|tourists?(?! (?:bus|coach))|shoppers?|commuters?|teenagers?|"
                 r"pupils?|lady|gentleman|girl|boy|guy on foot|persons?|people|child|children|kids?|man|woman|men|"
@@ -367,6 +375,7 @@ class AdversaryKind(StrEnum):
             height=2.5,
             wheel=0.7,
             openscenario="van",
+            commonroad="priorityVehicle",
             osi="VAN",
             role="ambulance",
             words=(
@@ -412,6 +421,7 @@ class AdversaryKind(StrEnum):
             height=1.8,
             wheel=0.25,
             openscenario="bicycle",
+            commonroad="bicycle",
             osi="STANDUP_SCOOTER",
             words=(
                 r"(?:[a-z]+ (?:on|riding) (?:an?|his|her|their) )?"
@@ -439,6 +449,7 @@ class AdversaryKind(StrEnum):
             manner=Manner.WALKS,
             height=1.3,
             openscenario="wheelchair",
+            commonroad="pedestrian",
             osi="WHEELCHAIR",
             words=(
                 r"(?:(?:elderly |old |young )?[a-z]+ (?:in|using|on) (?:an?|his|her|their|the) "
