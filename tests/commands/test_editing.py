@@ -115,6 +115,17 @@ def test_what_is_asked_back_is_answered_in_a_conversation() -> None:
     assert "A bus" in done.stdout[done.stdout.index("no reading 2") :]  # what is refused changes nothing
 
 
+def test_what_is_answered_adds_up_and_what_is_refused_leaves_the_situation() -> None:
+    lines = ["the car ahead brakes hard", "new some thing does a thing", "set adversary=bicycle", "show"]
+    facts = ["set actions=cross", "set position=roadside", "set side=left", "set maneuver=straight", "show", "quit"]
+    done = said("chat", *FEW, lines="\n".join([*lines, *facts]))
+    assert done.exit_code == 0
+    refused = done.stdout.rindex("NothingFits")
+    assert "now: A car ahead of us brakes hard." in done.stdout[:refused]
+    assert done.stdout.count("now: A car ahead") == 2  # shown again after the new one was refused
+    assert "A bicycle from the left" in done.stdout[refused:]
+
+
 def test_a_conversation_goes_line_by_line(tmp_path: Path) -> None:
     lines = ["the car ahead brakes hard", "make it a truck", "undo", "undo", "make it a dragon", "at night", "show"]
     done = said("chat", *FEW, lines="\n".join([*lines, f"run {tmp_path / 'night'}", "quit", "never read"]))

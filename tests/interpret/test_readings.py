@@ -84,7 +84,10 @@ def test_acts_are_stated_in_their_order_and_light_as_well() -> None:
 
 def test_who_states_every_fact_is_not_refused() -> None:
     assert "pushes" in " ".join(refusal("some idiot pushes in").reasons)
-    assert confidence("some idiot pushes in", stated="adversary=car actions=cut-in position=beside") >= 0.9
+    assert (
+        confidence("some idiot pushes in", stated="adversary=car actions=cut-in position=beside maneuver=straight")
+        == 1.0
+    )
 
 
 def test_stating_a_fact_does_not_make_an_impossible_sentence_possible() -> None:

@@ -15,23 +15,26 @@ from chatscene.errors import SnippetError
 from chatscene.grow.compose_texts import Labelled, compose, wordings
 from chatscene.grow.course import of_others
 from chatscene.grow.fit import fit, heads_of, trust_of, unseen
-from chatscene.interpret.decide import likeliest, scenario_of
+from chatscene.interpret.decide import likeliest, likeliest_together, scenario_of
 from chatscene.interpret.retrieve import guessed
 from chatscene.interpret.wording_index import stem
 from chatscene.library.load import Library, load_library
 from chatscene.models.encoders.embedding import MiniLM
+from chatscene.read.decompose import hear
 from chatscene.read.slot_classifier import (
     PACKAGED,
     TRUSTED,
     VALUES,
     SlotClassifier,
     Trust,
+    believed_by,
     load_classifier,
     save_classifier,
 )
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Component, Side, Slots
+from chatscene.terms.scenario import Component, Side, Site, Slots
 from outright import decompose
 
 States = Callable[[str], list[Any]]  # of a sentence, from each member's encoder
@@ -180,6 +183,22 @@ def test_training_goes_on_from_what_was_learned(trained: SlotClassifier) -> None
     text = "a zorp glides over the way x"
     found = after.classify([encoder.states(text) for encoder in after.encoders()], Slots())
     assert found.behaviors["behavior/cross"] > 0.5
+
+
+def test_a_kind_and_a_slot_that_were_not_trained_are_heard_as_words_say_them() -> None:
+    everything = heads_of(small())
+    classes = {head: names for head, names in everything.items() if head != "site"}
+    classes["adversary"] = ("", "pedestrian", "car")
+    deer = hear("A deer runs out in front of us from the right, suddenly.")
+    assert deer.outright.adversary is AdversaryKind.DEER
+    member = fit(sentences(), classes, epochs=30, seed=0, told=_silent)
+    classifier = SlotClassifier((member,), classes, dict.fromkeys(TRUSTED, Trust(found=4.0)))
+    found = believed_by(classifier, classifier.encoders(), deer)
+    assert set(found.slots["adversary"]) == {None, AdversaryKind.DEER, AdversaryKind.CAR}
+    assert found.likeliest("adversary") is AdversaryKind.DEER
+    assert "site" not in found.slots
+    frame = replace(deer, beliefs=found, outright=replace(deer.outright, site=Site.RURAL))
+    assert likeliest_together(frame, RetrievalSettings()).site is Site.RURAL
 
 
 def test_a_text_of_others_means_any_behavior_that_does_what_it_says(tmp_path: Path) -> None:

@@ -129,6 +129,7 @@ class Talk:
     def __init__(self, reading: Reading, search: Mapping[str, Any]) -> None:
         self._reading, self._search = reading, search
         self._text, self._answer = "", Answer()
+        self._asked = self._text, self._answer  # what is answered for: the text last said, understood or not
         self._said: list[Understood] = []
         self._edits: list[str] = []
 
@@ -136,15 +137,14 @@ class Talk:
         """Do what a line says, and say what came of it.
 
         Raises:
-            ChatSceneError: The line is refused; nothing is changed but for a situation that could not be read, which
-                may be answered for.
+            ChatSceneError: The line is refused; the situation is as it was.
         """
         verb, _, rest = line.partition(" ")
-        if self._text and (answer := self._answer.further(verb, rest)):
-            self._understand(answer)
+        text, before = self._asked
+        if text and (answer := before.further(verb, rest)):
+            self._understand(text, answer, self._edits if self._said and text == self._text else [])
         elif not self._said or verb == "new":
-            self._text, self._answer, self._said, self._edits = rest if verb == "new" else line, Answer(), [], []
-            self._understand(self._answer)
+            self._understand(rest if verb == "new" else line, Answer(), [])
         elif line == "undo":
             self._undo()
         elif line == "show":
@@ -156,13 +156,18 @@ class Talk:
             self._edits.append(line)
             say(str(self._said[-1]))
 
-    def _understand(self, answer: Answer) -> None:
+    def _understand(self, text: str, answer: Answer, edits: list[str]) -> None:
         from chatscene import api
 
-        said = [api.explain(self._text, **self._reading, **answer.options())]
-        for edit in self._edits:
+        try:
+            said = [api.explain(text, **self._reading, **answer.options())]
+        except NothingFits:
+            self._asked = text, answer  # one fact may not be enough
+            raise
+        for edit in edits:
             said.append(said[-1].edit(edit))
-        self._said, self._answer = said, answer
+        self._asked = text, answer
+        self._text, self._answer, self._said, self._edits = text, answer, said, edits
         self._show()
 
     def _undo(self) -> None:

@@ -314,7 +314,8 @@ def fit(
 ) -> None:
     """Train the classifier that reads sentences on the library as it is now.
 
-    It goes on from the packaged one. Takes some twenty minutes of one core, and the extra train.
+    It goes on from the packaged one. Takes some ten minutes of one core, twenty with a thousand texts, and the extra
+    train.
 
     \b
     chatscene library fit

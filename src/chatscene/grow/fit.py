@@ -82,15 +82,8 @@ def fit(
     columns = [len(names) for names in classes.values()]
     model = Tuned(frozen=FROZEN, columns=columns, dropout=DROPOUT, changes=onward[0].changes if onward else None)
     if onward:
-        queries, weights, bias = _heads_of(*onward, classes)
-        model.load_state_dict(
-            {
-                "queries": torch.from_numpy(queries),
-                "weights": torch.from_numpy(weights),
-                "bias": torch.from_numpy(bias),
-            },
-            strict=False,
-        )
+        for parameter, values in zip(model.heads(), _heads_of(*onward, classes), strict=True):
+            parameter.data.copy_(torch.from_numpy(values))
     lower = model.lower([tokenize(plain(hear(s.text).told), LONGEST) for s in sentences])
     optimizer = torch.optim.AdamW(
         [{"params": model.upper.parameters(), "lr": RATE}, {"params": model.heads(), "lr": HEAD_RATE}]
@@ -101,7 +94,7 @@ def fit(
     for step, rows in enumerate((rows for _ in range(epochs) for rows in _batches([len(x) for x in lower], rng)), 1):
         odds = model([lower[i] for i in rows])
         loss = torch.zeros(())
-        for head, z in zip(HEADS, odds, strict=True):
+        for head, z in zip(classes, odds, strict=True):
             right, known = (torch.from_numpy(part[rows]) for part in targets[head])
             loss = loss + (known * _loss_of(torch, head, z, right)).mean()
         optimizer.zero_grad()
@@ -125,7 +118,7 @@ def heads_of(library: Library) -> Classes:
 
 
 def _heads_of(member: Member, old: Classes, classes: Classes) -> tuple[Array, Array, Array]:
-    """Queries, weights and biases of a member for other classes: those that it has by their names, the others zero."""
+    """A member's queries, weights and biases, for other classes: those that it has by their names, the others zero."""
     rows = {head: row for row, head in enumerate(old)}
     at = {pair: i for i, pair in enumerate((head, name) for head, names in old.items() for name in names)}
     queries = np.zeros((len(classes), member.queries.shape[1]), np.float32)

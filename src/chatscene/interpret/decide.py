@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from chatscene.errors import NothingFits
 from chatscene.interpret.nearest import likely_by_wording
 from chatscene.interpret.retrieve import left_by_unread, retrieve, settle
-from chatscene.interpret.trust import account_is_right
+from chatscene.interpret.trust import account_is_right, log_odds
 from chatscene.interpret.wording import parts_of
 from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
@@ -22,6 +22,7 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Measure, Scenario, Slots, Unused, Why
+from chatscene.terms.slots import SLOTS
 
 TOGETHER = 0.6  # weight of a behavior's log-likelihood beside those of its acts
 FAINTEST = 1e-3  # likelihood
@@ -108,7 +109,8 @@ def likeliest_together(frame: Frame, settings: RetrievalSettings) -> Slots:
     library = library_with(settings.library)
     told = frame.account.slots.actions if frame.account else ()
     slots = likeliest(frame.beliefs, {s.id: s.slots.actions for s in library.of(Component.BEHAVIOR)}, told)
-    slots = settle(frame, slots, library)
+    unheard = {name: getattr(frame.outright, name) for name in SLOTS if name not in frame.beliefs.slots}
+    slots = settle(frame, replace(slots, **unheard), library)
     if any(one.measure is Measure.DISTANCE for one in frame.quantities):
         slots = replace(slots, distance=None)  # the number says it
     return concluded(replace(slots, **{name: getattr(frame.outright, name) for name in frame.stated}))
@@ -189,12 +191,12 @@ def likeliest(beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]], tol
     for name, p in beliefs.behaviors.items():
         if name in behaviors:
             together[behaviors[name]] = together.get(behaviors[name], 0.0) + p
-    odds = {action: _log_odds(beliefs.heard(action)) for action in Action}
+    odds = {action: log_odds(beliefs.heard(action), FAINTEST) for action in Action}
 
     def likelihood(acts: tuple[Action, ...]) -> float:
         return sum(odds[act] for act in set(acts)) + TOGETHER * math.log(together[acts] + FAINTEST)
 
-    return Slots(**values, actions=max(together, key=likelihood) if beliefs.actions else told)
+    return Slots(**values, actions=max(together, key=likelihood))
 
 
 def _in_order(
@@ -204,10 +206,6 @@ def _in_order(
     likely = {name: p for name, p in beliefs.behaviors.items() if acts <= set(behaviors.get(name, ()))}
     order = behaviors[max(likely, key=lambda name: likely[name])] if likely else tuple(Action)
     return tuple(action for action in dict.fromkeys(order) if action in acts)
-
-
-def _log_odds(p: float) -> float:
-    return math.log((p + FAINTEST) / (1.0 - p + FAINTEST))
 
 
 def _with_own_behaviors(frame: Frame, settings: RetrievalSettings) -> Frame:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
-from chatscene.interpret.trust import FEW, with_stated_sure
+from chatscene.interpret.trust import FEW, log_odds, with_stated_sure
 from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
 from chatscene.library.bind import distances, out_of_reach, settable
@@ -542,7 +542,7 @@ def doubts(
     words, account = len(frame.told.split()), frame.account
     return {
         "base": 1.0,
-        "scope": math.log((beliefs.in_scope + FAINTEST) / (1.0 - beliefs.in_scope + FAINTEST)),
+        "scope": log_odds(beliefs.in_scope, FAINTEST),
         "beyond": float(any(note.about is About.FOREIGN for note in scenario.notes)),
         "outright": float(min(len(scenario.slots.said()) - len(guessed(scenario.slots, frame)), ENOUGH)),
         "wording": min(max(float(text @ description), FAR_WORDING), NEAR_WORDING),

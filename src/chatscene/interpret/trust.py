@@ -53,8 +53,13 @@ def speaks_for_account(frame: Frame, account: Account, guessed: Slots) -> dict[s
         "behavior": math.log(likeliest + _FAINT),
         "facts": frame.beliefs.facts(slots),
         "done": frame.beliefs.acts(slots.actions),
-        "scope": math.log((frame.beliefs.in_scope + _FAINT) / (1.0 - frame.beliefs.in_scope + _FAINT)),
+        "scope": log_odds(frame.beliefs.in_scope, _FAINT),
     }
+
+
+def log_odds(p: float, faintest: float) -> float:
+    """Log-odds of a probability, and of none fainter than the faintest."""
+    return math.log((p + faintest) / (1.0 - p + faintest))
 
 
 def account_is_right(frame: Frame, guessed: Slots) -> float:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -78,11 +79,12 @@ def lanelets_of(network: Any) -> tuple[Lanelet, ...]:
     lanes = sorted(network.lanes, key=lambda lane: lane.uid)
     sections = [section for lane in lanes for section in lane.sections]
     numbers = {section.uid: number for number, section in enumerate(sections, 1)}
-    follow = [
-        (numbers[one.uid], numbers[other.uid])
-        for lane in lanes
-        for one, other in (*zip(lane.sections, lane.sections[1:], strict=False), *_onward(lane))
-    ]
+    after: dict[int, set[int]] = {number: set() for number in numbers.values()}
+    before: dict[int, set[int]] = {number: set() for number in numbers.values()}
+    for lane in lanes:
+        for one, other in (*pairwise(lane.sections), *_onward(lane)):
+            after[numbers[one.uid]].add(numbers[other.uid])
+            before[numbers[other.uid]].add(numbers[one.uid])
     made: list[Lanelet] = []
     inside = {m.connectingLane.uid for junction in network.intersections for m in junction.maneuvers}
     for number, section in enumerate(sections, 1):
@@ -92,8 +94,8 @@ def lanelets_of(network: Any) -> tuple[Lanelet, ...]:
                 number=number,
                 left=left,
                 right=right,
-                after=tuple(sorted({other for one, other in follow if one == number})),
-                before=tuple(sorted({one for one, other in follow if other == number})),
+                after=tuple(sorted(after[number])),
+                before=tuple(sorted(before[number])),
                 on_left=_beside(section, 1, numbers),
                 on_right=_beside(section, -1, numbers),
                 in_junction=section.lane.uid in inside,

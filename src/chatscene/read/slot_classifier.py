@@ -1,11 +1,11 @@
-"""What a sentence says, by an encoder trained on sentences composed from the library itself.
+"""What a sentence says, by an encoder trained on sentences of ours and on texts of others.
 
 The patterns of `chatscene.read` are right where they match and silent where they do not; a classifier is never silent
 and seldom sure. Here is the classifier: MiniLM with its upper layers trained further, and on its states one head per
 slot, one for the actions, one over the behaviors of the library and one for whether it is a driving scenario at all,
-each with its own attention over the words. Several, trained apart, are averaged. How much the patterns count beside
-them was fitted on sentences written by hand (decision 0017).
-`chatscene.grow.fit` trains it.
+each with its own attention over the words. Several, trained apart, are averaged. How much the patterns and the
+account count beside them was fitted on texts that members had not seen (decisions 0017 and 0073).
+`chatscene.grow.course` says what it learns from, `chatscene.grow.fit` trains it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from __future__ import annotations
 import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from chatscene.errors import SnippetError
 from chatscene.files.bounded import check_archive
 from chatscene.models.encoders.embedding import MiniLM
+from chatscene.read.lexicon import KINDS
 from chatscene.terms.acts import Action
 from chatscene.terms.frame import Beliefs, Frame
 from chatscene.terms.scenario import Slots
@@ -142,7 +143,7 @@ class SlotClassifier:
             likely = 1 / (1 + np.exp(-joined)) if name == "actions" else _softmax(joined)
             slots[name] = dict(zip(classes, likely.tolist(), strict=True))
         return Beliefs(
-            slots={name: {as_value(name, value): p for value, p in slots[name].items()} for name in VALUES},
+            slots={name: {as_value(name, v): p for v, p in slots[name].items()} for name in VALUES if name in slots},
             actions={Action(name): p for name, p in slots["actions"].items()},
             behaviors=slots[BEHAVIOR],
             in_scope=slots[SCOPE]["True"],
@@ -272,6 +273,21 @@ def believe(frame: Frame, own: str = "") -> Beliefs:
 
 
 def believed_by(classifier: SlotClassifier, encoders: Sequence[MiniLM], frame: Frame) -> Beliefs:
-    """How likely a classifier, with the encoders of its members, finds each fact in a sentence."""
-    account = frame.account.slots if frame.account else None
-    return classifier.classify([encoder.states(frame.told) for encoder in encoders], frame.outright, account)
+    """How likely a classifier finds each fact in a sentence.
+
+    A kind of road user that it was not trained on is heard as what it is like; a slot without a head is absent.
+
+    Args:
+        classifier: Who is asked.
+        encoders: Of its members.
+        frame: The sentence, and what its words say outright.
+    """
+    kind, account = frame.outright.adversary, frame.account.slots if frame.account else None
+    if kind is None or kind.lies or kind.acts_as is kind or str(kind) in classifier.classes["adversary"]:
+        return classifier.classify([encoder.states(frame.told) for encoder in encoders], frame.outright, account)
+    text, known = KINDS[kind].sub(kind.acts_as.noun, frame.told), replace(frame.outright, adversary=kind.acts_as)
+    if account and account.adversary is kind:
+        account = replace(account, adversary=kind.acts_as)
+    beliefs = classifier.classify([encoder.states(text) for encoder in encoders], known, account)
+    who = {kind if value is kind.acts_as else value: p for value, p in beliefs.slots["adversary"].items()}
+    return replace(beliefs, slots={**beliefs.slots, "adversary": who})
