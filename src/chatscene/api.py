@@ -20,7 +20,7 @@ from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
-from chatscene.settings import EGO, RetrievalSettings, Settings
+from chatscene.settings import EGO, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
@@ -382,7 +382,7 @@ def run(
         seed: What everything random derives from.
         avoidable: Whether to keep no crash that a careful driver would not have avoided.
         sampler: Who says where to look next.
-        simulator: What scenes run in.
+        simulator: What scenes run in; ``native`` where neither this nor ``settings`` is given.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
@@ -403,7 +403,7 @@ def run(
 
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
-    settings = settings or Settings()
+    settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
     chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
     if report is not None:
         text = _only_conflict(report, chosen)

@@ -255,7 +255,7 @@ def test_the_command_can_be_pasted_into_a_shell(tmp_path: Path) -> None:
     words = command(read_record(run)).replace("chatscene", "printf '%s\\n'", 1)
     said = subprocess.run(["sh", "-c", words], capture_output=True, text=True, check=True).stdout.splitlines()
     assert said[:2] == ["run", 'don\'t $(rm -rf) `this`; "please"']
-    assert said[-2:] == ["--seed", "7"]
+    assert said[-4:] == ["--seed", "7", "--simulator", "embedded"]
 
 
 def test_the_page_says_what_was_read_and_how_many_scenes_show_it(tmp_path: Path) -> None:

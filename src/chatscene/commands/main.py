@@ -46,7 +46,7 @@ from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
-from chatscene.settings import EGO, SimulationSettings
+from chatscene.settings import EGO, SIMULATOR, SimulationSettings
 from chatscene.terms.conflict import Conflict
 
 if TYPE_CHECKING:
@@ -63,13 +63,16 @@ SAMPLER = click.option(
     "or package.module:factory.",
 )
 
-SIMULATOR = click.option(
-    "--simulator",
-    default=SimulationSettings().simulator,
-    show_default=True,
-    help="What scenes run in: this, confined (behind the sandbox's walls), carla[:HOST[:PORT]] (a CARLA server), or "
-    "package.module:factory.",
-)
+
+def _simulator(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """The option that says what scenes run in."""
+    return click.option(
+        "--simulator",
+        default=default,
+        show_default=True,
+        help="What scenes run in: embedded, native (what it knows in C, with the same numbers, all else embedded), "
+        "confined (behind the sandbox's walls), carla[:HOST[:PORT]] (a CARLA server), or package.module:factory.",
+    )
 
 
 class _Errors(click.Group):
@@ -127,7 +130,7 @@ goes into looking through what has just been loaded and stays."""
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
-@SIMULATOR
+@_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option(
     "--out",
@@ -323,7 +326,7 @@ def evaluate(
 @MAP
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @SAMPLER
-@SIMULATOR
+@_simulator(SimulationSettings().simulator)
 @PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
@@ -375,7 +378,7 @@ def benchmark(
 @main.command()
 @click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
 @MAP
-@SIMULATOR
+@_simulator(SimulationSettings().simulator)
 @PHYSICS_OPTION
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
@@ -422,7 +425,7 @@ def drive(
 @click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
 @click.option("--seed", default=0, show_default=True)
 @MAP
-@SIMULATOR
+@_simulator(SimulationSettings().simulator)
 @PHYSICS_OPTION
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 def train(

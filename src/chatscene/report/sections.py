@@ -18,7 +18,7 @@ from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.templates import fill_section
 from chatscene.runs import RunRecord, Status
 from chatscene.search.generators.own_program import options_of
-from chatscene.settings import Settings
+from chatscene.settings import SIMULATOR, Settings, SimulationSettings
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -332,8 +332,8 @@ def _without_option(record: RunRecord) -> str:
 
 
 def _changed(record: RunRecord) -> dict[tuple[str, str], object]:
-    """The settings that are not the default, by group and name."""
-    default = asdict(Settings())
+    """The settings that are not the default of the command, by group and name."""
+    default = asdict(Settings(simulation=SimulationSettings(simulator=SIMULATOR)))
     return {
         (group, name): value
         for group, values in record.settings.items()

@@ -6,8 +6,11 @@ from pathlib import Path
 
 import pytest
 
+import chatscene
 from chatscene import pipeline, runs
-from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.maps.network import resolve_map
+from chatscene.settings import SIMULATOR, SearchSettings, Settings, SimulationSettings
+from chatscene.simulate.confined.simulator import ConfinedSimulator
 from chatscene.simulate.native.engine import NoEngine, load_engine
 
 TEXT = "A cyclist rides out from the left and stops in front of us."
@@ -46,3 +49,19 @@ def test_a_run_names_the_scenes_that_the_engine_does_not_cover_and_why(tmp_path:
     assert record.instead.keys() == {"the physics lagged"}
     assert len(record.instead["the physics lagged"]) == 3
     assert said.splitlines()[-1] == "stepped: 3 by embedded (not by native: 3 scenes: the physics lagged)"
+
+
+def test_a_run_in_which_no_simulator_was_named_drives_in_the_engine(tmp_path: Path) -> None:
+    try:
+        load_engine()
+    except NoEngine as error:
+        pytest.skip(str(error))
+    chatscene.run(TEXT, tmp_path / "run", ego="idm", scenes=2)
+    record = runs.read_record(runs.open_run(tmp_path / "run"))
+    assert (record.simulator.name, record.stepped) == ("native", {"native": 2})
+
+
+def test_what_must_be_confined_is_hosted_by_the_embedded_simulator_where_none_was_named() -> None:
+    with ConfinedSimulator(resolve_map("town"), SimulationSettings(simulator=SIMULATOR)) as simulator:
+        assert simulator.identity.name == "confined"
+        assert simulator.identity.confinable

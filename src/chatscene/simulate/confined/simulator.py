@@ -14,7 +14,7 @@ from typing import Any
 from chatscene.ego.observation import OBSERVATIONS, Observation, check_preset
 from chatscene.ego.policy import PEDALS, controls
 from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
-from chatscene.settings import SimulationSettings
+from chatscene.settings import SIMULATOR, SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign, refused
 from chatscene.simulate.confined.confinement import Limits
 from chatscene.simulate.confined.nursery import Confined, Nursery
@@ -47,7 +47,8 @@ class ConfinedSimulator:
 
     Args:
         map_path: The map everything runs on.
-        settings: Step and limits, and what is hosted; if they name this one itself, the default is.
+        settings: Step and limits, and what is hosted; if they name this one itself, or the one of runs where none is
+            named, whose engine cannot come behind the walls, the embedded one is, with the same numbers.
         limits: What a program may use up.
 
     Attributes:
@@ -58,7 +59,7 @@ class ConfinedSimulator:
     """
 
     def __init__(self, map_path: Path, settings: SimulationSettings, limits: Limits | None = None) -> None:
-        if settings.simulator == NAME:
+        if settings.simulator in (NAME, SIMULATOR):
             settings = replace(settings, simulator=SimulationSettings().simulator)
         hosted = load_simulator(map_path, settings).identity
         if not hosted.confinable:
