@@ -12,7 +12,7 @@ from chatscene.read.decompose import LONGEST, hear
 from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side
+from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side, Site
 from outright import decompose
 from places import FIXTURES, SHARED
 
@@ -257,3 +257,21 @@ def test_who_stands_at_first_stops_where_a_stop_is_said() -> None:
 )
 def test_right_before_us_is_no_side(text: str, side: object) -> None:
     assert hear(f"A motorbike {text}.").outright.side == side
+
+
+@pytest.mark.parametrize(
+    ("text", "site"),
+    [
+        ("Wrong-way driver on the interstate, in my lane.", Site.MOTORWAY),
+        ("I-80 E, 4pm, a Civic from the right lane squeezes in front of us.", Site.MOTORWAY),
+        ("A lorry moves into my lane on the M62.", Site.MOTORWAY),
+        ("We are on the on-ramp and the car ahead stops.", Site.ON_RAMP),
+        ("At the roundabout a tractor rolls in from the left.", Site.ROUNDABOUT),
+        ("Mid-block zebra crossing, a pedestrian from the left.", Site.CROSSWALK),
+        ("A pedestrian on the crosswalk at the junction into which we turn.", None),
+        ("A highway patrol car cuts in ahead of us.", None),
+        ("A car comes out of a lane near the motorway.", None),
+    ],
+)
+def test_a_site_is_heard_by_its_name(text: str, site: Site | None) -> None:
+    assert hear(text).outright.site is site

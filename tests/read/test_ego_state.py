@@ -33,6 +33,11 @@ SAYS = {
     "We brake hard at the lights and a car crashes into us from behind.": EgoState.BRAKES,
     "We stop at a stop sign and a motorcycle hits us from behind.": EgoState.STOPS,
     "We were coming to a stop behind a bus when a car rear-ended us.": EgoState.STOPS,
+    "I'm just sitting there at the lights and a pickup runs into the back of me.": EgoState.STANDS,
+    "im queueing at the lights, a moped hits me from behind": EgoState.STANDS,
+    "Light turned green, I started to go, and the car behind bumped me.": EgoState.SETS_OFF,
+    "I stopped at the sign, then I went, and a van came from the right.": EgoState.SETS_OFF,
+    "I braked cause some kids ran about and the car behind hit me.": EgoState.BRAKES,
 }
 SAYS_NOTHING = (
     "The car ahead brakes hard, which makes us brake.",
@@ -75,4 +80,4 @@ def test_few_of_the_texts_at_hand_say_a_state() -> None:
     ]
     found = Counter(hear(text).outright.ego for text in texts)
     del found[None]
-    assert found == {EgoState.SETS_OFF: 2, EgoState.SLOW: 1, EgoState.STANDS: 1}
+    assert found == {EgoState.SETS_OFF: 2, EgoState.SLOW: 1, EgoState.STANDS: 3, EgoState.STOPS: 1}

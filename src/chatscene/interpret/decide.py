@@ -224,7 +224,7 @@ def _unused(frame: Frame, slots: Slots) -> tuple[Unused, ...]:
     if any(one.why is Why.LANGUAGE for one in frame.unused):
         return frame.unused
     beside = (Unused(said=one.said, why=Why.ROAD_USER) for one in _others(frame.mentions, slots))
-    told = (_without_effect(one, frame.text) for one in frame.unused)
+    told = (_without_effect(one, frame.text) for one in frame.unused if slots.site is None or one.why is not Why.SITE)
     return tuple(sorted(dict.fromkeys((*told, *beside)), key=lambda one: _ORDER[one.why]))
 
 

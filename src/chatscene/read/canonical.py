@@ -15,11 +15,11 @@ _APOSTROPHES = str.maketrans("\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOT
 _SPEAKER: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(rf"\b(?:{said})\b"), meant)
     for said, meant in (
-        ("i'm|i am|we're", "we are"),
+        ("i'm|i am|we're|im(?= \\w)", "we are"),
         ("am i", "are we"),
         ("i was", "we were"),
         ("was i", "were we"),
-        ("i've|we've", "we have"),
+        ("i've|we've|ive", "we have"),
         ("i(?=[ ',;:]|$)", "we"),
         ("me", "us"),
         ("my", "our"),

@@ -25,8 +25,21 @@ from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS
 from chatscene.terms.frame import About, Clauses, Frame, Note, certain
-from chatscene.terms.scenario import Control, Distance, Maneuver, Occluder, Place, Position, Side, Slots, Unused, Why
+from chatscene.terms.scenario import (
+    Control,
+    Distance,
+    Maneuver,
+    Occluder,
+    Place,
+    Position,
+    Side,
+    Site,
+    Slots,
+    Unused,
+    Why,
+)
 
+RAMPS = (Site.ON_RAMP, Site.OFF_RAMP)
 WHOLE = 0.95  # of a text of which every phrase has its place: set, not fitted, as few of others' are
 LONGEST = 2000  # characters; a situation fits into a paragraph
 
@@ -155,7 +168,16 @@ def _slots(clauses: Clauses, notes: list[Note]) -> Slots:
         lanes=_lanes(clauses, place),
         two_way=_two_way(clauses, place),
         ego=ego_state_of(clauses.whole, words.ANYBODY),
+        site=_site(clauses, place),
     )
+
+
+def _site(clauses: Clauses, place: Place | None) -> Site | None:
+    """What the ego's way leads along or through; a crosswalk at a junction is a part of that."""
+    for site, pattern in words.SITES.items():
+        if pattern.search(clauses.ego if site in RAMPS else clauses.whole):
+            return None if site is Site.CROSSWALK and place in JUNCTIONS else site
+    return None
 
 
 def _distance(text: str) -> Distance | None:

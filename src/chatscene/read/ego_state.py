@@ -12,10 +12,11 @@ import re
 
 from chatscene.terms.scenario import EgoState
 
-_WE = r"\b(?:we|(?:(?:the|our|an?) )?ego(?: vehicle| car)?|our (?:car|vehicle|taxi|van))(?: ?\([^)]*\))?"
+_WE = r"\b(?:we|(?:(?:the|our|an?) )?ego(?: vehicle| car)?|our (?:car|vehicle|taxi|van))(?: ?\([^)]*\))?(?:'d|'ve)?"
 _MODE = r"(?:(?: \w+ing)?,? (?:in|under) (?:\w+ ){1,2}(?:mode|control)\b,?)?(?: \([^)]*\))?"  # of a report
 _ADVERBS = (
-    r"(?: (?:just|already|still|now|then|also|all|only|first|fully|completely|safely|gently|slowly|have|has|had))*"
+    r"(?: (?:just|already|still|now|then|also|all|only|first|fully|completely|safely|gently|slowly|have|has|had|there|"
+    r"here))*"
 )
 _ARE = rf"{_ADVERBS} (?:are|were|was|is|am|been){_ADVERBS}(?: been)?{_ADVERBS}"
 _DO = rf"{_ADVERBS}(?: (?:are|were|was|is|beg[ia]n to|start(?:ed)? to|ha(?:ve|d) to|will))?{_ADVERBS}"
@@ -35,7 +36,7 @@ _STANDS = (
     rf"{_WE}{_MODE}{_ARE} at a (?:complete |full )?(?:standstill|stop(?![ -]sign)|halt)\b",
     rf"{_WE}{_MODE}{_ARE} stuck in (?:traffic|an? (?:traffic )?jam|an? queue|the queue)\b",
     rf"{_WE}{_ARE} waiting (?:at|in|on|behind|before|patiently)\b",
-    rf"{_WE}{_ARE} (?:waiting|sitting|sat|queue?ing) (?:first )?{_AT} {_WHAT}\b",
+    rf"{_WE}{_ARE} (?:waiting|sitting|sat|queue?ing) (?:first |there |here )?{_AT} {_WHAT}\b",
     rf"{_WE} (?:waits?|waited|stands?|stood|queues?|queued|sits?|sat)(?: still| patiently| first)? {_AT} {_WHAT}\b",
     rf"{_WE} (?:waits?|waited) to (?:turn|go|let|cross|enter|merge)\b",
     rf"{_WE} (?:stands?|stood|sits?|sat) still\b",
@@ -43,13 +44,16 @@ _STANDS = (
     rf"{_WE}(?:{_ARE})? (?:first |sat |just )*(?:at|on) (?:a |the )?red\b",
     rf"{_WHILE}(?:stopped|stationary|waiting|standing|queued|queue?ing|sitting|halted) {_AT} {_WHAT}\b"
     r"(?! (?:to|on|of|from) (?:the |our )?(?:left|right))",
+    rf"(?:{_WE}|\bus|\bego),? (?:stationary|at rest|standing|halted)\b",
     r"\bthe (?:stationary|stopped|standing|waiting|disabled|broken-down) ego\b",
     r"\bour (?:stationary|stopped|standing|waiting|disabled|broken-down) (?:car|vehicle|taxi|van)\b",
 )
 _SETS_OFF = (
     rf"{_WE}{_DO} set(?:s|ting)? off\b{_GREEN}",
     rf"{_WE}{_DO} (?:pull|mov|driv|drov)(?:e|s|es|ed|ing)? (?:away|off)\b{_GREEN}",
-    rf"{_WE}{_DO} start(?:s|ed|ing)? (?:off|up|moving|rolling|to (?:move|roll|drive)|(?:at|on) green)\b",
+    rf"{_WE}{_DO} start(?:s|ed|ing)? (?:off|up|moving|rolling|to (?:move|roll|drive|go)|(?:at|on) green)\b",
+    rf"\b(?:lights?|signals?|it) (?:turn(?:s|ed)?|goes|went|go|changed to|became|becomes) green,?(?: and| n| so)?"
+    rf" {_WE}(?: then)? (?:go|goes|went|start\w*|dr[io]ve|pull\w*|launch\w*)\b",
     rf"{_WE}{_DO} start(?:s|ed|ing)? from (?:a |the )?(?:stand\w*|rest|stop|line|lights?)\b",
     rf"{_WE} (?:gets?|got) (?:going|moving)\b",
 )
@@ -65,7 +69,7 @@ _SLOWS_DOWN = (
     rf"{_WHILE}(?:slowing|decelerating)(?: down)?\b",
 )
 _BRAKES = (
-    rf"{_WE}{_MODE}{_DO} brak(?:e|es|ed|ing)\b(?! check)",
+    rf"{_WE}{_MODE}{_DO} (?:hard-)?brak(?:e|es|ed|ing)\b(?! check)",
     rf"{_WE}{_MODE}{_DO} (?:appl\w+|hit|slam\w*(?: on)?|step\w* on) (?:the |our |its )?brakes\b",
     rf"{_WE}{_DO} (?:do(?:es)?|did|ma[kd]e|perform\w*) an emergency (?:stop|braking)\b",
     rf"{_WHILE}braking\b",
@@ -96,13 +100,15 @@ SAID: dict[EgoState, re.Pattern[str]] = {
 _GOES_ON = _any(  # of who stood until then
     (
         r"\b(?:turn|turns|turned|goes|went|changes?|changed|comes? up|came up) (?:to )?green\b|\bgreen comes up\b",
-        rf"{_WE} (?:then )?(?:proceed\w*|beg[ia]n to (?:proceed|move|accelerate|drive)|dr[io]ve|turned|entered)\b",
+        rf"{_WE} (?:then )?(?:proceed\w*|beg[ia]n to (?:proceed|move|accelerate|drive)|dr[io]ve|turned|entered|"
+        r"go|goes|went)\b",
         r"(?:and|,) beg[ia]n to (?:proceed|enter|move|accelerate)\b",
     )
 )
 _REASON = re.compile(
     r"(?: (?:hard|sharply|gently|down|slightly|suddenly|abruptly|immediately|completely|briefly))*"
-    r" (?:(?:as required )?at|for|behind|before|near|because of|in front of|in response to|on (?:the )?approach|"
+    r" (?:(?:as required )?at|for|behind|before|near|(?:be)?cause(?: of)?|in front of|"
+    r"in response to|on (?:the )?approach|"
     r"to (?:turn|let|yield|give|enter|merge|make|park|check)|in (?:traffic|an? queue|the queue))\b"
 )  # where the ego has one of its own
 _ANSWERS = (EgoState.STOPS, EgoState.BRAKES, EgoState.SLOWS_DOWN)  # what may be how it reacts
@@ -127,9 +133,12 @@ def ego_state_of(text: str, others: re.Pattern[str]) -> EgoState | None:
     for state, said in SAID.items():
         for found in said.finditer(text):
             before, after = named[: found.start()], named[found.end() :]
+            onward = _GOES_ON.search(text, found.end()) if state in _STOOD else None
+            if onward and not (others.search(before) or others.search(named, found.end(), onward.start())):
+                return EgoState.SETS_OFF
             if _NOT_DONE.search(before) or (state in _ANSWERS and _reacts(before, after, others)):
                 continue
-            return EgoState.SETS_OFF if state in _STOOD and _GOES_ON.search(text, found.end()) else state
+            return EgoState.SETS_OFF if onward else state
     return None
 
 

@@ -12,7 +12,7 @@ from functools import lru_cache
 from chatscene.read.ego_state import SAID as EGO_STATES
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import Control, Occluder, Place
+from chatscene.terms.scenario import Control, Occluder, Place, Site
 from chatscene.terms.surroundings import Light, Surface, Weather, on_the_road
 
 
@@ -141,6 +141,22 @@ PLACES: dict[Place, re.Pattern[str]] = {
     Place.CURVE: _p(r"curves?|bends?|curved|winding|corner of the road"),
     Place.ROAD: _p(r"roads?|streets?|highways?|motorways?|lanes?|carriageways?|avenue"),
 }
+# The first that is named stands; a ramp is the ego's only where the ego is told to be on it
+SITES: dict[Site, re.Pattern[str]] = {
+    Site.ROUNDABOUT: _p(r"roundabouts?|rotary|traffic circle|rotunda|gyratory"),
+    Site.BUS_BAY: _p(r"bus (?:bay|lay-?by)"),
+    Site.CROSSWALK: _p(r"zebra(?: crossing)?|crosswalk|pedestrian crossing|school crossing"),
+    Site.OFF_RAMP: _p(r"off-? ?ramp|exit ramp|exit slip|off-slip"),
+    Site.ON_RAMP: _p(r"on-? ?ramp|entry ramp|entrance ramp|entry slip|on-slip|accel(?:eration)? lane"),
+    Site.LANE_DROP: _p(r"lane (?:ends|ending|drops|drop|tapers|runs out|reduction|that ends)|lane-drop"),
+    Site.PARKING: _p(r"parking (?:lot|area|aisle)|car ?park"),
+    Site.MOTORWAY: _p(
+        r"(?<!towards the )(?<!toward the )(?<!over the )(?<!under the )(?<!near the )"
+        r"(?:motorways?|freeways?|expressways?|autobahn|autoroute|autostrada|autopista|interstate|turnpike)",
+        r"highway(?! (?:patrol|code|police|agency|department|\d))|i-? ?\d{1,3}(?![\d:])|(?:the |on )m\d{1,2}|m\d\d|hard shoulder",
+    ),
+    Site.RURAL: _p(r"rural|(?:country|field|forest|village) (?:road|lane)"),
+}
 CONTROLS: dict[Control, re.Pattern[str]] = {
     Control.NONE: _p(
         r"un-?signali[sz]ed|uncontrolled|unregulated|unmarked|(?:no|without)(?: any)? (?:traffic )?(?:lights?|signals?|signs?|control)|neither (?:lights?|signals?)|"
@@ -197,7 +213,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\b(?:rhs|r/h side)\b"), "right side"),
     (
         re.compile(
-            r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|u1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|"
+            r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|u1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|host(?! of)|"
             r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|(?:own|main) (?:vehicle|car)|av)\b"
         ),
         "the ego",
@@ -230,7 +246,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
 FOREIGN = _p(
     r"cats?|horses?|cows?|cattle|sheep|animals?|moose|boars?|birds?|pony|ponies|fox|foxes|ducks?|kangaroos?",
     r"trams?|tramways?|trains?|railway|level crossing|helicopters?|aeroplanes?|airplanes?|planes?|drones?|boats?|spaceships?|meteors?|robots?|dragons?",
-    r"roundabouts?|rotary|car parks?|parking (?:garage|lot)|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
+    r"parking garage|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
     r"flood\w*|earthquake|wheelchair robot",
 )

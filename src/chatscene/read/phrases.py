@@ -209,7 +209,7 @@ def _places() -> Iterator[Phrase]:
     yield Phrase(sort=Sort.TWO_WAY, value=False, written=_whole(rf"{on}one-way {road}"))
 
 
-_MOTORWAY = r"(?:motorway|highway|freeway|expressway)"
+_MOTORWAY = r"(?:motorway|highway(?! patrol)|freeway|expressway)"
 _ON_RAMP = rf"(?:{_MOTORWAY} )?(?:on-ramp|entry ramp|entrance ramp|slip road|acceleration lane)"
 _OFF_RAMP = rf"(?:{_MOTORWAY} )?(?:off-ramp|exit ramp|exit(?: lane)?)"
 _BY = r"(?:by|via|from|at|on|over|along|down)"
