@@ -58,9 +58,9 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
 # by several people, each of whom weighs the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": 0.05, "scope": 0.18, "beyond": 0.46, "outright": 0.37, "wording": 0.45, "meant": 0.23,
-    "same acts": 0.92, "same kind": -0.15, "same place": 0.25, "no account": 0.54, "touched": -0.04,
-    "unused": -1.10, "words": -0.48, "facts": 0.94, "acts": 0.24,
+    "base": 0.08, "scope": 0.12, "beyond": -0.56, "outright": 0.25, "wording": 0.76, "meant": 0.20,
+    "same acts": 0.63, "same kind": 0.24, "same place": 0.56, "no account": 0.81, "touched": -0.05, "unused": -1.31,
+    "words": -0.39, "facts": 0.84, "acts": 0.32,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more

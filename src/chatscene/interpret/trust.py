@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 3.53, "unread": 0.35, "share": -6.23, "words": -1.44, "same acts": -0.02, "some acts": -0.30,
-    "same kind": 0.19, "same place": 0.72, "same way": -0.20, "placed": 2.31, "touched": 1.05, "acts": -0.15,
-    "quiet": 0.13, "others": -0.05, "behavior": 0.17, "facts": 0.41, "done": 0.56, "scope": 0.07,
+    "base": 2.41, "unread": 0.13, "share": -5.15, "words": -1.13, "same acts": 0.09, "some acts": -0.17,
+    "same kind": 0.33, "same place": 0.49, "same way": -0.29, "placed": 2.48, "touched": 1.20, "acts": -0.10,
+    "quiet": 0.07, "others": 0.05, "behavior": 0.16, "facts": 0.41, "done": 0.59, "scope": 0.09,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little
