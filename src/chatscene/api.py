@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from chatscene.learn.train import Trained
     from chatscene.report.summary import Summary
     from chatscene.report.understood import Understood
+    from chatscene.runs.rate import Rate
     from chatscene.runs.replay import Replayed
     from chatscene.runs.tables import Table
     from chatscene.runs.why import Why
@@ -43,6 +44,8 @@ if TYPE_CHECKING:
 
 Name = str | Path
 Names = Name | Sequence[Name]
+
+FIRST_LOOK = 20  # scenes of a run that is made only to have its situation rated
 
 
 class Run:
@@ -650,6 +653,48 @@ def why(
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
     return why_crashed(Path(folder), scene_id, repeated=repeated)
+
+
+def rate(
+    folder: Name,
+    *,
+    scenes: int = 200,
+    seed: int = 0,
+    exposure: Name | None = None,
+    jobs: int = 1,
+    progress: Progress = silent,
+    ego: Names = (),
+    generator: Names = (),
+    simulator: Names = (),
+    library: Names = (),
+) -> Rate:
+    """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
+
+    Args:
+        folder: Run folder; its ego drives.
+        scenes: How many scenes to draw for this.
+        seed: Of these.
+        exposure: TOML file that says how often values occur on the road; without it every value of a parameter's range
+            is taken to occur alike.
+        jobs: Processes; any number gives the same.
+        progress: Told what is done.
+        ego: Ego of the run again, if it may run code of its own.
+        generator: Generator of the run again, if it is none of ours.
+        simulator: Simulator of the run again, if it is none of ours.
+        library: Folder of snippets of the run again, if it has one.
+
+    Raises:
+        RunError: There is no run, it has no program, or it names what must be repeated.
+        SettingsError: The exposure cannot be read, or is of other parameters or units.
+    """
+    from chatscene.runs.rate import rate as rate_of
+    from chatscene.search.exposure import read_exposure
+
+    repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
+    densities = () if exposure is None else read_exposure(Path(exposure))
+    return rate_of(
+        Path(folder), scenes=scenes, seed=seed, densities=densities, jobs=jobs, progress=progress, repeated=repeated
+    )
 
 
 def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None) -> Exported:

@@ -39,6 +39,7 @@ from chatscene.commands.library import (
 )
 from chatscene.commands.maps import map_group
 from chatscene.commands.proposal import COMMANDS, describe
+from chatscene.commands.rate import rate
 from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
 from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
@@ -597,6 +598,7 @@ main.add_command(edit)
 main.add_command(chat)
 main.add_command(finetune)
 main.add_command(coverage)
+main.add_command(rate)
 main.add_command(reproduce)
 main.add_command(serve_carla)
 main.add_command(sql)

@@ -1,0 +1,47 @@
+"""The command line, continued: how often a situation ends in a crash."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Unpack
+
+import click
+
+from chatscene.commands.library import DRIVEN_AGAIN, JSON, DrivenAgain, progress, say
+
+
+@click.command()
+@click.argument("what", metavar="DIR|TEXT")
+@click.option("--scenes", default=200, show_default=True, type=click.IntRange(min=0), help="To draw for this.")
+@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0), help="Of these.")
+@click.option(
+    "--exposure",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="How often values occur on the road, a table per parameter; else every value of a range does alike.",
+)
+@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@DRIVEN_AGAIN
+@JSON
+def rate(
+    what: str, scenes: int, seed: int, exposure: Path | None, jobs: int, as_json: bool, **again: Unpack[DrivenAgain]
+) -> None:
+    """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
+
+    DIR is a run, whose ego drives; of a TEXT a run is made first. Where crashes are rare, scenes are drawn around those
+    that were seen, and each counts as often as it occurs.
+
+    \b
+    chatscene rate runs/cyclist
+    chatscene rate runs/cyclist --exposure speeds.toml --scenes 1000
+    """
+    from chatscene import api, runs
+
+    folder = Path(what)
+    if " " in what.strip() and not folder.exists():
+        folder = runs.free_folder(Path("runs"), what)
+        api.run(what, folder, scenes=api.FIRST_LOOK, sampler="random", jobs=jobs, progress=progress())
+        say(f"the run: {folder}", err=as_json)
+    found = api.rate(folder, scenes=scenes, seed=seed, exposure=exposure, jobs=jobs, progress=progress(), **again)
+    say(json.dumps(found.as_dict()) if as_json else found.in_words())

@@ -1,0 +1,263 @@
+"""How often a situation ends in a crash, if it comes about: from the drives of a run and from more."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.measure.avoidability import avoidable
+from chatscene.measure.criticality import criticality
+from chatscene.program.sample import scene_seed
+from chatscene.runs.blocks import read_episode, read_events, read_ranges, read_scenes
+from chatscene.runs.parallel import spread
+from chatscene.runs.progress import Progress, silent
+from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.tables import route_index, scene_of
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.workspace import Workspace, open_run, read_record
+from chatscene.search.climb import simulator_of
+from chatscene.search.exposure import Exposure, as_rows, exposure_of
+from chatscene.search.generator import load_generator
+from chatscene.search.rare import FEWEST, Box, Came, Share, Tally, rounds
+from chatscene.settings import Settings
+from chatscene.simulate.simulator import check_jobs, simulate
+from chatscene.terms.episode import Episode, EventKind
+from chatscene.terms.exposure import Density, Shape
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+
+Array = NDArray[np.float64]
+
+IN_BOXES = ("paper", "random")  # samplers that draw uniformly from the ranges of a block, which a run keeps
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rate:
+    """How often a situation ends in a crash, of scenes that can be placed, if the situation comes about.
+
+    Attributes:
+        text: What was said.
+        ego: Who drives.
+        stored: How many drives of the run were counted.
+        driven: How many were made for this, of scenes that could be placed.
+        drawn: How many scenes were drawn in all, those that could not be placed as well.
+        crash: How often the ego's first collision is with an adversary.
+        avoidable: How often that happens and a careful driver would have avoided it (decision 0013).
+        exposure: The parameters with their densities.
+        left: Why the drives of the run were not counted; empty if they were.
+    """
+
+    text: str
+    ego: str
+    stored: int
+    driven: int
+    drawn: int
+    crash: Share
+    avoidable: Share
+    exposure: tuple[dict[str, Any], ...]
+    left: str
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return asdict(self)
+
+    def in_words(self) -> str:
+        """A few lines."""
+        uniform = [one["parameter"] for one in self.exposure if one["shape"] == Shape.UNIFORM and not one["source"]]
+        known = [one for one in self.exposure if one["source"]]
+        lines = [
+            f"{self.text!r}, driven by {self.ego}: if it comes about,",
+            f"  a crash with the adversary: {_told(self.crash)}",
+            f"  an avoidable one: {_told(self.avoidable)}",
+            f"from {self.stored} drives of the run and {self.driven} more ({self.drawn} scenes drawn in all).",
+        ]
+        if self.left:
+            lines.append(f"The drives of the run were not counted: {self.left}.")
+        if uniform:
+            lines.append(
+                f"Assumed, not measured: every value of its range is equally frequent for {', '.join(uniform)}."
+            )
+        lines += [
+            f"{one['parameter']}: {one['shape']}, {one['inside']:.0%} of it in the declared range; {one['source']}."
+            for one in known
+        ]
+        return "\n".join(lines)
+
+
+def _told(share: Share) -> str:
+    if share.probability is not None:
+        return f"{share.probability:.2%} (95 %: {share.low:.2%} to {share.high:.2%})"
+    if share.seen:
+        return (
+            f"cannot be told: its {share.seen} tell as much as {share.effective:.1f} would without weights, and it "
+            f"takes {FEWEST}; ask for more with --scenes"
+        )
+    return f"none was seen; below {share.high:.2%} with 95 %"
+
+
+@dataclass(frozen=True, slots=True)
+class _Setup:
+    program: ScenicProgram
+    generator: str
+    map_path: Path
+    settings: Settings
+    ego: str
+
+
+class _Driver:
+    """Drives one scene after another."""
+
+    def __init__(self, setup: _Setup) -> None:
+        self._program = setup.program
+        self._simulator = simulator_of(load_generator(setup.generator), setup.map_path, setup.settings)
+        self._ego: EgoPolicy = load_ego(setup.ego)
+
+    def __call__(self, task: tuple[int, Scene]) -> tuple[int, Came | None]:
+        number, scene = task
+        episode = simulate(self._simulator, self._program, scene, self._ego)
+        if isinstance(episode, Rejected):
+            return number, None
+        crashed = _with_adversary(episode)
+        careful = crashed and avoidable(episode, self._program, scene, self._ego, self._simulator)
+        near = criticality(episode)
+        came = Outcome(
+            values=scene.values,
+            collided=crashed,
+            distance=near.distance,
+            impact_speed=near.impact_speed or 0.0,
+            completion=float(episode.route_completion),
+        )
+        return number, Came(came.danger, crashed, bool(careful))
+
+
+def _with_adversary(episode: Episode) -> bool:
+    return episode.collision is not None and episode.collision.other in {one.actor for one in episode.adversaries}
+
+
+def rate(
+    folder: Path,
+    *,
+    scenes: int = 200,
+    seed: int = 0,
+    densities: Sequence[Density] = (),
+    jobs: int = 1,
+    progress: Progress = silent,
+    repeated: Repeated | None = None,
+) -> Rate:
+    """How often the situation of a run ends in a crash, if it comes about.
+
+    The drives of the run count where it is known what they were drawn from. Further ones are drawn from the exposure,
+    and where crashes are rare, around those that were seen; each counts as often as it occurs under the exposure.
+
+    Args:
+        folder: A run.
+        scenes: How many scenes to draw beside those of the run.
+        seed: Of these.
+        densities: How often values occur; a parameter without one is taken to be uniform in its range.
+        jobs: How many processes; it changes no number.
+        progress: Told of the drives.
+        repeated: What the run names and the user trusts.
+
+    Raises:
+        RunError: There is no run, it has no program yet, or it names what must be repeated.
+        SettingsError: A density is of no parameter of the program, or lies outside its range.
+        Diverged: This version makes another program than the one that was kept.
+    """
+    run = open_run(folder, RunRecord)
+    follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
+    record = read_record(run)
+    settings = settings_of(record)
+    check_jobs(settings.simulation, jobs)
+    scenario, program = rebuild(run)
+    exposure = exposure_of(program.parameters, densities)
+    routes = sorted({route_index(row["route_id"]) for row in read_scenes(run)}) or [0]
+    tally = Tally(exposure)
+    left = _not_counted(settings)
+    if not left:
+        for points, came, box in _stored(run, program, exposure):
+            tally.add(points, came, box)
+    stored = tally.placed
+    setup = _Setup(program, record.generator, map_of(record), settings, record.ego)
+    done = 0
+    for number, count in enumerate(rounds(scenes)):
+        rng = np.random.default_rng((scene_seed(seed, f"{scenario.id}/rate"), number))
+        proposal = tally.aim(rng)
+        points = proposal.draw(count, rng)
+        tasks = [
+            (i, _scene(scenario.id, seed, done + i, routes[(done + i) % len(routes)], exposure.cube.values(point)))
+            for i, point in enumerate(points)
+        ]
+        found: dict[int, Came | None] = {}
+        for i, came in spread(_Driver, setup, tasks, jobs=jobs):
+            found[i] = came
+            progress("scenes", done + len(found), scenes)
+        tally.add(points, [found[i] for i in range(count)], proposal)
+        done += count
+    crash, careful = tally.shares()
+    return Rate(
+        text=record.text,
+        ego=record.ego,
+        stored=stored,
+        driven=tally.placed - stored,
+        drawn=tally.drawn,
+        crash=crash,
+        avoidable=careful,
+        exposure=tuple(dict(row) for row in as_rows(exposure)),
+        left=left,
+    )
+
+
+def _scene(scenario: str, seed: int, number: int, route: int, values: dict[str, float]) -> Scene:
+    name = f"{scenario}/route-{route:02d}/rate-{number:05d}"
+    return Scene(id=name, scenario_id=scenario, route=route, block=-1, seed=scene_seed(seed, name), values=values)
+
+
+def _not_counted(settings: Settings) -> str:
+    sampler = settings.search.sampler
+    return "" if sampler in IN_BOXES else f"nobody knows how likely the sampler {sampler!r} was to draw each"
+
+
+def _stored(
+    run: Workspace, program: ScenicProgram, exposure: Exposure
+) -> Iterator[tuple[Array, list[Came | None], Box]]:
+    """The points, the drives and the box of each block of a run; what could not be placed counts as drawn."""
+    ranges: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
+    for row in read_ranges(run):
+        ranges.setdefault((row["route_id"], row["block"]), {})[row["parameter"]] = row["low"], row["high"]
+    struck: dict[str, str] = {}
+    for event in sorted(read_events(run), key=lambda event: event["step"]):
+        if event["kind"] == EventKind.COLLISION:
+            struck.setdefault(event["scene_id"], event["other"])
+    rows = read_scenes(run)
+    ran = next((row["scene_id"] for row in rows if row["status"] == "ran"), None)
+    adversaries = {one.actor for one in read_episode(run, ran).adversaries} if ran else set[str]()
+    cube = exposure.cube
+    for (route, block), box in sorted(ranges.items()):
+        here = [row for row in rows if (row["route_id"], row["block"]) == (route, block)]
+        low, high = (cube.point({p.name: box[p.name][end] for p in cube.free}) for end in (0, 1))
+        every: list[Came | None] = []
+        points = np.zeros((len(here), len(cube.free)))
+        for number, row in enumerate(here):
+            if row["status"] != "ran":
+                every.append(None)
+                continue
+            scene = scene_of(row, program)
+            points[number] = cube.point(scene.values)
+            crashed = struck.get(row["scene_id"]) in adversaries
+            came = Outcome(
+                values=scene.values,
+                collided=crashed,
+                distance=row["distance"],
+                impact_speed=row["impact_speed"] or 0.0,
+                completion=row["route_completion"],
+            )
+            every.append(Came(came.danger, crashed, crashed and bool(row["avoidable"])))
+        if here:
+            yield points, every, Box(low, high)

@@ -1,0 +1,266 @@
+"""How often something happens, from drives that were drawn where it is likelier than on the road.
+
+Multiple importance sampling with the balance heuristic (Veach and Guibas 1995): a drive counts as often as its point
+occurs under the exposure for once that it is drawn by all batches together. Shares are self-normalised (Owen, *Monte
+Carlo theory, methods and examples*, chapter 9), so that points where the scene cannot be placed, of which nobody knows
+how many there are, need no weight: what is told is of scenes that can be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from chatscene.search.exposure import Exposure
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+ROUNDS = 5  # of drives; where the next looks depends on what came of those before
+COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
+CONFIDENCE = 0.95  # of intervals
+FEWEST = 30  # effective crashes of which a share is told
+DEFENSIVE = 0.35  # share of the draws of an aimed batch that are left to the exposure, so that nothing is overlooked
+CENTRES = 50  # at most, of an aimed batch
+FEWEST_CENTRES = 10
+NARROWEST = 0.05  # width of a kernel, as a share of the declared range
+
+
+class Density(Protocol):
+    """What the points of a batch were drawn from."""
+
+    def density(self, points: Array) -> Array:
+        """(N,) of points, (N, dimensions), in the unit cube."""
+        ...
+
+
+class Proposal(Density, Protocol):
+    """What the points of a batch can be drawn from."""
+
+    def draw(self, count: int, rng: np.random.Generator) -> Array:
+        """(count, dimensions) points."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """Uniform in a box.
+
+    Attributes:
+        low: (dimensions,) its lower corner in the unit cube.
+        high: (dimensions,) its upper one; a side without length is as wide as values are exact.
+    """
+
+    low: Array
+    high: Array
+
+    def density(self, points: Array) -> Array:
+        """(N,) of points, (N, dimensions)."""
+        side = np.maximum(self.high - self.low, 1e-6)
+        inside = ((points >= self.low - 1e-6) & (points <= self.high + 1e-6)).all(axis=1)
+        return np.where(inside, 1.0 / np.prod(side), 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Aimed:
+    """Kernels around points, and a share that is left to the exposure.
+
+    Attributes:
+        centres: (M, dimensions).
+        width: (dimensions,) standard deviations of the kernels, which are normal and cut off at the cube.
+        exposure: The rest.
+    """
+
+    centres: Array
+    width: Array
+    exposure: Exposure
+
+    def density(self, points: Array) -> Array:
+        """(N,) of points, (N, dimensions)."""
+        near = np.ones((len(points), len(self.centres)))
+        for d, width in enumerate(self.width):
+            centres = self.centres[:, d]
+            share = stats.norm.cdf((1 - centres) / width) - stats.norm.cdf(-centres / width)
+            near *= stats.norm.pdf((points[:, d, None] - centres) / width) / (width * share)
+        # A point around which was drawn because it crashed says nothing of how likely it was to be drawn itself: with
+        # its own kernel it would count too little, and crashes would seem rarer than they are.
+        own = (points[:, None, :] == self.centres).all(axis=2)
+        kernels = np.where(own, 0.0, near).sum(axis=1) / np.maximum(len(self.centres) - own.sum(axis=1), 1)
+        return DEFENSIVE * self.exposure.density(points) + (1 - DEFENSIVE) * kernels
+
+    def draw(self, count: int, rng: np.random.Generator) -> Array:
+        """(count, dimensions) points."""
+        points = self.exposure.draw(count, rng)
+        aimed = rng.random(count) >= DEFENSIVE
+        centres = self.centres[rng.integers(len(self.centres), size=count)]
+        low, high = stats.norm.cdf(-centres / self.width), stats.norm.cdf((1 - centres) / self.width)
+        kernels = centres + self.width * stats.norm.ppf(low + rng.random(centres.shape) * (high - low))
+        return np.where(aimed[:, None], np.clip(kernels, 0.0, 1.0), points)
+
+
+def aim(points: Array, dangers: Array, exposure: Exposure, rng: np.random.Generator) -> Aimed:
+    """Where to draw next: around what crashed, and where nearly nothing did, around what came nearest to it.
+
+    Args:
+        points: (N, dimensions) of all drives so far; at least one.
+        dangers: (N,), above 1 of a crash (`chatscene.terms.outcome.Outcome.danger`).
+        exposure: The rest.
+        rng: Which crashes, if there are many.
+    """
+    crashed = np.flatnonzero(dangers > 1)
+    if len(crashed) < FEWEST_CENTRES:
+        chosen = np.argsort(-dangers, kind="stable")[:FEWEST_CENTRES]
+    else:
+        chosen = np.sort(rng.permutation(crashed)[:CENTRES])
+    centres = points[chosen]
+    # Scott's rule for kernels of a density in so many dimensions
+    width = centres.std(axis=0) * len(centres) ** (-1 / (centres.shape[1] + 4))
+    return Aimed(centres, np.maximum(width, NARROWEST), exposure)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Share:
+    """How often something happens, of scenes that can be placed.
+
+    Attributes:
+        seen: How many of the drives it happened in, wherever they were drawn.
+        effective: As many drives without weights would tell as much of it: it is told of from `FEWEST` on.
+        probability: Its share under the exposure; None where `effective` is too few.
+        low: Lower end of the interval; None as `probability`.
+        high: Upper end; where nothing is told, what it is below with 95 % if it never happened, else None.
+    """
+
+    seen: int
+    effective: float
+    probability: float | None
+    low: float | None
+    high: float | None
+
+
+def weights_of(points: Array, exposure: Exposure, batches: Sequence[tuple[int, Density]]) -> Array:
+    """(N,) how often each point counts.
+
+    Args:
+        points: (N, dimensions) that were driven.
+        exposure: How often they occur.
+        batches: How many points were drawn of each proposal, whether they could be placed or not.
+    """
+    drawn = sum(count for count, _ in batches)
+    mixture = sum((count / drawn * proposal.density(points) for count, proposal in batches), np.zeros(len(points)))
+    return exposure.density(points) / mixture
+
+
+def share_of(happened: Flags, weights: Array) -> Share:
+    """How often something happens.
+
+    The interval is Wilson's for as many drives as would have the same variance without weights.
+
+    Args:
+        happened: (N,) in which drives.
+        weights: (N,) of the drives.
+    """
+    seen, total = int(happened.sum()), float(weights.sum())
+    if not seen:
+        effective = total**2 / float((weights**2).sum()) if total else 0.0
+        below = 1.0 - (1.0 - CONFIDENCE) ** (1.0 / effective) if effective else 1.0
+        return Share(seen=0, effective=0.0, probability=None, low=None, high=below)
+    hit = weights[happened]
+    effective = float(hit.sum() ** 2 / (hit**2).sum())
+    if effective < FEWEST:
+        return Share(seen=seen, effective=effective, probability=None, low=None, high=None)
+    p = float(hit.sum()) / total
+    variance = float((weights**2 * (happened - p) ** 2).sum()) / total**2
+    alike = p * (1 - p) / variance if variance > 0 else float(len(weights))
+    low, high = _wilson(p, alike)
+    return Share(seen=seen, effective=effective, probability=p, low=low, high=high)
+
+
+def _wilson(p: float, count: float) -> tuple[float, float]:
+    z = float(stats.norm.ppf(0.5 + CONFIDENCE / 2))
+    middle = (p + z * z / (2 * count)) / (1 + z * z / count)
+    half = z / (1 + z * z / count) * np.sqrt(p * (1 - p) / count + z * z / (4 * count * count))
+    return max(0.0, float(middle - half)), min(1.0, float(middle + half))
+
+
+@dataclass(frozen=True, slots=True)
+class Came:
+    """What came of one scene that could be placed.
+
+    Attributes:
+        danger: How near it came (`chatscene.terms.outcome.Outcome.danger`).
+        crashed: Whether the ego crashed with an adversary.
+        avoidable: Whether it did, and a careful driver would not have.
+    """
+
+    danger: float
+    crashed: bool
+    avoidable: bool
+
+
+class Tally:
+    """All drives so far, and what each batch of them was drawn from.
+
+    Args:
+        exposure: How often their points occur.
+    """
+
+    def __init__(self, exposure: Exposure) -> None:
+        self._exposure = exposure
+        self._points = np.empty((0, len(exposure.densities)))
+        self._came: list[Came] = []
+        self._batches: list[tuple[int, Density]] = []
+
+    @property
+    def placed(self) -> int:
+        """How many scenes were driven."""
+        return len(self._came)
+
+    @property
+    def drawn(self) -> int:
+        """How many were drawn, with those that could not be placed."""
+        return sum(count for count, _ in self._batches)
+
+    def add(self, points: Array, came: Sequence[Came | None], density: Density) -> None:
+        """Count a batch.
+
+        Args:
+            points: (N, dimensions) that were drawn.
+            came: What came of each; None of what could not be placed.
+            density: What they were drawn from.
+        """
+        placed = [number for number, one in enumerate(came) if one is not None]
+        self._points = np.concatenate((self._points, points[placed]))
+        self._came += [one for one in came if one is not None]
+        self._batches.append((len(came), density))
+
+    def aim(self, rng: np.random.Generator) -> Proposal:
+        """What to draw from next: the exposure, or where crashes are rare, around what was most dangerous."""
+        if not self._came or not self._exposure.densities:
+            return self._exposure
+        weights, crashed = self._weights(), self._flags("crashed")
+        if weights[crashed].sum() >= COMMON * weights.sum():
+            return self._exposure
+        return aim(self._points, np.array([one.danger for one in self._came]), self._exposure, rng)
+
+    def shares(self) -> tuple[Share, Share]:
+        """Of crashes with an adversary, and of those that were avoidable."""
+        weights = self._weights()
+        return share_of(self._flags("crashed"), weights), share_of(self._flags("avoidable"), weights)
+
+    def _weights(self) -> Array:
+        return weights_of(self._points, self._exposure, self._batches)
+
+    def _flags(self, name: str) -> Flags:
+        return np.array([getattr(one, name) for one in self._came], bool)
+
+
+def rounds(scenes: int) -> Iterator[int]:
+    """How many scenes to draw at once."""
+    ends = [scenes * number // ROUNDS for number in range(ROUNDS + 1)]
+    yield from (b - a for a, b in pairwise(ends) if b > a)

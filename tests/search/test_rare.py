@@ -1,0 +1,154 @@
+"""How often something happens: estimates hold in toy worlds whose answer is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from chatscene.errors import SettingsError
+from chatscene.search.exposure import exposure_of, read_exposure
+from chatscene.search.rare import FEWEST, Box, Came, Share, Tally, rounds, share_of
+from chatscene.terms.exposure import Density, Shape
+from chatscene.terms.snippet import ParameterRange
+
+Array = NDArray[np.float64]
+SPEED = ParameterRange(name="OPT_ADV_SPEED", low=0.0, high=10.0, unit="m/s")
+GAP = ParameterRange(name="OPT_ADV_DISTANCE", low=-5.0, high=15.0, unit="m")
+NORMAL = Density(parameter="OPT_ADV_SPEED", shape=Shape.NORMAL, middle=4.0, spread=2.0, source="a study")
+
+
+def _corner(side: float) -> Callable[[Array], Came]:
+    """A crash in one corner of the cube, the more dangerous the nearer to it."""
+
+    def came(point: Array) -> Came:
+        crashed = bool((point < side).all())
+        return Came(2.0 if crashed else 1.0 / (1.0 + float(point.max())), crashed, avoidable=False)
+
+    return came
+
+
+def _slow(speed: float, below: float) -> Came:
+    crashed = bool(speed < below)
+    return Came(1.5 if crashed else 0.1, crashed, avoidable=False)
+
+
+def _estimated(
+    came: Callable[[Array], Came | None], scenes: int, seed: int, *densities: Density
+) -> tuple[Share, Tally]:
+    tally = Tally(exposure_of((SPEED, GAP), densities))
+    for number, count in enumerate(rounds(scenes)):
+        rng = np.random.default_rng((seed, number))
+        proposal = tally.aim(rng)
+        points = proposal.draw(count, rng)
+        tally.add(points, [came(point) for point in points], proposal)
+    return tally.shares()[0], tally
+
+
+def test_intervals_hold_the_known_share_of_a_rare_crash() -> None:
+    found = [_estimated(_corner(0.1), 500, seed)[0] for seed in range(60)]
+    told = [one for one in found if one.probability is not None]
+    assert len(told) >= 55
+    held = sum((one.low or 0.0) <= 0.01 <= (one.high or 0.0) for one in told)
+    assert held >= 0.88 * len(told)
+    assert np.mean([one.probability for one in told]) == pytest.approx(0.01, rel=0.1)
+
+
+def test_a_rare_crash_is_told_from_fewer_drives_than_without_aiming() -> None:
+    aimed, _ = _estimated(_corner(0.1), 500, 3)
+    rng = np.random.default_rng(3)
+    plain = np.array([_corner(0.1)(point).crashed for point in rng.random((500, 2))])
+    assert aimed.probability is not None
+    assert share_of(plain, np.ones(500)).probability is None
+
+
+def test_an_exposure_is_what_a_share_is_of() -> None:
+    """Half of a normal density lies below its mean, however little of the range does."""
+    exposure = exposure_of((SPEED,), (NORMAL,))
+    points = exposure.draw(4000, np.random.default_rng(0))
+    inside = exposure.inside()["OPT_ADV_SPEED"]
+    below = float((points < 0.4).mean()) * inside
+    assert below == pytest.approx(0.5 - (1 - inside) * 0.96, abs=0.03)
+    grid = (np.arange(1000)[:, None] + 0.5) / 1000
+    assert float(exposure.density(grid).mean()) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_the_same_draws_tell_of_another_exposure() -> None:
+    """A crash below 2 m/s: 1 in 5 if all speeds are alike, fewer by a density around 4 m/s."""
+    tally = Tally(exposure_of((SPEED, GAP), (NORMAL,)))
+    points = np.random.default_rng(1).random((3000, 2))
+    tally.add(
+        points,
+        [Came(1.5 if x < 0.2 else 0.1, bool(x < 0.2), avoidable=False) for x, _ in points],
+        Box(np.zeros(2), np.ones(2)),
+    )
+    share = tally.shares()[0]
+    assert share.probability == pytest.approx((0.1587 - 0.0228) / (0.9987 - 0.0228), abs=0.02)
+
+
+def test_boxes_of_a_search_count_as_often_as_they_were_drawn() -> None:
+    """Four in five draws lie where all crash, a tenth of the cube: the share is a tenth."""
+    tally, rng = Tally(exposure_of((SPEED, GAP))), np.random.default_rng(2)
+    for high, count in ((np.array([1.0, 1.0]), 300), (np.array([0.1, 1.0]), 1200)):
+        points = rng.random((count, 2)) * high
+        tally.add(points, [_slow(x, 0.1) for x, _ in points], Box(np.zeros(2), high))
+    share = tally.shares()[0]
+    assert share.low is not None and share.high is not None
+    assert share.low < 0.1 < share.high
+    assert share.high - share.low < 0.07
+
+
+def test_what_cannot_be_placed_is_no_scene() -> None:
+    """Half of the cube cannot be placed; a tenth of the other half crashes."""
+
+    def came(point: Array) -> Came | None:
+        crashed = bool(point[1] < 0.1)
+        return None if point[0] > 0.5 else Came(1.5 if crashed else 0.1, crashed, avoidable=False)
+
+    share, tally = _estimated(came, 2000, 5)
+    assert share.probability == pytest.approx(0.1, abs=0.03)
+    assert tally.placed < tally.drawn == 2000
+
+
+def test_too_few_crashes_tell_no_share() -> None:
+    few = share_of(np.arange(1000) < FEWEST - 1, np.ones(1000))
+    assert (few.seen, few.probability, few.high) == (FEWEST - 1, None, None)
+    none = share_of(np.zeros(1000, bool), np.ones(1000))
+    assert none.probability is None
+    assert none.high == pytest.approx(0.003, abs=1e-4)  # three in a thousand
+    enough = share_of(np.arange(1000) < 100, np.ones(1000))
+    assert (enough.probability, round(enough.low or 0, 3), round(enough.high or 0, 3)) == (0.1, 0.083, 0.12)
+
+
+def test_an_exposure_is_a_file_with_sources(tmp_path: Path) -> None:
+    path = tmp_path / "speeds.toml"
+    path.write_text('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = 2\nsource = "a study"\n')
+    assert read_exposure(path) == (NORMAL,)
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = 2\n', "no density"),
+        ('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 4\ndeviation = -2\nsource = "x"\n', "no density"),
+        ("shape = ", "no TOML"),
+        (None, "cannot be read"),
+    ],
+)
+def test_an_exposure_that_is_none_is_refused(said: str | None, told: str, tmp_path: Path) -> None:
+    path = tmp_path / "speeds.toml"
+    if said is not None:
+        path.write_text(said)
+    with pytest.raises(SettingsError, match=told):
+        read_exposure(path)
+
+
+def test_an_exposure_of_something_else_is_refused() -> None:
+    with pytest.raises(SettingsError, match="does not have"):
+        exposure_of((GAP,), (NORMAL,))
+    far = Density(parameter="OPT_ADV_SPEED", shape=Shape.LOGNORMAL, middle=400.0, spread=0.1, source="a study in km/h")
+    with pytest.raises(SettingsError, match="units"):
+        exposure_of((SPEED,), (far,))
