@@ -71,6 +71,17 @@ def test_the_page_on_crashes_asks_for_one_and_shows_what_is_said(
     assert json.loads(again.output)["contact"]["other"] == "adversary"
 
 
+def test_the_page_on_rates_shows_what_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    page = ROOT / "docs" / "rate.md"
+    (run, _), (rate, _) = commands(page)
+    assert CliRunner().invoke(main, shlex.split(run)[1:], catch_exceptions=False).exit_code == 0
+    said = CliRunner().invoke(main, shlex.split(rate)[1:], catch_exceptions=False)
+    told = "\n".join(said.stdout.strip().splitlines()[-5:])
+    assert told.startswith("'A car runs the red light")
+    assert told in page.read_text()
+
+
 def test_every_command_in_the_readme_exists() -> None:
     for command, _ in commands(ROOT / "README.md"):
         words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]

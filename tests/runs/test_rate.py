@@ -1,0 +1,72 @@
+"""A rate counts the drives of a run and more, the same at any number of processes, and says what it assumes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import chatscene
+from chatscene.commands.main import main
+from chatscene.errors import RunError
+from chatscene.settings import SearchSettings, Settings
+
+TEXT = "an oncoming car turns left across our way"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("rate") / "run"
+    chatscene.run(TEXT, path, ego="idm", settings=Settings(search=SearchSettings(scenes=40, block=10)))
+    return path
+
+
+def test_crashes_that_a_search_went_after_tell_less_than_as_many_others(folder: Path) -> None:
+    found = chatscene.rate(folder, scenes=0)
+    assert (found.stored, found.driven) == (40, 0)
+    assert found.crash.seen > 30 > found.crash.effective
+    assert found.crash.probability is None
+    assert "cannot be told" in found.in_words()
+
+
+def test_any_number_of_processes_finds_the_same_rate(folder: Path) -> None:
+    one = chatscene.rate(folder, scenes=10, seed=4)
+    assert chatscene.rate(folder, scenes=10, seed=4, jobs=2) == one
+    assert chatscene.rate(folder, scenes=10, seed=5) != one
+
+
+def test_what_is_assumed_is_said_and_a_density_has_its_source(folder: Path, tmp_path: Path) -> None:
+    uniform = CliRunner().invoke(main, ["rate", str(folder), "--scenes", "0"], catch_exceptions=False)
+    assert "Assumed, not measured" in uniform.output
+    speeds = tmp_path / "speeds.toml"
+    speeds.write_text('[OPT_ADV_SPEED]\nshape = "normal"\nmean = 8\ndeviation = 3\nsource = "a count in our street"\n')
+    told = ["rate", str(folder), "--scenes", "0", "--exposure", str(speeds)]
+    known = CliRunner().invoke(main, told, catch_exceptions=False)
+    assert "OPT_ADV_SPEED: normal" in known.output
+    assert "a count in our street" in known.output
+    as_json = json.loads(CliRunner().invoke(main, [*told, "--json"], catch_exceptions=False).output)
+    assert {row["parameter"]: row["shape"] for row in as_json["exposure"]}["OPT_ADV_SPEED"] == "normal"
+
+
+def test_drives_that_nobody_knows_the_draw_of_are_not_counted(tmp_path: Path) -> None:
+    few = Settings(search=SearchSettings(scenes=4, block=2, sampler="cma-es"))
+    chatscene.run(TEXT, tmp_path / "run", ego="idm", settings=few)
+    found = chatscene.rate(tmp_path / "run", scenes=2)
+    assert (found.stored, found.driven) == (0, 2)
+    assert "cma-es" in found.in_words()
+
+
+def test_a_text_becomes_a_run_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("chatscene.api.FIRST_LOOK", 2)
+    done = CliRunner().invoke(main, ["rate", "the car ahead brakes hard", "--scenes", "0"], catch_exceptions=False)
+    assert done.exit_code == 0
+    assert "none was seen; below" in done.output
+    assert len(list((tmp_path / "runs").iterdir())) == 1
+
+
+def test_a_rate_of_no_run_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="not a run folder"):
+        chatscene.rate(tmp_path)
