@@ -61,9 +61,12 @@ def test_drives_that_nobody_knows_the_draw_of_are_not_counted(tmp_path: Path) ->
 def test_a_text_becomes_a_run_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("chatscene.api.FIRST_LOOK", 2)
-    done = CliRunner().invoke(main, ["rate", "the car ahead brakes hard", "--scenes", "0"], catch_exceptions=False)
+    done = CliRunner().invoke(
+        main, ["rate", "the car ahead brakes hard", "--scenes", "0", "--ego", "idm"], catch_exceptions=False
+    )
     assert done.exit_code == 0
     assert "none was seen; below" in done.output
+    assert "driven by idm" in done.output
     assert len(list((tmp_path / "runs").iterdir())) == 1
 
 

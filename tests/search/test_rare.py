@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from chatscene.errors import SettingsError
 from chatscene.search.exposure import exposure_of, read_exposure
-from chatscene.search.rare import FEWEST, Box, Came, Share, Tally, rounds, share_of
+from chatscene.search.rare import FEWEST, Batch, Box, Came, Share, Tally, rounds, share_of
 from chatscene.terms.exposure import Density, Shape
 from chatscene.terms.snippet import ParameterRange
 
 Array = NDArray[np.float64]
 SPEED = ParameterRange(name="OPT_ADV_SPEED", low=0.0, high=10.0, unit="m/s")
 GAP = ParameterRange(name="OPT_ADV_DISTANCE", low=-5.0, high=15.0, unit="m")
+CUBE = Box(np.zeros(2), np.ones(2))
 NORMAL = Density(parameter="OPT_ADV_SPEED", shape=Shape.NORMAL, middle=4.0, spread=2.0, source="a study")
 
 
@@ -44,7 +45,7 @@ def _estimated(
         rng = np.random.default_rng((seed, number))
         proposal = tally.aim(rng)
         points = proposal.draw(count, rng)
-        tally.add(points, [came(point) for point in points], proposal)
+        tally.add(points, [0] * count, [came(point) for point in points], Batch(count=count, density=proposal))
     return tally.shares()[0], tally
 
 
@@ -80,11 +81,7 @@ def test_the_same_draws_tell_of_another_exposure() -> None:
     """A crash below 2 m/s: 1 in 5 if all speeds are alike, fewer by a density around 4 m/s."""
     tally = Tally(exposure_of((SPEED, GAP), (NORMAL,)))
     points = np.random.default_rng(1).random((3000, 2))
-    tally.add(
-        points,
-        [Came(1.5 if x < 0.2 else 0.1, bool(x < 0.2), avoidable=False) for x, _ in points],
-        Box(np.zeros(2), np.ones(2)),
-    )
+    tally.add(points, [0] * 3000, [_slow(x, 0.2) for x, _ in points], Batch(count=3000, density=CUBE))
     share = tally.shares()[0]
     assert share.probability == pytest.approx((0.1587 - 0.0228) / (0.9987 - 0.0228), abs=0.02)
 
@@ -94,11 +91,28 @@ def test_boxes_of_a_search_count_as_often_as_they_were_drawn() -> None:
     tally, rng = Tally(exposure_of((SPEED, GAP))), np.random.default_rng(2)
     for high, count in ((np.array([1.0, 1.0]), 300), (np.array([0.1, 1.0]), 1200)):
         points = rng.random((count, 2)) * high
-        tally.add(points, [_slow(x, 0.1) for x, _ in points], Box(np.zeros(2), high))
+        batch = Batch(count=count, density=Box(np.zeros(2), high))
+        tally.add(points, [0] * count, [_slow(x, 0.1) for x, _ in points], batch)
     share = tally.shares()[0]
     assert share.low is not None and share.high is not None
     assert share.low < 0.1 < share.high
     assert share.high - share.low < 0.07
+
+
+def test_a_search_on_one_route_tells_nothing_of_another() -> None:
+    """On the first of two routes one in five crashes, and the search stays with those; on the second nobody does."""
+    held = []
+    for seed in range(40):
+        tally, rng = Tally(exposure_of((SPEED, GAP))), np.random.default_rng(seed)
+        for route, high, count in ((0, 1.0, 100), (0, 0.2, 300), (1, 1.0, 400)):
+            points = rng.random((count, 2)) * np.array([high, 1.0])
+            came = [_slow(x, 0.2 if route == 0 else 0.0) for x, _ in points]
+            box = Box(np.zeros(2), np.array([high, 1.0]))
+            tally.add(points, [route] * count, came, Batch(count=count, density=box, route=route))
+        share = tally.shares()[0]
+        assert share.low is not None and share.high is not None
+        held.append(share.low <= 0.1 <= share.high)
+    assert sum(held) >= 36
 
 
 def test_what_cannot_be_placed_is_no_scene() -> None:

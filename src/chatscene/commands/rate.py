@@ -9,6 +9,7 @@ from typing import Unpack
 import click
 
 from chatscene.commands.library import DRIVEN_AGAIN, JSON, DrivenAgain, progress, say
+from chatscene.settings import EGO
 
 
 @click.command()
@@ -29,8 +30,8 @@ def rate(
 ) -> None:
     """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
 
-    DIR is a run, whose ego drives; of a TEXT a run is made first. Where crashes are rare, scenes are drawn around those
-    that were seen, and each counts as often as it occurs.
+    DIR is a run, whose ego drives; of a TEXT a run is made first, with --ego if one is named. Where crashes are rare,
+    scenes are drawn around those that were seen, and each counts as often as it occurs.
 
     \b
     chatscene rate runs/cyclist
@@ -41,7 +42,8 @@ def rate(
     folder = Path(what)
     if " " in what.strip() and not folder.exists():
         folder = runs.free_folder(Path("runs"), what)
-        api.run(what, folder, scenes=api.FIRST_LOOK, sampler="random", jobs=jobs, progress=progress())
+        ego = again["ego"][0] if again["ego"] else EGO
+        api.run(what, folder, scenes=api.FIRST_LOOK, sampler="random", jobs=jobs, progress=progress(), ego=ego)
         say(f"the run: {folder}", err=as_json)
     found = api.rate(folder, scenes=scenes, seed=seed, exposure=exposure, jobs=jobs, progress=progress(), **again)
     say(json.dumps(found.as_dict()) if as_json else found.in_words())

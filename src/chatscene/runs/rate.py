@@ -25,7 +25,7 @@ from chatscene.runs.workspace import Workspace, open_run, read_record
 from chatscene.search.climb import simulator_of
 from chatscene.search.exposure import Exposure, as_rows, exposure_of
 from chatscene.search.generator import load_generator
-from chatscene.search.rare import FEWEST, Box, Came, Share, Tally, rounds
+from chatscene.search.rare import FEWEST, Batch, Box, Came, Share, Tally, rounds
 from chatscene.settings import Settings
 from chatscene.simulate.simulator import check_jobs, simulate
 from chatscene.terms.episode import Episode, EventKind
@@ -181,8 +181,8 @@ def rate(
     tally = Tally(exposure)
     left = _not_counted(settings)
     if not left:
-        for points, came, box in _stored(run, program, exposure):
-            tally.add(points, came, box)
+        for points, came, batch in _stored(run, program, exposure):
+            tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
     setup = _Setup(program, record.generator, map_of(record), settings, record.ego)
     done = 0
@@ -190,15 +190,16 @@ def rate(
         rng = np.random.default_rng((scene_seed(seed, f"{scenario.id}/rate"), number))
         proposal = tally.aim(rng)
         points = proposal.draw(count, rng)
+        on = [routes[(done + i) % len(routes)] for i in range(count)]
         tasks = [
-            (i, _scene(scenario.id, seed, done + i, routes[(done + i) % len(routes)], exposure.cube.values(point)))
+            (i, _scene(scenario.id, seed, done + i, on[i], exposure.cube.values(point)))
             for i, point in enumerate(points)
         ]
         found: dict[int, Came | None] = {}
         for i, came in spread(_Driver, setup, tasks, jobs=jobs):
             found[i] = came
             progress("scenes", done + len(found), scenes)
-        tally.add(points, [found[i] for i in range(count)], proposal)
+        tally.add(points, on, [found[i] for i in range(count)], Batch(count=count, density=proposal))
         done += count
     crash, careful = tally.shares()
     return Rate(
@@ -226,7 +227,7 @@ def _not_counted(settings: Settings) -> str:
 
 def _stored(
     run: Workspace, program: ScenicProgram, exposure: Exposure
-) -> Iterator[tuple[Array, list[Came | None], Box]]:
+) -> Iterator[tuple[Array, list[Came | None], Batch]]:
     """The points, the drives and the box of each block of a run; what could not be placed counts as drawn."""
     ranges: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
     for row in read_ranges(run):
@@ -260,4 +261,4 @@ def _stored(
             )
             every.append(Came(came.danger, crashed, crashed and bool(row["avoidable"])))
         if here:
-            yield points, every, Box(low, high)
+            yield points, every, Batch(count=len(here), density=Box(low, high), route=route_index(route))

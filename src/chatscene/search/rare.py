@@ -143,16 +143,35 @@ class Share:
     high: float | None
 
 
-def weights_of(points: Array, exposure: Exposure, batches: Sequence[tuple[int, Density]]) -> Array:
-    """(N,) how often each point counts.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Batch:
+    """Points that were drawn together, whether they could be placed or not.
+
+    Attributes:
+        count: How many.
+        density: What they were drawn from.
+        route: On which route all of them; None if on every route alike.
+    """
+
+    count: int
+    density: Density
+    route: int | None = None
+
+
+def weights_of(points: Array, routes: NDArray[np.intp], exposure: Exposure, batches: Sequence[Batch]) -> Array:
+    """(N,) how often each point counts; on every route that was driven alike.
 
     Args:
         points: (N, dimensions) that were driven.
+        routes: (N,) on which route.
         exposure: How often they occur.
-        batches: How many points were drawn of each proposal, whether they could be placed or not.
+        batches: What was drawn.
     """
-    drawn = sum(count for count, _ in batches)
-    mixture = sum((count / drawn * proposal.density(points) for count, proposal in batches), np.zeros(len(points)))
+    drawn, many = sum(batch.count for batch in batches), len(np.unique(routes))
+    mixture = np.zeros(len(points))
+    for batch in batches:
+        there = 1.0 if batch.route is None else many * (routes == batch.route)
+        mixture += batch.count / drawn * batch.density.density(points) * there
     return exposure.density(points) / mixture
 
 
@@ -176,7 +195,7 @@ def share_of(happened: Flags, weights: Array) -> Share:
         return Share(seen=seen, effective=effective, probability=None, low=None, high=None)
     p = float(hit.sum()) / total
     variance = float((weights**2 * (happened - p) ** 2).sum()) / total**2
-    alike = p * (1 - p) / variance if variance > 0 else float(len(weights))
+    alike = p * (1 - p) / variance if variance > 0 else effective
     low, high = _wilson(p, alike)
     return Share(seen=seen, effective=effective, probability=p, low=low, high=high)
 
@@ -213,8 +232,9 @@ class Tally:
     def __init__(self, exposure: Exposure) -> None:
         self._exposure = exposure
         self._points = np.empty((0, len(exposure.densities)))
+        self._routes = np.empty(0, np.intp)
         self._came: list[Came] = []
-        self._batches: list[tuple[int, Density]] = []
+        self._batches: list[Batch] = []
 
     @property
     def placed(self) -> int:
@@ -224,20 +244,22 @@ class Tally:
     @property
     def drawn(self) -> int:
         """How many were drawn, with those that could not be placed."""
-        return sum(count for count, _ in self._batches)
+        return sum(batch.count for batch in self._batches)
 
-    def add(self, points: Array, came: Sequence[Came | None], density: Density) -> None:
+    def add(self, points: Array, routes: Sequence[int], came: Sequence[Came | None], batch: Batch) -> None:
         """Count a batch.
 
         Args:
             points: (N, dimensions) that were drawn.
+            routes: On which route each.
             came: What came of each; None of what could not be placed.
-            density: What they were drawn from.
+            batch: What they were drawn from.
         """
         placed = [number for number, one in enumerate(came) if one is not None]
         self._points = np.concatenate((self._points, points[placed]))
+        self._routes = np.concatenate((self._routes, np.array(routes, np.intp)[placed]))
         self._came += [one for one in came if one is not None]
-        self._batches.append((len(came), density))
+        self._batches.append(batch)
 
     def aim(self, rng: np.random.Generator) -> Proposal:
         """What to draw from next: the exposure, or where crashes are rare, around what was most dangerous."""
@@ -254,7 +276,7 @@ class Tally:
         return share_of(self._flags("crashed"), weights), share_of(self._flags("avoidable"), weights)
 
     def _weights(self) -> Array:
-        return weights_of(self._points, self._exposure, self._batches)
+        return weights_of(self._points, self._routes, self._exposure, self._batches)
 
     def _flags(self, name: str) -> Flags:
         return np.array([getattr(one, name) for one in self._came], bool)
