@@ -55,7 +55,7 @@ def test_intervals_hold_the_known_share_of_a_rare_crash() -> None:
     assert len(told) >= 55
     held = sum((one.low or 0.0) <= 0.01 <= (one.high or 0.0) for one in told)
     assert held >= 0.88 * len(told)
-    assert np.mean([one.probability for one in told]) == pytest.approx(0.01, rel=0.1)
+    assert np.mean([one.probability or 0.0 for one in told]) == pytest.approx(0.01, rel=0.1)
 
 
 def test_a_rare_crash_is_told_from_fewer_drives_than_without_aiming() -> None:
