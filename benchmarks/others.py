@@ -1,6 +1,6 @@
 """How texts are read that the reader's authors neither wrote nor tuned on.
 
-    python benchmarks/others.py --narratives FOLDER/dev.jsonl
+    python benchmarks/others.py --narratives FOLDER/dev.jsonl [--reader paper]
 
 `kept` and `kept-second`: 150 and 160 texts by two writers who knew the facts to tell and not the reader.
 `narratives-kept`: crash narratives, labelled twice by people who did not know it either; their texts are in FOLDER.
@@ -18,14 +18,15 @@ from labelled import auc, labelled
 
 from chatscene.errors import NothingFits
 from chatscene.search.generators.retrieved import Retrieved
-from chatscene.settings import RetrievalSettings
+from chatscene.settings import READERS, RetrievalSettings
 from chatscene.studies.facts import differing
 
 
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-def main(narratives: Path | None) -> None:
-    generator, settings = Retrieved(), RetrievalSettings()
+@click.option("--reader", type=click.Choice(READERS), default=READERS[0])
+def main(narratives: Path | None, reader: str) -> None:
+    generator, settings = Retrieved(), RetrievalSettings(reader=reader)
     for name in ("kept", "kept-second", "narratives-kept"):
         counts = dict.fromkeys(("right", "wrong", "refused", "a reading right", "out of scope", "of them refused"), 0)
         sure: list[tuple[float, bool]] = []

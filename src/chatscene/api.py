@@ -360,6 +360,7 @@ def run(
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
+    reader: str | None = None,
     reading: int | None = None,
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
@@ -390,6 +391,7 @@ def run(
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
         settings: All other settings; the keywords above come before them.
@@ -407,7 +409,7 @@ def run(
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
-    chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, set)
     if report is not None:
         text = _only_conflict(report, chosen)
     looking = _changed(
@@ -442,6 +444,7 @@ def explain(
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
+    reader: str | None = None,
     reading: int | None = None,
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
@@ -457,6 +460,7 @@ def explain(
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
         settings: All other settings; the keywords above come before them.
@@ -468,7 +472,7 @@ def explain(
     from chatscene.report.understood import understand
 
     settings = settings or Settings()
-    chosen = _reading(settings.retrieval, library, embedder, language_model, reading, set)
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, set)
     if report is not None:
         text = _only_conflict(report, chosen)
     return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit))
@@ -918,13 +922,20 @@ def _reading(
     library: Name | None,
     embedder: str | None,
     language_model: str | None,
+    reader: str | None = None,
     reading: int | None = None,
     stated: Mapping[str, object] | None = None,
 ) -> RetrievalSettings:
     own = None if library is None else str(library)
     facts = in_text(stated) if stated else None
     return _changed(
-        settings, library=own, embedder=embedder, language_model=language_model, reading=reading, stated=facts
+        settings,
+        library=own,
+        embedder=embedder,
+        language_model=language_model,
+        reader=reader,
+        reading=reading,
+        stated=facts,
     )
 
 

@@ -12,6 +12,7 @@ PHYSICS = ("kinematic", "lagged")
 MOST_READINGS = 2  # how many readings of a text are offered
 EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
 SIMULATOR = "native"  # what a run's scenes drive in where no simulator is named (decision 0081)
+READERS = ("facts", "paper")
 OFFLINE = "offline"  # the project's own reader, in place of a language model
 
 
@@ -116,6 +117,8 @@ class RetrievalSettings:
         library: Folder of the user's own snippets beside the packaged ones; empty for none.
         embedder: Who measures the wording of behaviors.
         language_model: Who reads sentences; ``offline`` stands for the project's own reader.
+        reader: How a triple is found for a text: ``facts``, by typed facts, and refused where they are doubtful;
+            ``paper``, by the wording of a sub-description per component alone (paper, section 3.3).
         reading: Which of the likeliest readings is taken, from 1; 0 for the likeliest, if it is likely enough.
         stated: Facts that the user says beside the text, such as ``side=left actions=brake,stop``.
     """
@@ -125,11 +128,14 @@ class RetrievalSettings:
     library: str = ""
     embedder: str = "minilm"
     language_model: str = OFFLINE
+    reader: str = READERS[0]
     reading: int = 0
     stated: str = ""
 
     def __post_init__(self) -> None:
         check_settings(self, {"candidates": (1, 1_000), "refuse_below": (0.0, 1.0), "reading": (0, MOST_READINGS)})
+        if self.reader not in READERS:
+            raise SettingsError(no_such("reader", self.reader, READERS))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

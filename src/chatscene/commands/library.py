@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
 
-from chatscene.settings import MOST_READINGS, PHYSICS, SimulationSettings
+from chatscene.settings import MOST_READINGS, PHYSICS, READERS, SimulationSettings
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -41,6 +41,7 @@ class Reading(TypedDict):
     library: str
     embedder: str
     language_model: str
+    reader: str
 
 
 def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
@@ -52,7 +53,14 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
     model = click.option(
         "--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."
     )
-    return own(embedder(model(command)))
+    reader = click.option(
+        "--reader",
+        type=click.Choice(READERS),
+        default=READERS[0],
+        show_default=True,
+        help="By typed facts, or by wording alone, as in the paper, where nothing is refused.",
+    )
+    return own(embedder(model(reader(command))))
 
 
 class Chosen(Reading):

@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.paper import nearest_triple
 from chatscene.interpret.retrieve import does_all, does_just, retrieve
 from chatscene.library.beside import placed_beside, reveals
 from chatscene.library.bind import Triple, bound, measured, narrowed, settable
@@ -37,6 +38,9 @@ def choose(scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Trie
     Raises:
         NothingFits: No triple serves it well enough, or none can be set to a number that was said.
     """
+    if settings.reader == "paper":
+        found = nearest_triple(scenario.parts, scenario.slots.adversary, settings, tried)
+        return found, found.snippets
     library, embedder = library_with(settings.library), load_embedder(settings.embedder)
     found: Retrieval | NothingFits
     try:

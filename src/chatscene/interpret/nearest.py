@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chatscene.interpret.vector_index import VectorIndex, build_cached
 from chatscene.interpret.wording_index import WordingIndex, best_of_each
@@ -36,12 +37,16 @@ def nearest(
         lexical_weight: Share of shared words in the similarity, in [0, 1].
     """
     snippets = library.of(component)
-    (query,) = embedder.encode([text])
-    similarity = _descriptions(snippets, embedder).cosines(query[None]).astype(float)
+    similarity = cosines(text, snippets, embedder)
     if lexical_weight:
         similarity = (1 - lexical_weight) * similarity + lexical_weight * _words(snippets).search(text)[0]
     best = np.argsort(-similarity, kind="stable")[:count]
     return [(snippets[i], float(similarity[i])) for i in best]
+
+
+def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDArray[np.float64]:
+    """(N,) the cosine of a text and the description of each snippet."""
+    return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
 
 
 def likely_by_wording(text: str, snippets: Sequence[Snippet], embedder: Embedder) -> dict[str, float]:

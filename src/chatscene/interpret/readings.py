@@ -12,6 +12,7 @@ from dataclasses import replace
 from chatscene.errors import NothingFits, OfferedReading, SettingsError
 from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import Weighed, as_told, decide, decided, understood, weigh
+from chatscene.interpret.paper import read_as_in_paper
 from chatscene.interpret.stated import in_text, require_stated, with_stated
 from chatscene.library.load import library_with
 from chatscene.settings import MOST_READINGS, RetrievalSettings
@@ -37,6 +38,8 @@ def understand(frame: Frame, settings: RetrievalSettings) -> Scenario:
         SettingsError: There is no such fact or reading, or what was stated does not go together.
     """
     frame = with_stated(frame, settings.stated)
+    if settings.reader == "paper":
+        return read_as_in_paper(frame, settings)
     offered: tuple[Reading, ...] = ()
     if frame.whole or frame.reader:
         scenario = decide(frame, settings)

@@ -179,7 +179,7 @@ def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryK
     kinds = [kind for kind in AdversaryKind if kind is who or frame.beliefs.of("adversary", kind) >= POSSIBLE]
     best, found = -math.inf, None
     for kind in kinds if who else [None]:
-        at = _highest(joint.mask, scores, joint.able(kind))
+        at = highest(joint.mask, scores, joint.able(kind))
         if at is not None:
             chosen = [(ranked[component], i) for component, i in zip(Component, at, strict=True)]
             doubt = math.log(frame.beliefs.of("adversary", kind) + UNLIKELY)
@@ -206,13 +206,13 @@ def _best(
         mask = mask & ~joint.with_all(one.snippet_ids)
     scores = [ranked[component].score for component in Component]
     free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
-    found = _highest(mask, scores, free) or _highest(mask, scores, allowed)
+    found = highest(mask, scores, free) or highest(mask, scores, allowed)
     if found is None:
         raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
     return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
 
 
-def _highest(
+def highest(
     mask: NDArray[np.bool_], scores: Sequence[Scores], allowed: Sequence[NDArray[np.bool_]]
 ) -> tuple[int, int, int] | None:
     """The triple of a (B, G, S) mask, of allowed parts only, with the highest sum of scores; None if there is none.

@@ -4,11 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 from chatscene.errors import NothingFits, SnippetError
 from chatscene.terms.actors import AdversaryKind
-from chatscene.terms.scenario import WAITING, Distance, Measure, Quantity, Scenario, Shift, Unused, Why
+from chatscene.terms.scenario import (
+    WAITING,
+    Distance,
+    Measure,
+    Place,
+    Quantity,
+    Scenario,
+    Shift,
+    Slots,
+    Unused,
+    Why,
+    includes,
+)
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 Triple = tuple[Snippet, Snippet, Snippet]
@@ -246,3 +258,15 @@ def _set(part: Snippet, parameter: ParameterRange, low: float, high: float) -> S
         parameters=tuple(told if p is parameter else p for p in part.parameters),
         source=line.sub(rf"\1({told.low:g}, {told.high:g})", part.source),
     )
+
+
+def does(triple: Sequence[Snippet], kind: AdversaryKind) -> Slots:
+    """Everything that a compatible triple does, as facts; the more exact place counts."""
+    facts: dict[str, object] = {}
+    for snippet in triple:
+        for f in fields(Slots):
+            value, known = getattr(snippet.slots, f.name), facts.get(f.name)
+            exact = isinstance(value, Place) and isinstance(known, Place) and includes(value, known)
+            if value not in (None, ()) and not exact:
+                facts[f.name] = value
+    return Slots(**{**facts, "adversary": kind})  # type: ignore[arg-type]

@@ -303,6 +303,7 @@ OPTIONS = {
     ("retrieval", "library"): "--library",
     ("retrieval", "embedder"): "--embedder",
     ("retrieval", "language_model"): "--language-model",
+    ("retrieval", "reader"): "--reader",
     ("retrieval", "reading"): "--reading",
     ("retrieval", "stated"): "--set",
 }

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits, SettingsError
 from chatscene.interpret.decide import scenario_of
+from chatscene.library.bind import does
 from chatscene.library.compatibility import Compatibility, agree, compatibility
 from chatscene.library.load import Library
 from chatscene.models.encoders.embedding import Embedder
@@ -225,15 +226,8 @@ def _having(joint: Compatibility, rows: Rows, has: Callable[[Snippet], bool]) ->
 
 
 def joined(triple: Sequence[Snippet], kind: AdversaryKind) -> Slots:
-    """Everything that a compatible triple does, as facts; the more exact place counts."""
-    facts: dict[str, object] = {}
-    for snippet in triple:
-        for f in fields(Slots):
-            value, known = getattr(snippet.slots, f.name), facts.get(f.name)
-            exact = isinstance(value, Place) and isinstance(known, Place) and includes(value, known)
-            if value not in (None, ()) and not exact:
-                facts[f.name] = value
-    return implied(Slots(**{**facts, "adversary": kind}))  # type: ignore[arg-type]
+    """Everything that a compatible triple does, as facts, with those that are said along with them."""
+    return implied(does(triple, kind))
 
 
 # The sentences

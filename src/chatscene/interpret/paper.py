@@ -1,0 +1,100 @@
+"""A triple by wording alone: the paper's own way from a text to snippets.
+
+Paper: section 3.3, steps ii and iii: a sub-description per component, embedded, and the snippet whose description is
+nearest to it. There a language model writes the sub-descriptions; here they are the adversary's clause, and what the
+patterns, or the user's language model, make out of the rest, in the words of the library. There each snippet is the
+nearest of its component, and many such triples cannot be joined (decision 0006); here the nearest that can be joined
+are taken. Nothing is weighed, doubted or refused: what the triple does is what was read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chatscene.errors import NothingFits
+from chatscene.interpret.decide import understood
+from chatscene.interpret.nearest import cosines
+from chatscene.interpret.retrieve import highest
+from chatscene.interpret.wording import parts_of
+from chatscene.library.bind import does
+from chatscene.library.compatibility import compatibility
+from chatscene.library.load import Library, library_with
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.settings import RetrievalSettings
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.frame import Frame, certain
+from chatscene.terms.scenario import Component, Scenario, SubDescriptions
+from chatscene.terms.snippet import Match, Retrieval, Snippet, Tried
+
+Cosines = NDArray[np.float64]
+
+
+def read_as_in_paper(frame: Frame, settings: RetrievalSettings) -> Scenario:
+    """The scenario of a text whose facts are those of the nearest triple.
+
+    Raises:
+        NothingFits: No triple has the kind of road user that was said.
+    """
+    parts = parts_of(frame, frame.outright)
+    found = nearest_triple(parts, frame.outright.adversary, settings)
+    slots = does(found.snippets, found.adversary)
+    sure = replace(frame, outright=slots, beliefs=certain(slots, frame.beliefs), whole=True, sure=1.0)
+    return replace(understood(sure, slots, frame.notes), parts=parts)
+
+
+def nearest_triple(
+    parts: SubDescriptions, kind: AdversaryKind | None, settings: RetrievalSettings, tried: Sequence[Tried] = ()
+) -> Retrieval:
+    """The triple whose descriptions have the greatest sum of cosines with the sub-descriptions.
+
+    Args:
+        parts: A text per component.
+        kind: Of road user that the triple must be able to have; None for any.
+        settings: Which library and encoder, and how many candidates are named.
+        tried: Choices that did not show what they do; they are not made again.
+
+    Returns:
+        The choice. Its confidence is the mean of the three cosines, which is no probability.
+
+    Raises:
+        NothingFits: There is no such triple.
+    """
+    library, embedder = library_with(settings.library), load_embedder(settings.embedder)
+    scores = {c: cosines(parts[c], library.of(c), embedder) for c in Component}
+    joint = compatibility(library)
+    mask = joint.mask
+    for one in tried:
+        mask = mask & ~joint.with_all(one.snippet_ids)
+    at = highest(mask, [scores[c] for c in Component], joint.able(kind))
+    if at is None:
+        raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
+    behavior, geometry, spawn = (_match(library, c, scores[c], i) for c, i in zip(Component, at, strict=True))
+    return Retrieval(
+        behavior=behavior,
+        geometry=geometry,
+        spawn=spawn,
+        adversary=kind or _common(behavior.snippet, spawn.snippet),
+        confidence=float(np.mean([one.similarity for one in (behavior, geometry, spawn)])),
+        candidates={c: _best(library, c, scores[c], settings.candidates) for c in Component},
+        tried=tuple(tried),
+        notes=("found by wording alone, as in the paper; the confidence is the mean cosine, no probability",),
+    )
+
+
+def _best(library: Library, component: Component, scores: Cosines, count: int) -> tuple[Match, ...]:
+    best = np.argsort(-scores, kind="stable")[:count].tolist()
+    return tuple(_match(library, component, scores, i) for i in best)
+
+
+def _match(library: Library, component: Component, scores: Cosines, i: int) -> Match:
+    snippet, near = library.of(component)[i], float(scores[i])
+    return Match(snippet=snippet, similarity=near, agreement=0.0, score=near, nearest=snippet.description, conflicts=())
+
+
+def _common(behavior: Snippet, spawn: Snippet) -> AdversaryKind:
+    """The first kind of road user that both can have."""
+    return next(kind for kind in behavior.adversaries if kind in spawn.adversaries)
