@@ -73,7 +73,8 @@ def _told_anew(frame: Frame, before: Slots) -> Frame:
         return replace(frame, beliefs=beliefs)
     does = _does(frame.outright)
     clauses = Clauses(whole=f"{frame.clauses.ego} {does}".strip(), ego=frame.clauses.ego, adversary=does)
-    return replace(frame, beliefs=replace(beliefs, behaviors={}, others={}), clauses=clauses)
+    unmeant = dict.fromkeys(frame.beliefs.behaviors, 0.0)  # none more than another that does the same
+    return replace(frame, beliefs=replace(beliefs, behaviors=unmeant, others={}), clauses=clauses)
 
 
 def _does(slots: Slots) -> str:
