@@ -1,8 +1,9 @@
 """How texts are read that the reader's authors neither wrote nor tuned on.
 
-    python benchmarks/others.py --narratives FOLDER/dev.jsonl [--reader paper]
+    python benchmarks/others.py --narratives FOLDER/dev.jsonl [--reader paper] [NAMES…]
 
-`kept` and `kept-second`: 150 and 160 texts by two writers who knew the facts to tell and not the reader.
+`kept`, `kept-second` and `kept-third`: 150, 160 and 194 texts by three writers who knew the facts to tell and not the
+reader; of the third, a second reader labelled all again, and what both could not agree on is left out.
 `narratives-kept`: crash narratives, labelled twice by people who did not know it either; their texts are in FOLDER.
 Nothing is driven. Prints of those in scope how many are served with every fact right, with a wrong one, and refused,
 and for how many of these one of the readings that are offered is right; of the others how many are refused; and how
@@ -21,13 +22,16 @@ from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import READERS, RetrievalSettings
 from chatscene.studies.facts import differing
 
+KEPT = ("kept", "kept-second", "kept-third", "narratives-kept")
+
 
 @click.command()
 @click.option("--narratives", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("names", nargs=-1)
 @click.option("--reader", type=click.Choice(READERS), default=READERS[0])
-def main(narratives: Path | None, reader: str) -> None:
+def main(narratives: Path | None, names: tuple[str, ...], reader: str) -> None:
     generator, settings = Retrieved(), RetrievalSettings(reader=reader)
-    for name in ("kept", "kept-second", "narratives-kept"):
+    for name in names or KEPT:
         counts = dict.fromkeys(("right", "wrong", "refused", "a reading right", "out of scope", "of them refused"), 0)
         sure: list[tuple[float, bool]] = []
         for _, text, in_scope, said in labelled(name, narratives):
