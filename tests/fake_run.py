@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.drive import Ran
 from chatscene.measure.score import columns, measure
@@ -200,6 +201,8 @@ def block(
                 criticality=criticality(episode),
                 fault=fault(episode),
                 avoidable=None if episode.collision is None else index % 3 > 0,
+                crash_type=crash_type(episode),
+                waits=waits(episode),
             )
         )
     refused = scene(number * scenes, _drawn(ranges, rng), route=route, block=number, attempt=1)
@@ -380,6 +383,8 @@ def selection(done: list[Block], keep: int = 2) -> dict[str, bool]:
             shown=not ran.meaning,
             avoidable=ran.avoidable,
             overall_score=ran.metrics["overall_score"],
+            crash_type=ran.crash_type,
+            waits=ran.waits,
         )
         for one in done
         for ran in one.ran

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, fields
 
 from chatscene.errors import SettingsError, no_such
 
-SELECTIONS = ("shown", "worst", "last")
+SELECTIONS = ("distinct", "shown", "worst", "last")
+OBJECTIVES = ("avoidable", "collision")
 PHYSICS = ("kinematic", "lagged")
 MOST_READINGS = 2  # how many readings of a text are offered
 EGO = "planner"  # who drives where no ego is named: it sees everybody and has the whole brake (decision 0077)
@@ -48,10 +49,15 @@ class SearchSettings:
         avoidable_only: Whether to keep no collision that a careful driver would not have avoided (paper: no).
         routes: Routes per scenario (paper: 10; a run on a laptop starts with 1).
         tries: Draws allowed until one scene spawns without overlap.
-        selection: ``shown``: scenes that collided first, of these those that show what was read, of these the lowest
-            scores; ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended,
-            whatever came of it (how the reference ships its baselines).
+        selection: ``distinct``: scenes that collided first, of these those that show what was read, of these those
+            that a careful driver would have avoided, one of each kind of crash before a second of any
+            (`chatscene.measure.crash_type`), of these the lowest scores; none in which the ego only waits.
+            ``shown``: those that collided, of these those that show what was read, of these the lowest scores;
+            ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended, whatever
+            came of it (how the reference ships its baselines).
         sampler: Who says where to look next, one of `chatscene.search.sampler.SAMPLERS` (paper: its own rule).
+        objective: What the search is after: ``collision``, the harder the better (paper); ``avoidable``, collisions
+            that a careful driver would have avoided before others, and of these those in which the ego struck.
         seed: Everything random derives from it.
     """
 
@@ -61,8 +67,9 @@ class SearchSettings:
     avoidable_only: bool = False
     routes: int = 1
     tries: int = 100
-    selection: str = "shown"
-    sampler: str = "paper"
+    selection: str = "distinct"
+    sampler: str = "quality-diversity"
+    objective: str = "avoidable"
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -80,6 +87,12 @@ class SearchSettings:
         )
         if self.selection not in SELECTIONS:
             raise SettingsError(no_such("selection", self.selection, SELECTIONS))
+        if self.objective not in OBJECTIVES:
+            raise SettingsError(no_such("objective", self.objective, OBJECTIVES))
+
+
+PAPER = SearchSettings(routes=10, selection="worst", sampler="paper", objective="collision")
+"""The search as in the paper's experiment (section 4.2)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import combinations, islice, product
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,11 +14,12 @@ from chatscene.search.sampler import SAMPLERS, Proposal, Sampler, load_sampler
 from chatscene.search.samplers.cross_entropy import FLOOR, fit
 from chatscene.search.samplers.grid import grid
 from chatscene.search.samplers.policy_gradient import learn, policy
+from chatscene.search.samplers.quality_diversity import elites
 from chatscene.search.samplers.unit_cube import UnitCube
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.snippet import ParameterRange
 
-NEEDS = {"tpe": "optuna", "cma-es": "cmaes", "quality-diversity": "ribs"}
+NEEDS = {"tpe": "optuna", "cma-es": "cmaes"}
 LEARNING = ("paper", "policy-gradient", "cross-entropy", "tpe", "cma-es", "quality-diversity")
 every_sampler = pytest.mark.parametrize("name", sorted(SAMPLERS.built_in))
 
@@ -59,7 +60,10 @@ def two_regions(values: Values) -> Outcome:
     if gap > 0.0:
         return Outcome(values=values, collided=False, distance=gap, impact_speed=0.0, completion=1.0)
     speed, place = (0.5 * second, 0.5 * third) if first < 0.5 else (1.0 - 0.5 * second, 1.0 - 0.5 * third)
-    return Outcome(values=values, collided=True, distance=0.0, impact_speed=20.0 * speed, completion=place)
+    kind = f"{int(10 * place)} {int(10 * speed)}"
+    return Outcome(
+        values=values, collided=True, distance=0.0, impact_speed=20.0 * speed, completion=place, crash_type=kind
+    )
 
 
 def drawn(proposal: Proposal, block: int, count: int) -> list[Values]:
@@ -103,9 +107,7 @@ def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
         load_sampler("crossentropy")
 
 
-@pytest.mark.parametrize(
-    ("name", "package"), [("tpe", "optuna"), ("cma-es", "cmaes"), ("quality-diversity", "ribs.archives")]
-)
+@pytest.mark.parametrize(("name", "package"), [("tpe", "optuna"), ("cma-es", "cmaes")])
 def test_a_missing_package_ends_in_the_extra_to_install(
     name: str, package: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -279,23 +281,31 @@ def test_an_evolution_strategy_learns_from_a_block_that_was_not_filled() -> None
     assert np.all(strategy.mean < 0.5)
 
 
-def test_quality_diversity_finds_more_kinds_of_scenes_than_chance_and_the_rule_of_the_paper() -> None:
-    pytest.importorskip("ribs", reason="the extra 'search' is not installed")
-    from chatscene.search.samplers.quality_diversity import archive
-
+def test_quality_diversity_finds_more_kinds_of_crashes_than_chance_and_the_rule_of_the_paper() -> None:
     kinds: dict[str, int] = {}
     for name in ("paper", "random", "quality-diversity"):
         blocks = searched(name, DECLARED, two_regions, sizes=[10] * 25)
-        kinds[name] = len(archive(UnitCube(DECLARED), [outcome for block in blocks for outcome in block]))
+        kinds[name] = len({outcome.crash_type for block in blocks for outcome in block if outcome.collided})
     assert kinds["quality-diversity"] > 1.25 * max(kinds["paper"], kinds["random"])
 
 
-def test_an_archive_keeps_the_most_dangerous_scene_of_each_kind() -> None:
-    pytest.importorskip("ribs", reason="the extra 'search' is not installed")
-    from chatscene.search.samplers.quality_diversity import archive
+def crash(speed: float, kind: str, avoidable: bool | None = None) -> Outcome:
+    return replace(any_speed({}, speed), crash_type=kind, avoidable=avoidable)
 
-    cube = UnitCube(DECLARED)
-    slow, fast, faster = (any_speed(cube.values([share] * 3), speed) for share, speed in ((0, 3), (0.5, 9), (1, 9.5)))
-    elites = archive(cube, [slow, faster, fast])
-    kept: Any = elites.data("objective")  # typed otherwise by every version of ribs
-    assert sorted(kept) == [slow.danger, faster.danger]
+
+def test_of_each_kind_of_crash_the_most_dangerous_scene_is_varied() -> None:
+    slow, fast, faster = crash(3.0, "front"), crash(9.0, "rear"), crash(9.5, "rear")
+    assert {one.danger for one, _ in elites([slow, faster, fast])} == {slow.danger, faster.danger}
+
+
+def test_an_avoidable_crash_is_varied_more_often_and_a_kind_that_came_up_often_less() -> None:
+    rare, avoidable, *often = crash(3.0, "a", False), crash(3.0, "b", True), *[crash(3.0, "c", False)] * 3
+    shares = {one.crash_type: share for one, share in elites([rare, avoidable, *often])}
+    assert shares["b"] > shares["a"] == pytest.approx(3 * shares["c"])
+    assert sum(shares.values()) == pytest.approx(1.0)
+
+
+def test_where_nothing_crashed_the_nearest_misses_are_varied() -> None:
+    misses = [corner(UnitCube(DECLARED).values([share] * 3)) for share in (0.9, 0.4, 0.8, 0.5, 0.6)]
+    near = [one for one, _ in elites(misses)]
+    assert near == [misses[1], misses[3], misses[4]]

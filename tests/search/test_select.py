@@ -8,13 +8,24 @@ from chatscene.search.select import Candidate, Selected, select
 few = settings(max_examples=60)
 
 
-def candidate(scene_id: str, collided: bool, score: float, avoidable: bool = True, *, shown: bool = True) -> Candidate:
+def candidate(
+    scene_id: str,
+    collided: bool,
+    score: float,
+    avoidable: bool = True,
+    *,
+    shown: bool = True,
+    kind: str = "",
+    waits: bool = False,
+) -> Candidate:
     return Candidate(
         scene_id=scene_id,
         collided=collided,
         shown=shown,
         avoidable=avoidable if collided else None,
         overall_score=score,
+        crash_type=kind,
+        waits=waits,
     )
 
 
@@ -44,13 +55,45 @@ def test_a_crash_nobody_could_have_avoided_is_left_out_where_avoidable_ones_are_
     assert [s.scene_id for s in select([hopeless, fair, calm], count=2)] == ["a", "b"]
 
 
+def test_an_avoidable_crash_is_kept_before_one_that_nobody_avoids_if_it_shows_what_was_read() -> None:
+    hopeless, fair = candidate("a", True, 0.1, avoidable=False), candidate("b", True, 0.9)
+    assert [s.scene_id for s in select([hopeless, fair], count=1)] == ["b"]
+    assert [s.scene_id for s in select([hopeless, fair], count=1, selection="shown")] == ["a"]
+    unlike = candidate("c", True, 0.0, shown=False)
+    assert [s.scene_id for s in select([hopeless, unlike], count=1)] == ["a"]
+
+
+def test_one_of_each_kind_of_crash_is_kept_before_a_second_of_any() -> None:
+    front, again, rear = (
+        candidate(n, True, s, kind=k) for n, s, k in (("a", 0.1, "f"), ("b", 0.2, "f"), ("c", 0.3, "r"))
+    )
+    assert [s.scene_id for s in select([front, again, rear], count=2)] == ["a", "c"]
+    assert [s.scene_id for s in select([front, again, rear], count=2, selection="shown")] == ["a", "b"]
+    assert len(select([front, again, rear], count=3)) == 3
+
+
+def test_a_second_avoidable_crash_of_a_kind_is_kept_before_another_kind_that_nobody_avoids() -> None:
+    fair, again = candidate("a", True, 0.1, kind="f"), candidate("b", True, 0.2, kind="f")
+    hopeless = candidate("c", True, 0.0, avoidable=False, kind="r")
+    assert [s.scene_id for s in select([fair, again, hopeless], count=2)] == ["a", "b"]
+
+
+def test_a_drive_in_which_the_ego_only_waits_is_not_kept() -> None:
+    waiting, calm = candidate("a", False, 0.1, waits=True), candidate("b", False, 0.9)
+    assert select([waiting, calm], count=2) == (Selected(scene_id="b", fill_in=True),)
+    assert select([waiting], count=2) == ()
+    assert [s.scene_id for s in select([waiting, calm], count=1, selection="worst")] == ["a"]
+
+
 crowds = st.lists(
     st.builds(
         candidate,
         st.integers(0, 99).map(lambda n: f"scene-{n:03d}"),
         st.booleans(),
         st.sampled_from([0.2, 0.4, 0.4, 0.6, 0.8]),
+        st.booleans(),
         shown=st.booleans(),
+        kind=st.sampled_from("abc"),
     ),
     max_size=12,
     unique_by=lambda c: c.scene_id,
@@ -107,7 +150,7 @@ def test_as_many_are_kept_as_asked_for_or_as_there_are(crowd: list[Candidate], c
 @given(crowds, st.integers(1, 5))
 def test_nothing_left_out_is_worth_more_than_anything_kept(crowd: list[Candidate], count: int) -> None:
     kept = {each.scene_id for each in select(crowd, count=count)}
-    worth = {c.scene_id: (not c.collided, not c.shown, c.overall_score) for c in crowd}
+    worth = {c.scene_id: (not c.collided, not c.shown, c.avoidable is False) for c in crowd}
     inside = [worth[name] for name in worth if name in kept]
     outside = [worth[name] for name in worth if name not in kept]
     assert not outside or max(inside) <= min(outside)

@@ -47,7 +47,7 @@ from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
-from chatscene.settings import EGO, SIMULATOR, SimulationSettings
+from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 
 if TYPE_CHECKING:
@@ -56,13 +56,16 @@ if TYPE_CHECKING:
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
 
-SAMPLER = click.option(
-    "--sampler",
-    default="paper",
-    show_default=True,
-    help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, quality-diversity, "
-    "or package.module:factory.",
-)
+
+def _sampler(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """The option that says where a search looks next."""
+    return click.option(
+        "--sampler",
+        default=default,
+        show_default=True,
+        help="Where to look next: paper, random, grid, policy-gradient, cross-entropy, tpe, cma-es, "
+        "quality-diversity, or package.module:factory.",
+    )
 
 
 def _simulator(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -130,7 +133,7 @@ goes into looking through what has just been loaded and stays."""
 @click.option("--routes", default=1, show_default=True, help="Routes per scenario.")
 @click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
-@SAMPLER
+@_sampler(SearchSettings().sampler)
 @_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option(
@@ -326,7 +329,7 @@ def evaluate(
 @click.option("--surrogate", default="sac", show_default=True, help="The ego that scenes are searched against.")
 @MAP
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
-@SAMPLER
+@_sampler(PAPER.sampler)
 @_simulator(SimulationSettings().simulator)
 @PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)

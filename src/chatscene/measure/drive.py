@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.measure.avoidability import avoidable
+from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
 from chatscene.program.meaning import check_meaning
@@ -30,6 +31,8 @@ class Ran:
         criticality: How close it came.
         fault: Who ran into whom; None without a collision.
         avoidable: Whether a careful driver would have avoided the collision; None without one.
+        crash_type: Of which kind the collision is; empty without one.
+        waits: Whether the ego waits at the end behind somebody who does not move on.
     """
 
     scene: Scene
@@ -40,6 +43,8 @@ class Ran:
     criticality: Criticality
     fault: Fault | None
     avoidable: bool | None
+    crash_type: str
+    waits: bool
 
 
 def drive(
@@ -71,4 +76,6 @@ def drive(
         criticality=criticality(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),
+        crash_type=crash_type(episode),
+        waits=waits(episode),
     )

@@ -49,6 +49,7 @@ from chatscene.runs.tables import (
     write_table,
 )
 from chatscene.runs.workspace import Workspace, read_record, update
+from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected
@@ -136,6 +137,8 @@ def _ran_row(ran: Ran) -> SceneRow:
         severity=ran.criticality.severity,
         fault=ran.fault,
         avoidable=ran.avoidable,
+        crash_type=ran.crash_type,
+        waits=ran.waits,
         stepped=ran.episode.stepped.by,
         instead=ran.episode.stepped.instead,
     )
@@ -248,6 +251,10 @@ def _outcomes(part: Part) -> list[Outcome]:
             distance=scene.criticality["distance"],
             impact_speed=scene.impact_speed or 0.0,
             completion=scene.route_completion or 0.0,
+            avoidable=scene.avoidable,
+            by_ego=scene.fault is not None and Fault(scene.fault).by_ego,
+            crash_type=scene.crash_type,
+            waits=scene.waits,
         )
         for scene in part.scenes
         if scene.reason is None

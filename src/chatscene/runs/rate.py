@@ -35,7 +35,8 @@ from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 Array = NDArray[np.float64]
 
-IN_BOXES = ("paper", "random")  # samplers that draw uniformly from the ranges of a block, which a run keeps
+# How many of a route's blocks a sampler draws uniformly from ranges, which a run keeps; None of all.
+UNIFORM: dict[str, int | None] = {"paper": None, "random": None, "cross-entropy": 1, "quality-diversity": 1}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +52,7 @@ class Rate:
         crash: How often the ego's first collision is with an adversary.
         avoidable: How often that happens and a careful driver would have avoided it (decision 0013).
         exposure: The parameters with their densities.
-        left: Why the drives of the run were not counted; empty if they were.
+        left: Which drives of the run were not counted, and why; empty if all were.
     """
 
     text: str
@@ -79,7 +80,7 @@ class Rate:
             f"from {self.stored} drives of the run and {self.driven} more ({self.drawn} scenes drawn in all).",
         ]
         if self.left:
-            lines.append(f"The drives of the run were not counted: {self.left}.")
+            lines.append(f"Of the run were not counted {self.left}.")
         if uniform:
             lines.append(
                 f"Assumed, not measured: every value of its range is equally frequent for {', '.join(uniform)}."
@@ -179,10 +180,9 @@ def rate(
     exposure = exposure_of(program.parameters, densities)
     routes = sorted({route_index(row["route_id"]) for row in read_scenes(run)}) or [0]
     tally = Tally(exposure)
-    left = _not_counted(settings)
-    if not left:
-        for points, came, batch in _stored(run, program, exposure):
-            tally.add(points, [batch.route or 0] * len(came), came, batch)
+    sampler = settings.search.sampler
+    for points, came, batch in _stored(run, program, exposure, UNIFORM.get(sampler, 0)):
+        tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
     setup = _Setup(program, record.generator, map_of(record), settings, record.ego)
     done = 0
@@ -211,7 +211,7 @@ def rate(
         crash=crash,
         avoidable=careful,
         exposure=tuple(dict(row) for row in as_rows(exposure)),
-        left=left,
+        left=_not_counted(sampler),
     )
 
 
@@ -220,15 +220,18 @@ def _scene(scenario: str, seed: int, number: int, route: int, values: dict[str, 
     return Scene(id=name, scenario_id=scenario, route=route, block=-1, seed=scene_seed(seed, name), values=values)
 
 
-def _not_counted(settings: Settings) -> str:
-    sampler = settings.search.sampler
-    return "" if sampler in IN_BOXES else f"nobody knows how likely the sampler {sampler!r} was to draw each"
+def _not_counted(sampler: str) -> str:
+    blocks = UNIFORM.get(sampler, 0)
+    if blocks is None:
+        return ""
+    which = "the drives after the first block of a route" if blocks else "its drives"
+    return f"{which}: nobody knows how likely the sampler {sampler!r} was to draw each"
 
 
 def _stored(
-    run: Workspace, program: ScenicProgram, exposure: Exposure
+    run: Workspace, program: ScenicProgram, exposure: Exposure, blocks: int | None
 ) -> Iterator[tuple[Array, list[Came | None], Batch]]:
-    """The points, the drives and the box of each block of a run; what could not be placed counts as drawn."""
+    """The points, the drives and the box of each of the first blocks; what could not be placed counts as drawn."""
     ranges: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
     for row in read_ranges(run):
         ranges.setdefault((row["route_id"], row["block"]), {})[row["parameter"]] = row["low"], row["high"]
@@ -241,6 +244,8 @@ def _stored(
     adversaries = {one.actor for one in read_episode(run, ran).adversaries} if ran else set[str]()
     cube = exposure.cube
     for (route, block), box in sorted(ranges.items()):
+        if blocks is not None and block >= blocks:
+            continue
         here = [row for row in rows if (row["route_id"], row["block"]) == (route, block)]
         low, high = (cube.point({p.name: box[p.name][end] for p in cube.free}) for end in (0, 1))
         every: list[Came | None] = []

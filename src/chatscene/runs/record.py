@@ -432,6 +432,8 @@ class SceneRow(_Frozen):
     severity: str | None = None
     fault: str | None = None
     avoidable: bool | None = None
+    crash_type: str = ""  # this and the next for the search and the selection alone
+    waits: bool = False
     stepped: str = ""  # by which simulator
     instead: str = ""  # why not by the one that was asked for
 
@@ -501,7 +503,7 @@ def settings_of(record: MapRecord) -> Settings:
     """
     given = record.settings
     return Settings(
-        search=settings_from(SearchSettings, given.get("search", {})),
+        search=settings_from(SearchSettings, {"objective": "collision"} | given.get("search", {})),  # as before 0088
         simulation=settings_from(SimulationSettings, given.get("simulation", {})),
         retrieval=settings_from(RetrievalSettings, given.get("retrieval", {})),
     )

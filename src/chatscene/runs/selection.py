@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from chatscene.runs.blocks import read_scenes
+from chatscene.runs.blocks import read_parts
 from chatscene.runs.workspace import Workspace
 from chatscene.search.select import Candidate, select
 from chatscene.settings import SearchSettings
 
 
 def selected(run: Workspace, settings: SearchSettings) -> dict[str, bool]:
-    """Step 7 for every scenario and route: scene id to whether it is a fill-in."""
-    jobs: dict[tuple[str, str], list[Candidate]] = {}
-    for row in read_scenes(run):
-        if row["status"] == "ran":
-            candidate = Candidate(
-                scene_id=row["scene_id"],
-                collided=row["collision"],
-                shown=row["meaning_ok"],
-                avoidable=row["avoidable"],
-                overall_score=row["overall_score"],
-            )
-            jobs.setdefault((row["scenario_id"], row["route_id"]), []).append(candidate)
+    """Step 7 for every scenario and route of a run that is not finished: scene id to whether it is a fill-in."""
+    jobs: dict[tuple[str, int], list[Candidate]] = {}
+    for part in read_parts(run):
+        for scene in part.scenes:
+            if scene.reason is None:
+                candidate = Candidate(
+                    scene_id=scene.scene_id,
+                    collided=bool(scene.collision),
+                    shown=not scene.meaning_failures,
+                    avoidable=scene.avoidable,
+                    overall_score=scene.metrics["overall_score"],
+                    crash_type=scene.crash_type,
+                    waits=scene.waits,
+                )
+                jobs.setdefault((part.scenario_id, part.route), []).append(candidate)
     return {
         s.scene_id: s.fill_in
         for candidates in jobs.values()

@@ -284,8 +284,11 @@ def measurements_of(row: Mapping[str, Any]) -> Measurements:
     return Measurements(**numbers | {"collided": bool(numbers["collided"])})
 
 
+_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "crash_type", "waits", "stepped", "instead"}
+
+
 def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:
-    row = scene.model_dump(exclude={"values", "metrics", "measurements", "criticality", "stepped", "instead"})
+    row = scene.model_dump(exclude=_NO_COLUMNS)
     row |= scene.values | scene.metrics | scene.criticality
     row |= {f"{RAW}{name}": value for name, value in scene.measurements.items()}
     driven = scene.reason is None

@@ -7,7 +7,7 @@ that any number of processes gives the same scenes.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 
 from chatscene.ego.policy import EgoPolicy
@@ -77,7 +77,8 @@ def explore(
             for index in range(number * settings.block, min((number + 1) * settings.block, settings.scenes))
         ]
         seed = scene_seed(settings.seed, f"{program.scenario_id}/route-{route:02d}/block-{number:03d}")
-        proposal = sampler.propose(program.parameters, history, count=len(places), seed=seed)
+        asked = [[_asked(outcome, settings.objective) for outcome in block] for block in history]
+        proposal = sampler.propose(program.parameters, asked, count=len(places), seed=seed)
         block = _run_block(program, slots, places, proposal, simulator, ego, settings)
         history.append(outcomes(block))
         yield block
@@ -92,9 +93,18 @@ def outcomes(block: Block) -> list[Outcome]:
             distance=ran.criticality.distance,
             impact_speed=ran.criticality.impact_speed or 0.0,
             completion=float(ran.episode.route_completion),
+            avoidable=ran.avoidable,
+            by_ego=ran.fault is not None and ran.fault.by_ego,
+            crash_type=ran.crash_type,
+            waits=ran.waits,
         )
         for ran in block.ran
     ]
+
+
+def _asked(outcome: Outcome, objective: str) -> Outcome:
+    """An outcome as far as an objective asks for it."""
+    return outcome if objective == "avoidable" else replace(outcome, avoidable=None, waits=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -59,7 +59,7 @@ SAMPLERS: Kind[Sampler] = Kind(
         "cross-entropy": "chatscene.search.samplers.cross_entropy:CrossEntropy",
         "tpe": "chatscene.search.samplers.tpe:TreeParzen [search]",
         "cma-es": "chatscene.search.samplers.cma_es:CmaEs [search]",
-        "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity [search]",
+        "quality-diversity": "chatscene.search.samplers.quality_diversity:QualityDiversity",
     },
 )
 

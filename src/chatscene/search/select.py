@@ -21,6 +21,8 @@ class Candidate:
         shown: Whether its drive showed what was read (`chatscene.program.meaning`).
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         overall_score: Of that one drive, paper mode.
+        crash_type: Of which kind the collision is (`chatscene.measure.crash_type`); empty without one.
+        waits: Whether the ego waits at the end behind somebody who does not move on.
     """
 
     scene_id: str
@@ -28,6 +30,8 @@ class Candidate:
     shown: bool
     avoidable: bool | None
     overall_score: float
+    crash_type: str = ""
+    waits: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,7 +48,7 @@ class Selected:
 
 
 def select(
-    candidates: Iterable[Candidate], *, count: int, selection: str = "shown", avoidable_only: bool = False
+    candidates: Iterable[Candidate], *, count: int, selection: str = "distinct", avoidable_only: bool = False
 ) -> tuple[Selected, ...]:
     """Scenes that collided first, of these those that show what was read, of these the lowest overall scores.
 
@@ -53,8 +57,10 @@ def select(
     Args:
         candidates: The scenes of one scenario on one route, in the order in which they were driven.
         count: How many to keep, at least 1.
-        selection: One of `chatscene.settings.SELECTIONS`: ``worst`` does not look at what was shown (paper); ``last``
-            keeps the last ones, whatever came of them.
+        selection: One of `chatscene.settings.SELECTIONS`: ``distinct`` keeps of those that show what was read the
+            avoidable ones first, one of each kind before a second of any, and none in which the ego only waits;
+            ``shown`` asks for neither; ``worst`` does not look at what was shown either (paper); ``last`` keeps the
+            last ones, whatever came of them.
         avoidable_only: Never keep a collision that a careful driver would not have avoided.
 
     Returns:
@@ -68,9 +74,26 @@ def select(
     allowed = [c for c in candidates if not (avoidable_only and c.avoidable is False)]
     if selection == "last":
         best = allowed[-count:]
+    elif selection == "distinct":
+        best = _distinct([c for c in allowed if not c.waits])[:count]
     else:
         blind = selection == "worst"
         best = sorted(allowed, key=lambda c: (not c.collided, not (c.shown or blind), c.overall_score, c.scene_id))
         best = best[:count]
     kept = (Selected(scene_id=c.scene_id, fill_in=not c.collided) for c in best)
     return tuple(sorted(kept, key=lambda s: s.scene_id))
+
+
+def _distinct(candidates: Iterable[Candidate]) -> list[Candidate]:
+    """In the order in which they are worth keeping; a second of a kind comes after the first of every other."""
+    best = sorted(candidates, key=lambda c: (*_rank(c), c.overall_score, c.scene_id))
+    before = [
+        sum(other.crash_type == c.crash_type and _rank(other) == _rank(c) for other in best[:n])
+        for n, c in enumerate(best)
+    ]
+    order = sorted(range(len(best)), key=lambda n: (*_rank(best[n]), before[n], n))
+    return [best[n] for n in order]
+
+
+def _rank(candidate: Candidate) -> tuple[bool, bool, bool]:
+    return not candidate.collided, not candidate.shown, candidate.avoidable is False

@@ -22,7 +22,7 @@ from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on, working
 from chatscene.search.generator import load_generator
-from chatscene.settings import SearchSettings, Settings, SimulationSettings
+from chatscene.settings import PAPER, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import check_jobs
 from chatscene.studies.evaluation import EGOS, Evaluated, evaluate
 from chatscene.terms.scenario import BaseScenario
@@ -43,8 +43,8 @@ class Budget:
 
 REFERENCE = "reference"  # the budget that is each generator's own
 BUDGETS: dict[str, Budget] = {
-    "paper": Budget(scenarios=5, search=SearchSettings(scenes=50, block=10, keep=2, routes=10, selection="worst")),
-    "small": Budget(scenarios=2, search=SearchSettings(scenes=20, block=10, keep=2, routes=2, selection="worst")),
+    "paper": Budget(scenarios=5, search=PAPER),
+    "small": Budget(scenarios=2, search=replace(PAPER, scenes=20, routes=2)),
 }
 
 
@@ -84,7 +84,7 @@ def benchmark(
     surrogate: str = "sac",
     map_name: str = "town",
     seed: int = 0,
-    sampler: str = "paper",
+    sampler: str = PAPER.sampler,
     simulator: str = SimulationSettings().simulator,
     physics: str = SimulationSettings().physics,
     avoidable_only: bool = False,

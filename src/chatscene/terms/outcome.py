@@ -19,6 +19,11 @@ class Outcome:
         distance: Least gap between the ego and an adversary [m], 0 in a contact; None where there was none.
         impact_speed: Speed of approach at the collision [m/s], 0 without one.
         completion: Share of the route that the ego drove, in [0, 1].
+        avoidable: Whether a careful driver would have avoided the collision; None without one, and where the search
+            does not ask.
+        by_ego: Whether it was the ego that struck.
+        crash_type: Of which kind the collision is (`chatscene.measure.crash_type`); empty without one.
+        waits: Whether the ego waits at the end behind somebody who does not move on; False where nobody asks.
     """
 
     values: Mapping[str, float]
@@ -26,10 +31,20 @@ class Outcome:
     distance: float | None
     impact_speed: float
     completion: float
+    avoidable: bool | None = None
+    by_ego: bool = False
+    crash_type: str = ""
+    waits: bool = False
 
     @property
     def danger(self) -> float:
-        """What a search maximises, in (0, 2]: nearness below 1, a collision above, the more the faster."""
+        """What a search maximises: nearness below 1, a collision above, the more the faster.
+
+        In (0, 2] where nobody asks who could have helped it. Where somebody does, a collision that nobody helps is in
+        [1, 2], an avoidable one in which the ego was struck in [2, 3], one in which the ego struck in [3, 4]; to wait
+        behind somebody is as harmless as to meet nobody.
+        """
         if self.collided:
-            return 1.0 + min(self.impact_speed / FULL_IMPACT, 1.0)
-        return 1.0 / (1.0 + (NOWHERE if self.distance is None else self.distance))
+            tier = (1 + self.by_ego) if self.avoidable else 0
+            return 1.0 + tier + min(self.impact_speed / FULL_IMPACT, 1.0)
+        return 1.0 / (1.0 + (NOWHERE if self.distance is None or self.waits else self.distance))

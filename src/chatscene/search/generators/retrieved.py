@@ -16,7 +16,7 @@ from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
 from chatscene.search.generator import Choice, Written
-from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 class Retrieved:
     """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
 
-    reference = SearchSettings(scenes=50, block=10, keep=2, routes=10, selection="worst")
+    reference = PAPER
 
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
         """Five sentences, in our words, for the situations of the paper's five."""

@@ -18,7 +18,7 @@ from chatscene.library.load import load_library
 from chatscene.program.assemble import assemble
 from chatscene.search.explore import Block, explore
 from chatscene.search.generator import Choice, Written
-from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
@@ -121,7 +121,7 @@ class Baseline:
     name: str
     title: str
     sampler: str
-    reference: SearchSettings = SearchSettings(scenes=100, block=10, keep=10, routes=10, selection="last")
+    reference: SearchSettings = replace(PAPER, scenes=100, keep=10, selection="last")
     starts: bool = False
 
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:

@@ -5,8 +5,10 @@ Source: CARLA's ScenarioRunner, with the parameters that SafeBench varies: speed
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from chatscene.search.generators.baselines.nominal import Baseline, Nominal
-from chatscene.settings import SearchSettings
+from chatscene.settings import PAPER
 from chatscene.terms.snippet import ParameterRange
 
 AROUND = 0.2  # share of the nominal speed, and …
@@ -19,7 +21,7 @@ class ScenarioRunner(Baseline):
     name = "carla-scenario-generator"
     title = "Carla Scenario Generator"
     sampler = "grid"
-    reference = SearchSettings(scenes=10, block=10, keep=10, routes=10, selection="last")
+    reference = replace(PAPER, scenes=10, keep=10, selection="last")
 
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
         """Waits, then moves at a constant speed."""

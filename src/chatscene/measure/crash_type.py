@@ -1,0 +1,58 @@
+"""What kind of crash a crash is, so that a second of a kind can be told from another kind; and what is none at all."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from chatscene.measure.criticality import criticality, fault, least_gap, part_struck
+from chatscene.measure.instead import STANDSTILL
+from chatscene.terms.episode import Episode, Track
+
+PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
+HEADED = ("same way", "to the left", "oncoming", "to the right")  # the other, as the ego sees it, by quarter turns
+BEHIND = 10.0  # [m] of gap within which one waits behind another
+STANDING = 0.1  # [m/s]
+
+
+def crash_type(episode: Episode) -> str:
+    """The kind of a drive's first collision, in words; empty without one.
+
+    Two are of one kind if the same party struck the other, the same parts of the same kinds of road user met, the
+    severity is of one class, the other headed the same way to a quarter turn, and the ego had driven as far to
+    `PLACE`. What the values of parameters were is no part of it.
+    """
+    crash, who = episode.collision, fault(episode)
+    if crash is None or who is None:
+        return ""
+    ego = episode.ego_track
+    other = next(track for track in episode.tracks if track.actor == crash.other)
+    driven = float(np.hypot(np.diff(ego.x[: crash.step + 1]), np.diff(ego.y[: crash.step + 1])).sum())
+    turned = float(other.heading[crash.step] - ego.heading[crash.step])
+    struck = f"{other.kind} {part_struck(other, ego, crash.step)}".strip()
+    headed = HEADED[round(turned / (math.pi / 2)) % 4]
+    severity = criticality(episode).severity
+    return f"{who}, {crash.side} and {struck}, {headed}, {severity}, after {int(driven // PLACE * PLACE)} m"
+
+
+def waits(episode: Episode) -> bool:
+    """Whether the ego stands at the end beside or behind somebody who stands as well, and both have for a while.
+
+    It is no crash, and no near miss: a drive whose time ran out in front of a blocker tells nothing of the ego.
+    """
+    if episode.collision is not None:
+        return False
+    rows = math.ceil(STANDSTILL / episode.dt) + 1
+    ego, *others = [_last(track, rows) for track in episode.tracks]
+    return _stands(ego) and any(_stands(other) and least_gap(ego, other) < BEHIND for other in others)
+
+
+def _last(track: Track, rows: int) -> Track:
+    x, y, heading, speed = (column[-rows:] for column in (track.x, track.y, track.heading, track.speed))
+    return replace(track, x=x, y=y, heading=heading, speed=speed)
+
+
+def _stands(track: Track) -> bool:
+    return bool((np.abs(track.speed) < STANDING).all())
