@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of
 from chatscene.errors import EgoError, SimulationError
-from chatscene.simulate.simulator import Simulator
+from chatscene.simulate.simulator import Session, Simulator
 from chatscene.terms.episode import Ending
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
@@ -49,6 +50,7 @@ def drive_instead(
     pedals: str,
     not_over_before: int,
     dt: float,
+    opened: Callable[[Session], None] = lambda _: None,
 ) -> Ended:
     """Drive a scene with another driver in the ego's place.
 
@@ -61,6 +63,7 @@ def drive_instead(
         pedals: Those of the driver, one of `chatscene.ego.policy.PEDALS`.
         not_over_before: The step after which the drive is over once the driver has stood for `STANDSTILL`.
         dt: Length of a step [s].
+        opened: Told of the session, for a driver that sees more than the ego.
 
     Raises:
         SimulationError: The scene cannot be driven again.
@@ -69,6 +72,7 @@ def drive_instead(
     drive = simulator.open(program, scene, observation=observation_of(ego), pedals=pedals)
     if isinstance(drive, Rejected):
         raise SimulationError(f"scene {scene.id!r} ran once and is now rejected: {drive.reason}")
+    opened(drive)
     standing = 0
     try:
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
