@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from click.testing import CliRunner
 import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import RunError
-from chatscene.settings import SearchSettings, Settings
+from chatscene.settings import PAPER, SearchSettings, Settings
 
 TEXT = "an oncoming car turns left across our way"
 
@@ -19,7 +20,8 @@ TEXT = "an oncoming car turns left across our way"
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("rate") / "run"
-    chatscene.run(TEXT, path, ego="idm", settings=Settings(search=SearchSettings(scenes=40, block=10)))
+    search = replace(PAPER, scenes=40, block=10, routes=1)
+    chatscene.run(TEXT, path, ego="idm", settings=Settings(search=search))
     return path
 
 
@@ -48,6 +50,13 @@ def test_what_is_assumed_is_said_and_a_density_has_its_source(folder: Path, tmp_
     assert "a count in our street" in known.output
     as_json = json.loads(CliRunner().invoke(main, [*told, "--json"], catch_exceptions=False).output)
     assert {row["parameter"]: row["shape"] for row in as_json["exposure"]}["OPT_ADV_SPEED"] == "normal"
+
+
+def test_of_a_search_that_begins_with_uniform_draws_only_these_are_counted(tmp_path: Path) -> None:
+    chatscene.run(TEXT, tmp_path / "run", ego="idm", settings=Settings(search=SearchSettings(scenes=6, block=2)))
+    found = chatscene.rate(tmp_path / "run", scenes=0)
+    assert found.stored == 2
+    assert "the drives after the first block" in found.in_words()
 
 
 def test_drives_that_nobody_knows_the_draw_of_are_not_counted(tmp_path: Path) -> None:
