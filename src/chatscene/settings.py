@@ -51,7 +51,7 @@ class SearchSettings:
         tries: Draws allowed until one scene spawns without overlap.
         selection: ``distinct``: scenes that collided first, of these those that show what was read, of these those
             that a careful driver would have avoided, one of each kind of crash before a second of any
-            (`chatscene.measure.crash_type`), of these the lowest scores; none in which the ego only waits.
+            (`chatscene.measure.crash_type`), of these the lowest scores; those in which the ego only waits come last.
             ``shown``: those that collided, of these those that show what was read, of these the lowest scores;
             ``worst``: the same without a look at what was shown (paper); ``last``: where the search ended, whatever
             came of it (how the reference ships its baselines).

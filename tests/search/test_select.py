@@ -78,10 +78,10 @@ def test_a_second_avoidable_crash_of_a_kind_is_kept_before_another_kind_that_nob
     assert [s.scene_id for s in select([fair, again, hopeless], count=2)] == ["a", "b"]
 
 
-def test_a_drive_in_which_the_ego_only_waits_is_not_kept() -> None:
-    waiting, calm = candidate("a", False, 0.1, waits=True), candidate("b", False, 0.9)
-    assert select([waiting, calm], count=2) == (Selected(scene_id="b", fill_in=True),)
-    assert select([waiting], count=2) == ()
+def test_a_drive_in_which_the_ego_only_waits_is_kept_only_where_there_is_nothing_else() -> None:
+    waiting, calm = candidate("a", False, 0.1, waits=True), candidate("b", False, 0.9, shown=False)
+    assert select([waiting, calm], count=1) == (Selected(scene_id="b", fill_in=True),)
+    assert select([waiting], count=1) == (Selected(scene_id="a", fill_in=True),)
     assert [s.scene_id for s in select([waiting, calm], count=1, selection="worst")] == ["a"]
 
 

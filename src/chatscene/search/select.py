@@ -5,6 +5,7 @@ Paper: section 4.2 ("Scene": two of fifty per scenario and route). Released code
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -58,7 +59,7 @@ def select(
         candidates: The scenes of one scenario on one route, in the order in which they were driven.
         count: How many to keep, at least 1.
         selection: One of `chatscene.settings.SELECTIONS`: ``distinct`` keeps of those that show what was read the
-            avoidable ones first, one of each kind before a second of any, and none in which the ego only waits;
+            avoidable ones first, one of each kind before a second of any, and last those in which the ego only waits;
             ``shown`` asks for neither; ``worst`` does not look at what was shown either (paper); ``last`` keeps the
             last ones, whatever came of them.
         avoidable_only: Never keep a collision that a careful driver would not have avoided.
@@ -75,7 +76,7 @@ def select(
     if selection == "last":
         best = allowed[-count:]
     elif selection == "distinct":
-        best = _distinct([c for c in allowed if not c.waits])[:count]
+        best = _distinct(allowed)[:count]
     else:
         blind = selection == "worst"
         best = sorted(allowed, key=lambda c: (not c.collided, not (c.shown or blind), c.overall_score, c.scene_id))
@@ -86,14 +87,14 @@ def select(
 
 def _distinct(candidates: Iterable[Candidate]) -> list[Candidate]:
     """In the order in which they are worth keeping; a second of a kind comes after the first of every other."""
-    best = sorted(candidates, key=lambda c: (*_rank(c), c.overall_score, c.scene_id))
-    before = [
-        sum(other.crash_type == c.crash_type and _rank(other) == _rank(c) for other in best[:n])
-        for n, c in enumerate(best)
-    ]
-    order = sorted(range(len(best)), key=lambda n: (*_rank(best[n]), before[n], n))
-    return [best[n] for n in order]
+    found: Counter[object] = Counter()
+    order: list[tuple[tuple[bool, ...], int, Candidate]] = []
+    for one in sorted(candidates, key=lambda c: (*_rank(c), c.overall_score, c.scene_id)):
+        kind = _rank(one), one.crash_type
+        order.append((_rank(one), found[kind], one))
+        found[kind] += 1
+    return [one for _, _, one in sorted(order, key=lambda placed: placed[:2])]
 
 
-def _rank(candidate: Candidate) -> tuple[bool, bool, bool]:
-    return not candidate.collided, not candidate.shown, candidate.avoidable is False
+def _rank(candidate: Candidate) -> tuple[bool, bool, bool, bool]:
+    return not candidate.collided, candidate.waits, not candidate.shown, candidate.avoidable is False
