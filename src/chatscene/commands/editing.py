@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Unpack
 
 import click
 
@@ -26,7 +25,9 @@ from chatscene.errors import ChatSceneError, NothingFits
 from chatscene.settings import EGO
 
 if TYPE_CHECKING:
-    from chatscene.report.understood import Understood
+    from chatscene.api import Run
+    from chatscene.report.understood import Edited
+    from chatscene.talk import Shown, Undone
 
 EDITS = click.option(
     "--edit", multiple=True, default=(), metavar="EDIT", help="What is to be another than TEXT says; repeat, in order."
@@ -104,131 +105,34 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
     chatscene chat
     printf 'the car ahead brakes hard\\nmake it a truck\\nat night\\nrun runs/truck\\n' | chatscene chat
     """
-    talk = Talk(reading, {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed})
+    from chatscene.report.terminal import readings_in_words
+    from chatscene.talk import Talk
+
+    talk = Talk(reading, {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed}, Path("runs"))
     for line in _lines():
         if line in ("quit", "exit"):
             break
         try:
-            talk.hear(line)
+            _tell(talk.hear(line, progress()))
         except ChatSceneError as error:
-            from chatscene.report.terminal import readings_in_words
-
             say(f"{type(error).__name__}: {error}")
             for told in readings_in_words(error.readings if isinstance(error, NothingFits) else (), talk=True):
                 say(told)
 
 
-class Talk:
-    """A situation that is talked about.
+def _tell(heard: Shown | Edited | Undone | Run) -> None:
+    """Say what came of a line."""
+    from chatscene.report.terminal import print_understanding
+    from chatscene.talk import Shown, Undone
 
-    Args:
-        reading: How sentences are read.
-        search: How a run is searched.
-    """
-
-    def __init__(self, reading: Reading, search: Mapping[str, Any]) -> None:
-        self._reading, self._search = reading, search
-        self._text, self._answer = "", Answer()
-        self._asked = self._text, self._answer  # what is answered for: the text last said, understood or not
-        self._said: list[Understood] = []
-        self._edits: list[str] = []
-
-    def hear(self, line: str) -> None:
-        """Do what a line says, and say what came of it.
-
-        Raises:
-            ChatSceneError: The line is refused; the situation is as it was.
-        """
-        verb, _, rest = line.partition(" ")
-        text, before = self._asked
-        if text and (answer := before.further(verb, rest)):
-            self._understand(text, answer, self._edits if self._said and text == self._text else [])
-        elif not self._said or verb == "new":
-            self._understand(rest if verb == "new" else line, Answer(), [])
-        elif line == "undo":
-            self._undo()
-        elif line == "show":
-            self._show()
-        elif verb == "run" and len(rest.split()) <= 1:
-            self._run(rest)
-        else:
-            self._said.append(self._said[-1].edit(line))
-            self._edits.append(line)
-            say(str(self._said[-1]))
-
-    def _understand(self, text: str, answer: Answer, edits: list[str]) -> None:
-        from chatscene import api
-
-        try:
-            said = [api.explain(text, **self._reading, **answer.options())]
-        except NothingFits:
-            self._asked = text, answer  # one fact may not be enough
-            raise
-        for edit in edits:
-            said.append(said[-1].edit(edit))
-        self._asked = text, answer
-        self._text, self._answer, self._said, self._edits = text, answer, said, edits
-        self._show()
-
-    def _undo(self) -> None:
-        if not self._edits:
-            say("nothing to undo: this is what was said first")
-            return
-        self._said.pop()
-        say(f"undone: {self._edits.pop()}")
-
-    def _show(self) -> None:
-        from chatscene.report.terminal import print_understanding
-
-        say(f"now: {self._said[-1].told}")
-        print_understanding(console(), self._said[-1], show_program=False)
-
-    def _run(self, folder: str) -> None:
-        from chatscene import api, runs
-
-        done = api.run(
-            self._text,
-            folder or runs.free_folder(Path("runs"), self._edits[-1] if self._edits else self._text),
-            edit=self._edits,
-            progress=progress(),
-            **self._search,
-            **self._reading,
-            **self._answer.options(),
-        )
-        say(str(done))
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """What was answered to what was asked back of a text.
-
-    Attributes:
-        reading: The number of the one taken, of those that were offered; 0 for none.
-        facts: What was stated, by slot.
-    """
-
-    reading: int = 0
-    facts: tuple[tuple[str, str], ...] = ()
-
-    def further(self, verb: str, rest: str) -> Answer | None:
-        """The same with what a line answers; None if it answers nothing."""
-        if verb == "reading" and rest.isdecimal():
-            return replace(self, reading=int(rest))
-        name, equals, value = rest.partition("=")
-        if verb == "set" and equals:
-            return replace(self, facts=(*self.facts, (name.strip(), value.strip())))
-        return None
-
-    def options(self) -> Answered:
-        """The same as options of `chatscene.explain` and `chatscene.run`."""
-        return {"reading": self.reading, "set": dict(self.facts)}
-
-
-class Answered(TypedDict):
-    """An answer, as options of `chatscene.explain` and `chatscene.run`."""
-
-    reading: int
-    set: dict[str, str]
+    match heard:
+        case Shown():
+            say(f"now: {heard.understood.told}")
+            print_understanding(console(), heard.understood, show_program=False)
+        case Undone():
+            say(f"undone: {heard.edit}")
+        case _:
+            say(str(heard))
 
 
 def _lines() -> Iterator[str]:

@@ -7,10 +7,10 @@ import shlex
 import sys
 from collections.abc import Generator
 from contextlib import contextmanager
-from typing import Any
 
 from chatscene.commands.library import say
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
+from chatscene.report.refused import refusal, suggested
 
 REFUSED = 3  # exit status
 
@@ -74,29 +74,4 @@ def refuse(error: NothingFits | MeansSomethingElse, text: str, embedder: str, as
     for line in readings_in_words(readings):
         say(line, err=True)
     if text and not readings:
-        say(f"This one works: chatscene explain {shlex.quote(_suggested(text, embedder))}", err=True)
-
-
-def _suggested(text: str, embedder: str) -> str:
-    from chatscene.interpret.suggest import suggestion
-    from chatscene.models.encoders.embedding import load_embedder
-
-    return suggestion(text, load_embedder(embedder))
-
-
-def refusal(error: NothingFits | MeansSomethingElse, text: str, embedder: str) -> dict[str, Any]:
-    """A refusal for a script."""
-    fits = isinstance(error, NothingFits)
-    readings = error.readings if fits else ()
-    return {
-        "text": text,
-        "refused": type(error).__name__,
-        "message": str(error),
-        "reasons": list(error.reasons) if fits else [str(error)],
-        "confidence": error.confidence if fits else None,
-        "understood": error.understood if fits else "",
-        "words": list(error.words) if fits else [],
-        "readings": [one.as_dict() for one in readings],
-        "candidates": error.nearest if fits else {},
-        "suggestion": _suggested(text, embedder) if text and not readings else None,
-    }
+        say(f"This one works: chatscene explain {shlex.quote(suggested(text, embedder))}", err=True)

@@ -10,8 +10,9 @@ from typing import Any
 import click
 
 from chatscene.commands.library import Chosen, console, progress, say
-from chatscene.commands.refusal import REFUSED, refusal, refuse, refusing
+from chatscene.commands.refusal import REFUSED, refuse, refusing
 from chatscene.errors import MeansSomethingElse, NothingFits
+from chatscene.report.refused import refusal
 from chatscene.terms.conflict import Conflict
 
 REPORT = click.option(

@@ -14,12 +14,12 @@ from chatscene.terms.slots import SLOTS
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 _AROUND: dict[str, tuple[Any, ...]] = {"light": tuple(Light), "weather": tuple(Weather), "surface": tuple(Surface)}
-_VALUES: dict[str, tuple[Any, ...]] = {
+FACTS: dict[str, tuple[Any, ...]] = {
     **{name: slot.values for name, slot in SLOTS.items()},
     "actions": tuple(Action),
     **_AROUND,
 }
-"""What each fact may be; of acts, several in their order."""
+"""What each fact may be, by its name; of acts, several in their order."""
 _YES_AND_NO = {"yes": "True", "true": "True", "no": "False", "false": "False"}
 
 
@@ -35,8 +35,8 @@ def facts_stated(stated: str) -> dict[str, Any]:
         name = name.replace("-", "_")
         if not equals or not value:
             raise SettingsError(f"say a fact as NAME=VALUE, such as side=left, not {fact!r}")
-        if name not in _VALUES:
-            raise SettingsError(no_such("fact", name, _VALUES))
+        if name not in FACTS:
+            raise SettingsError(no_such("fact", name, FACTS))
         if name in found:
             raise SettingsError(f"{name} is set twice")
         if name == "actions":
@@ -50,7 +50,7 @@ def facts_stated(stated: str) -> dict[str, Any]:
 
 def _value(name: str, said: str) -> object:
     """What a fact is set to."""
-    known = {str(value): value for value in _VALUES[name]}
+    known = {str(value): value for value in FACTS[name]}
     wanted = _YES_AND_NO.get(said.lower(), said.lower())
     if wanted not in known:
         shown = ["yes" if one == "True" else "no" if one == "False" else one for one in known]

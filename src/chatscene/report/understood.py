@@ -98,10 +98,7 @@ class Edited(Understood):
     @property
     def difference(self) -> tuple[str, ...]:
         """The lines of the program that went (``-``) and came (``+``), without comments."""
-        before, after = (one.program.source.splitlines() for one in (self.before, self))
-        lines = difflib.unified_diff(before, after, n=0, lineterm="")
-        code = (line for line in list(lines)[2:] if not line.startswith("@@"))
-        return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
+        return lines_changed(self.before.program.source, self.program.source)
 
     def as_dict(self) -> dict[str, Any]:
         """For a script: the explanation and the program, and the difference."""
@@ -134,6 +131,13 @@ class Edited(Understood):
                 *(f"  {line}" for line in self.difference),
             ]
         )
+
+
+def lines_changed(before: str, after: str) -> tuple[str, ...]:
+    """The lines of a program that went (``-``) and came (``+``) from one text to another, without comments."""
+    lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
+    code = (line for line in list(lines)[2:] if not line.startswith("@@"))
+    return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
 
 
 def understand(
