@@ -82,6 +82,22 @@ def test_the_page_on_rates_shows_what_is_said(tmp_path: Path, monkeypatch: pytes
     assert told in page.read_text()
 
 
+def test_the_page_on_views_shows_commands_that_serve_and_open(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (finished(tmp_path / "runs" / "walks", count=1).path / "report.html").write_text("a report")
+
+    def interrupted(_: object) -> None:  # else it serves for ever
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("chatscene.view.server.Server.serve_forever", interrupted)
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    for command, status in commands(ROOT / "docs" / "view.md"):
+        said = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
+        assert said.exit_code == status, said.output
+        assert "http://127.0.0.1:" in said.output or opened
+
+
 def test_every_command_in_the_readme_exists() -> None:
     for command, _ in commands(ROOT / "README.md"):
         words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]

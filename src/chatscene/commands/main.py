@@ -45,6 +45,7 @@ from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
+from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
@@ -606,6 +607,8 @@ main.add_command(reproduce)
 main.add_command(serve_carla)
 main.add_command(sql)
 main.add_command(runs_below)
+main.add_command(view)
+main.add_command(open_report)
 main.add_command(why)
 
 

@@ -1,0 +1,73 @@
+"""The command line, continued: runs in a browser."""
+
+from __future__ import annotations
+
+import webbrowser
+from pathlib import Path
+from typing import Unpack
+
+import click
+
+from chatscene.commands.library import MAP_WITH_SITE, READING, Reading, say
+from chatscene.errors import RunError
+from chatscene.settings import EGO
+
+
+@click.command()
+@click.argument("folder", metavar="[DIR]", default=Path("runs"), type=click.Path(path_type=Path, file_okay=False))
+@click.option("--port", default=0, type=click.IntRange(0, 65535), help="Of loopback.  [default: a free one]")
+@MAP_WITH_SITE
+@click.option("--ego", default=EGO, show_default=True, help="An ego by name, file or package.module:factory.")
+@click.option("--scenes", default=50, show_default=True, type=click.IntRange(min=1), help="Simulations of a run.")
+@click.option("--seed", default=0, show_default=True, help="Everything random derives from it.")
+@READING
+def view(
+    folder: Path, port: int, map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpack[Reading]
+) -> None:
+    """Show the runs below DIR, or runs/, in a page, in which a situation can be said, changed and run.
+
+    The page is on loopback and asks nobody for anything; its address has a secret, which is new each time. It is there
+    until the command is interrupted.
+
+    \b
+    chatscene view
+    chatscene view runs/mine --port 8000 --scenes 20
+    """
+    from chatscene.view.server import Server
+
+    search = {"map": map_name, "ego": ego, "scenes": scenes, "seed": seed}
+    with Server(folder, port, reading, search) as server:
+        say(f"the runs below {folder} are shown at {server.address} until this is interrupted (Ctrl+C)")
+        try:
+            server.serve_forever()
+        except KeyboardInterrupt:
+            say("ended; runs are in their folders")
+
+
+@click.command("open")
+@click.argument("folder", metavar="[RUN]", required=False, type=click.Path(path_type=Path))
+def open_report(folder: Path | None) -> None:
+    """Open the report of RUN in the browser, or of the newest run below runs/; print its path.
+
+    \b
+    chatscene open
+    chatscene open runs/cyclist
+    """
+    from chatscene.api import Run
+
+    page = Run(folder or _newest(Path("runs"))).report
+    if not page.is_file():
+        raise RunError(f"{page} is not there any more; run it again into another folder")
+    webbrowser.open(page.absolute().as_uri())
+    say(str(page))
+
+
+def _newest(folder: Path) -> Path:
+    """The run that was finished last."""
+    from chatscene.runs import run_folders
+
+    reports = [run / "report.html" for run in run_folders([folder])]
+    there = [page for page in reports if page.is_file()]
+    if not there:
+        raise RunError(f"no run below {folder} has a report; finish one with: chatscene resume DIR")
+    return max(there, key=lambda page: page.stat().st_mtime).parent

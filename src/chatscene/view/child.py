@@ -1,0 +1,92 @@
+"""A process of its own for work: whatever it does, whoever asked goes on, and can end it at any time.
+
+It answers questions, one at a time, as lines of JSON through its pipes, and ends with whoever asked. What it does is in
+`chatscene.view.working`, which is all that it loads.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from typing import Any
+
+Answer = dict[str, Any]
+
+
+class Ended(Exception):  # noqa: N818 - reads as what it says
+    """The process ended before it answered; the message says how."""
+
+
+class Child:
+    """A process that can be started again after it ended; one at a time asks it.
+
+    Args:
+        setup: What each is told first, in words of JSON: `chatscene.view.working.main` reads it.
+    """
+
+    def __init__(self, setup: Callable[[], Mapping[str, Any]]) -> None:
+        self._setup = setup
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def start(self) -> None:
+        """Have it there, if it is not."""
+        if self._process is not None and self._process.poll() is None:
+            return
+        # -P: the working folder is no place of modules; a session of its own: it ends with all that it started
+        command = [sys.executable, "-P", "-m", "chatscene.view.working"]
+        self._process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True, bufsize=0
+        )
+        _write(self._process, self._setup())
+
+    def ask(self, question: Mapping[str, Any], told: Callable[[Answer], None] = lambda _: None) -> Answer:
+        """Its answer to a question.
+
+        Args:
+            question: In words of JSON.
+            told: Given each line that comes before the answer, such as how far the work is.
+
+        Raises:
+            Ended: It ended first.
+        """
+        process = self._process
+        assert process, "it is started first"
+        try:
+            _write(process, question)
+            while line := _read(process):
+                if "answer" in line:
+                    return line["answer"]
+                told(line)
+        except (BrokenPipeError, ValueError):  # it went while it was written to, or in the middle of a line
+            pass
+        raise Ended(_how(process))
+
+    def end(self) -> None:
+        """End it, and whatever it started, at once."""
+        if self._process is not None and self._process.poll() is None:
+            os.killpg(self._process.pid, signal.SIGKILL)
+            self._process.wait()
+
+
+def _write(process: subprocess.Popen[bytes], content: Mapping[str, Any]) -> None:
+    assert process.stdin
+    process.stdin.write(json.dumps(content).encode() + b"\n")
+
+
+def _read(process: subprocess.Popen[bytes]) -> Answer | None:
+    assert process.stdout
+    line = process.stdout.readline()
+    return json.loads(line) if line else None
+
+
+def _how(process: subprocess.Popen[bytes]) -> str:
+    """How a process ended, in words."""
+    code = process.wait()
+    if code >= 0:
+        return f"the process that worked on it ended with status {code}; its last words are in the terminal"
+    name = signal.Signals(-code).name if -code in set(signal.Signals) else f"signal {-code}"
+    return f"the process that worked on it was ended by {name}" + (", perhaps for want of memory" * (name == "SIGKILL"))

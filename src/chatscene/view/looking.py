@@ -1,0 +1,143 @@
+"""What a page shows of runs: a list of all below a folder, two beside each other, the still of the best scene."""
+
+from __future__ import annotations
+
+import base64
+from collections import Counter, defaultdict
+from collections.abc import Mapping
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from chatscene import runs
+from chatscene.errors import RunError
+from chatscene.measure.score import wilson
+from chatscene.report.animation import still as still_of
+from chatscene.report.index import Index, index
+from chatscene.report.understood import lines_changed
+from chatscene.report.viewer import ranked
+from chatscene.runs.workspace import RECORD
+from chatscene.view.below import run_below
+
+Row = Mapping[str, Any]
+
+_ASKED = ("text", "ego", "map", "seed", "sampler", "simulator", "physics", "version")
+_NOT_COMPARED = ("run", "scenario_id")
+
+
+def listed(folder: Path) -> dict[str, Any]:
+    """All runs below a folder, and what was left out and why; none if there is no such folder.
+
+    Raises:
+        RunError: It cannot be read.
+    """
+    if not folder.is_dir() or next(folder.rglob(RECORD), None) is None:
+        return {"runs": [], "left_out": []}
+    found = index(folder)
+    facts = _by_run(found, "facts")
+    scenes = _by_run(found, "scenes")
+    return {
+        "runs": [_line(run, facts[run["run"]], scenes[run["run"]]) for run in found.tables["runs"].to_pylist()],
+        "left_out": [str(one) for one in found.left_out],
+    }
+
+
+def _by_run(found: Index, table: str) -> dict[str, list[Row]]:
+    rows: dict[str, list[Row]] = defaultdict(list)
+    for row in found.tables[table].to_pylist():
+        rows[row["run"]].append(row)
+    return rows
+
+
+def _line(run: Row, facts: list[Row], scenes: list[Row]) -> dict[str, Any]:
+    driven = [row for row in scenes if row["status"] == "ran"]
+    folder = Path(run["folder"])
+    return {
+        "run": run["run"],
+        "text": run["text"],
+        "status": run["status"],
+        "reason": run["reason"],
+        "ego": run["ego"],
+        "adversary": ", ".join(sorted({row["adversary"] for row in facts if row["adversary"]})),
+        "ran": run["ran"],
+        "collided": run["collided"],
+        "avoidable": sum(row["avoidable"] is True for row in driven) if run["status"] == "done" else None,
+        "kept": run["selected"],
+        "struck": dict(Counter(row["fault"] for row in driven if row["fault"])),
+        "report": (folder / "report.html").is_file(),
+        "still": bool(driven),
+        "began": (folder / RECORD).stat().st_mtime,
+    }
+
+
+def compared(folder: Path, first: str, second: str) -> dict[str, Any]:
+    """Two runs beside each other: what was asked, what was read, what came of it, and the lines of their programs.
+
+    Args:
+        folder: The folder below which they are.
+        first: One, by its path below the folder.
+        second: The other.
+
+    Raises:
+        RunError: There is no such run, or it is damaged.
+    """
+    folders = [run_below(folder, name) for name in (first, second)]
+    told = [_told(one) for one in folders]
+    groups: list[dict[str, Any]] = []
+    for title in told[0]:
+        names = list(dict.fromkeys(name for one in told for name in one[title]))
+        rows = [{"name": name, "values": [one[title].get(name, "") for one in told]} for name in names]
+        groups.append({"title": title, "rows": rows})
+    before, after = ("\n".join(runs.read_programs(runs.Workspace(one)).values()) for one in folders)
+    return {"groups": groups, "difference": list(lines_changed(before, after))}
+
+
+def _told(folder: Path) -> dict[str, dict[str, str]]:
+    found = index(folder)
+    if found.left_out:
+        raise RunError(str(found.left_out[0]))
+    (run,), facts = found.tables["runs"].to_pylist(), found.tables["facts"].to_pylist()
+    driven = [row for row in found.tables["scenes"].to_pylist() if row["status"] == "ran"]
+    return {
+        "asked": {name: str(run[name]) for name in _ASKED if run[name] not in (None, "")},
+        "read": {
+            name.replace("_", " "): ", ".join(value) if isinstance(value, list) else str(value)
+            for row in facts[:1]
+            for name, value in row.items()
+            if name not in _NOT_COMPARED and value not in (None, [], 0)
+        },
+        "came to": _came_to(driven),
+    }
+
+
+def _came_to(driven: list[Row]) -> dict[str, str]:
+    if not driven:
+        return {"scenes driven": "0"}
+    hits = [row for row in driven if row["collision"]]
+    low, high = wilson(len(hits), len(driven))
+    told = {
+        "scenes driven": str(len(driven)),
+        "collided": f"{len(hits)} ({len(hits) / len(driven):.0%}, 95 % interval {low:.0%} to {high:.0%})",
+        "avoidable": str(sum(row["avoidable"] is True for row in driven)),
+        "kept": str(sum(row["selected"] for row in driven)),
+        "show all that was read": str(sum(row["meaning_ok"] for row in driven)),
+    }
+    if hits:
+        told["median impact speed"] = f"{median(row['impact_speed'] for row in hits):.1f} m/s"
+    for fault, count in sorted(Counter(row["fault"] for row in hits if row["fault"]).items()):
+        told[fault.replace("-", " ")] = str(count)
+    return told
+
+
+def still(folder: Path, name: str) -> dict[str, Any]:
+    """A small picture of the decisive moment of a run's best scene: WebP, in base 64.
+
+    Raises:
+        RunError: There is no such run, it is damaged, or none of its scenes was driven.
+    """
+    run = runs.open_run(run_below(folder, name), runs.RunRecord)
+    order = ranked(runs.read_scenes(run))
+    if not order:
+        raise RunError(f"no scene of {name} was driven")
+    picture = still_of(runs.read_episode(run, order[0]["scene_id"]), runs.read_drawing(run))
+    return {"webp": base64.b64encode(picture).decode()}

@@ -1,0 +1,352 @@
+"""The page over runs, asked as a browser asks it, and as one that should not; and a talk, as the page holds it."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import re
+import threading
+import time
+from collections.abc import Generator, Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from browser import CHROMIUM, Browser
+from chatscene import runs
+from chatscene.commands.main import main
+from chatscene.errors import RunError, SettingsError
+from chatscene.runs.record import Status
+from chatscene.view.below import run_below
+from chatscene.view.server import MOST, Server
+from chatscene.view.turns import between
+from fake_run import finished, started
+
+READING = {"library": "", "embedder": "minilm", "language_model": "offline"}
+SEARCH = {"map": None, "ego": "rule-based", "scenes": 2, "seed": 3}
+NASTY = "<script>document.title='owned'</script><img src=x onerror=\"document.title='owned'\">"
+
+
+class Page:
+    """Who asks a server, with the headers of a browser on its page unless others are given."""
+
+    def __init__(self, server: Server) -> None:
+        self.server = server
+        self.host = f"127.0.0.1:{server.server_port}"
+
+    def ask(
+        self, path: str, said: object = None, *, secret: str | None = None, headers: Mapping[str, str] | None = None
+    ) -> tuple[int, Any, http.client.HTTPResponse]:
+        """Status, content and answer; `said` is sent as JSON, or as it is if it is bytes."""
+        body = said if isinstance(said, bytes | None) else json.dumps(said).encode()
+        ours = {} if body is None else {"Origin": f"http://{self.host}", "Content-Type": "application/json"}
+        connection = http.client.HTTPConnection(self.host, timeout=60)
+        secret = self.server.secret if secret is None else secret
+        connection.request("GET" if body is None else "POST", f"/{secret}/{path}", body, {**ours, **(headers or {})})
+        answer = connection.getresponse()
+        content = answer.read()
+        connection.close()
+        is_json = answer.headers.get_content_type() == "application/json"
+        return answer.status, json.loads(content) if is_json else content, answer
+
+    def turn(self, line: str) -> dict[str, Any]:
+        """Say a line, and wait for what comes of it."""
+        known = self.ask("talk")[1]["count"]
+        assert self.ask("say", {"line": line})[0] == 200
+        return self.awaited(known)
+
+    def awaited(self, known: int) -> dict[str, Any]:
+        """The next turn, once it is there."""
+        while not (turns := self.ask(f"talk?since={known}")[1]["turns"]):
+            time.sleep(0.02)
+        return turns[0]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two runs, one of them of a sentence that would be a script, one that is not done, and one that is damaged."""
+    folder = tmp_path_factory.mktemp("served") / "runs"
+    for name, text in (("walks", "A pedestrian steps out."), ("more/nasty", NASTY)):
+        run = finished(folder / name, text=text, count=1)
+        (run.path / "report.html").write_text(f"<p>report of {name}")
+    started(folder / "begun")
+    broken = finished(folder / "broken", count=1)
+    broken.file("scenes.parquet").write_bytes(b"no table")
+    (folder.parent / "secret.html").write_text("secret")
+    (folder.parent / "report.html").write_text("secret")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def page(folder: Path) -> Generator[Page]:
+    with Server(folder, 0, READING, SEARCH) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield Page(server)
+        server.shutdown()
+
+
+def test_the_runs_are_listed_with_what_became_of_them_and_what_is_left_out_is_told(page: Page) -> None:
+    listed = page.ask("runs")[1]
+    told = {run["run"]: run for run in listed["runs"]}
+    assert list(told) == ["begun", "more/nasty", "walks"]
+    walks = told["walks"]
+    assert (walks["text"], walks["ego"], walks["adversary"]) == ("A pedestrian steps out.", "rule-based", "pedestrian")
+    assert walks["ran"] == 10
+    assert sum(walks["struck"].values()) == walks["collided"] > walks["avoidable"] >= 0
+    assert walks["report"]
+    assert not told["begun"]["report"]
+    assert told["begun"]["status"] == "running"
+    assert any("broken" in line for line in listed["left_out"])
+
+
+def test_two_runs_stand_beside_each_other(page: Page) -> None:
+    compared = page.ask("compare?first=walks&second=more%2Fnasty")[1]
+    groups = {group["title"]: {row["name"]: row["values"] for row in group["rows"]} for group in compared["groups"]}
+    assert groups["asked"]["text"] == ["A pedestrian steps out.", NASTY]
+    assert groups["read"]["occluder"] == ["bus-stop"] * 2
+    assert groups["came to"]["scenes driven"] == ["10", "10"]
+    assert compared["difference"] == []
+    assert page.ask("compare?first=walks&second=none")[0] == 404
+
+
+def test_a_run_has_a_picture_and_its_report_is_served_in_a_sandbox(page: Page) -> None:
+    status, picture, _ = page.ask("still?run=walks")
+    assert status == 200
+    assert picture[8:12] == b"WEBP"
+    status, report, answer = page.ask("more/nasty/report.html", secret=page.server.of_reports)
+    assert (status, report) == (200, b"<p>report of more/nasty")
+    policy = answer.headers["Content-Security-Policy"]
+    assert policy.startswith("sandbox allow-scripts allow-downloads; default-src 'none';")
+    assert "allow-same-origin" not in policy
+
+
+@pytest.mark.parametrize(
+    ("how", "status"),
+    [
+        ({"secret": "guessed"}, 403),
+        ({"secret": ""}, 403),
+        ({"headers": {"Host": "evil.example"}}, 403),
+        ({"headers": {"Host": "127.0.0.1:1"}}, 403),
+        ({"headers": {"Origin": "http://evil.example"}}, 403),
+        ({"headers": {"Origin": "null"}}, 403),
+        ({"said": {"line": "x"}, "headers": {"Origin": "http://evil.example"}}, 403),
+        ({"said": {"line": "x"}, "headers": {"Origin": "null"}}, 403),
+        ({"said": {"line": "x"}, "headers": {"Content-Type": "text/plain"}}, 415),
+        ({"said": b"{" * 1000}, 400),
+        ({"said": b"[]"}, 400),
+        ({"said": b"\xff"}, 400),
+        ({"said": {"line": 7}}, 400),
+        ({"said": {"line": "x" * MOST}}, 413),
+        ({"said": {"line": "x"}, "headers": {"Content-Length": "9" * 30}}, 413),
+        ({"said": {"line": "x"}, "headers": {"Content-Length": "-1"}}, 411),
+    ],
+)
+def test_nobody_but_the_page_is_heard(page: Page, how: dict[str, Any], status: int) -> None:
+    path = "say" if "said" in how else ""
+    assert page.ask(path, **how)[0] == status
+    assert page.ask("talk")[1]["work"] is None
+
+
+def test_a_request_without_its_origin_changes_nothing(page: Page) -> None:
+    connection = http.client.HTTPConnection(page.host, timeout=60)
+    connection.request("POST", f"/{page.server.secret}/cancel", b"{}", {"Content-Type": "application/json"})
+    assert connection.getresponse().status == 403
+    connection.close()
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "../report.html",
+        "..%2freport.html",
+        "%2e%2e/secret.html",
+        "walks/../../report.html",
+        "walks/run.json",
+        "walks/scenes.parquet",
+        "/etc/passwd",
+        "%2Fetc%2Fpasswd",
+        "walks%00/report.html",
+        "a" * 5000 + "/report.html",
+        "begun/report.html",
+        "",
+    ],
+)
+def test_no_path_leads_to_anything_but_the_report_of_a_run(page: Page, path: str) -> None:
+    status, content, _ = page.ask(path, secret=page.server.of_reports)
+    assert status == 404
+    assert b"secret" not in json.dumps(content).encode()
+    assert page.ask(f"still?run={path}")[0] == 404
+
+
+def test_the_secret_of_reports_opens_nothing_else(page: Page) -> None:
+    for path in ("talk", "about", "runs"):
+        assert page.ask(path, secret=page.server.of_reports)[0] == 404
+    assert page.ask("walks/report.html")[0] == 404
+
+
+def test_a_link_leads_nowhere(page: Page, folder: Path) -> None:
+    linked = folder / "linked"
+    linked.symlink_to(folder.parent, target_is_directory=True)
+    try:
+        assert page.ask("linked/report.html", secret=page.server.of_reports)[0] == 404
+        with pytest.raises(RunError, match="no run"):
+            run_below(folder, "linked/runs/../../secret")
+    finally:
+        linked.unlink()
+
+
+def test_the_page_allows_its_own_scripts_and_nothing_from_anywhere(page: Page) -> None:
+    status, content, answer = page.ask("")
+    assert status == 200
+    policy = answer.headers["Content-Security-Policy"]
+    assert "default-src 'none'" in policy
+    assert "script-src 'self'" in policy
+    assert "unsafe" not in policy
+    assert "require-trusted-types-for 'script'" in policy
+    assert answer.headers["Referrer-Policy"] == "no-referrer"
+    assert b"://" not in content
+    for name in ("view.js", "page.js", "runs.js", "talk.js", "compare.js", "view.css", "viewer.css"):
+        status, content, answer = page.ask(name)
+        assert status == 200
+        assert not [word for word in (b"innerHTML", b"outerHTML", b"insertAdjacentHTML", b"http:") if word in content]
+
+
+def test_a_port_that_is_taken_is_told(page: Page, folder: Path) -> None:
+    with pytest.raises(SettingsError, match="say another --port"):
+        Server(folder, page.server.server_port, READING, SEARCH)
+
+
+def test_a_conversation_asks_back_changes_takes_back_and_runs(page: Page, folder: Path) -> None:
+    refused = page.turn("a cyclist and a pedestrian both cross from the right")
+    assert refused["kind"] == "refused"
+    assert [one["reading"] for one in refused["readings"]] == [1, 2]
+    assert any(part["unread"] for part in refused["parts"])
+
+    shown = page.turn("reading 2")
+    assert shown["told"] == "A pedestrian from the right side of the road crosses the road."
+    assert ["side", "right"] in shown["facts"]
+    assert "Pedestrian" in shown["program"]
+
+    edited = page.turn("from the left")
+    assert edited["changes"] == [{"fact": "side", "before": "right", "after": "left", "named": True}]
+    assert {"how": "gone", "text": "right"} in edited["sentence"]
+    assert {"how": "new", "text": "left"} in edited["sentence"]
+    assert any(line.startswith("+") and '"left"' in line for line in edited["difference"])
+
+    assert page.turn("run ../elsewhere")["kind"] == "failed"
+    night = page.turn("at night")
+    undone = page.turn("undo")
+    assert (undone["kind"], undone["edit"], undone["edits"]) == ("undone", "at night", ["from the left"])
+    assert undone["told"] == edited["told"] != night["told"]
+    assert page.turn("make it a dragon")["kind"] == "failed"
+
+    ran = page.turn("run")
+    assert ran["kind"] == "ran"
+    assert ran["counts"]["ran"] == 2
+    assert "2 scenes" in ran["summary"][0]
+    record = runs.read_record(runs.open_run(folder / ran["run"]))
+    assert (record.status, record.edits, record.ego) == (Status.DONE, ["from the left"], "rule-based")
+    assert b"<canvas" in page.ask(f"{ran['run']}/report.html", secret=page.server.of_reports)[1]
+    assert not (folder.parent / "elsewhere").exists()
+
+
+def test_a_second_line_is_told_that_one_is_worked_on_and_cancelling_leaves_the_situation(page: Page) -> None:
+    told = page.turn("new the car ahead brakes hard")["told"]
+    known = page.ask("talk")[1]["count"]
+    assert page.ask("say", {"line": "run"})[0] == 200
+    assert page.ask("talk")[1]["work"]["line"] == "run"
+    status, content, _ = page.ask("say", {"line": "at night"})
+    assert status == 409
+    assert "'run' is worked on" in content["error"]
+    assert page.ask("cancel", {})[1] == {"cancelled": True}
+    assert page.awaited(known)["kind"] == "cancelled"
+    assert page.ask("cancel", {})[1] == {"cancelled": False}
+    assert page.turn("show")["told"] == told  # another process has heard it again
+
+
+def test_words_that_would_be_a_script_are_words(page: Page) -> None:
+    refused = page.turn(f"new {NASTY}")
+    assert refused["kind"] == "refused"
+    assert NASTY in page.ask("talk")[1]["turns"][-1]["line"]
+    assert page.ask("talk")[2].headers.get_content_type() == "application/json"
+
+
+def test_two_texts_are_told_as_one() -> None:
+    parts = between("A car brakes.", "A big car stops.")
+    assert [(part["how"], part["text"]) for part in parts] == [
+        ("same", "A"), ("new", "big"), ("same", "car"), ("gone", "brakes."), ("new", "stops."),
+    ]  # fmt: skip
+
+
+def test_a_folder_without_runs_is_an_empty_list(tmp_path: Path) -> None:
+    from chatscene.view.looking import listed
+
+    assert listed(tmp_path / "none") == listed(tmp_path) == {"runs": [], "left_out": []}
+
+
+def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    assert CliRunner().invoke(main, ["open"]).exit_code == 1
+    for name in ("first", "second"):
+        (finished(tmp_path / "runs" / name, count=1).path / "report.html").write_text(name)
+    said = CliRunner().invoke(main, ["open", "runs/first"])
+    assert said.output == "runs/first/report.html\n"
+    assert opened == [(tmp_path / "runs/first/report.html").as_uri()]
+    assert CliRunner().invoke(main, ["open"]).output == "runs/second/report.html\n"
+    (tmp_path / "runs/second/report.html").unlink()
+    assert CliRunner().invoke(main, ["open", "runs/second"]).exit_code == 1
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's scripts")
+def test_in_a_browser_runs_are_found_sorted_and_opened_and_nothing_that_was_said_runs(
+    page: Page, tmp_path: Path
+) -> None:
+    with Browser(tmp_path / "profile", 400, 800) as browser:
+        browser.open(page.server.address)
+        browser.wait("document.querySelectorAll('#runs tbody tr').length >= 3")
+        assert NASTY in browser.run("document.querySelector('#runs').innerText")
+        browser.run("document.querySelector('#find').focus()")
+        browser.type("steps out")
+        assert browser.run("document.querySelector('#count').textContent").startswith("1 of ")
+        assert browser.run("document.documentElement.scrollWidth <= innerWidth")
+        browser.run("document.querySelector('#runs a').click()")
+        browser.wait("document.querySelector('#report-frame iframe:not([aria-busy])')")
+        assert browser.run("document.querySelector('iframe').contentDocument") is None  # another origin
+        assert browser.run("document.title") == "Report \N{EN DASH} chatscene"
+        assert not browser.errors
+
+
+def _light(colour: str) -> float:
+    """The relative luminance of a colour, as WCAG 2 has it."""
+    parts = (int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5))
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+def _mixed(over: str, under: str, share: float) -> str:
+    pairs = [(int(over[at : at + 2], 16), int(under[at : at + 2], 16)) for at in (1, 3, 5)]
+    return "#" + "".join(f"{round(share * a + (1 - share) * b):02x}" for a, b in pairs)
+
+
+TEXTS = [
+    *((ink, on) for ink in ("ink", "soft", "accent", "hit") for on in ("page", "card")),
+    *(("hit", "hit-fill"), ("kept", "kept-fill"), ("soft", "fill"), ("ink", "fill"), ("ink", "warn-fill")),
+    ("page", "accent"),
+]
+
+
+@pytest.mark.parametrize("scheme", [0, 1], ids=["light", "dark"])
+def test_every_text_of_the_page_stands_out_from_what_it_lies_on(scheme: int) -> None:
+    styles = files("chatscene.report").joinpath("viewer.css").read_text()
+    colours = dict(re.findall(r"--([\w-]+): (#\w{6})", styles.split(":root {")[1 + scheme].split("}")[0]))
+    pairs = {f"{ink} on {on}": (colours[ink], colours[on]) for ink, on in TEXTS}
+    for on in ("accent", "ink"):  # the page that is chosen; what was said
+        pairs[f"{on} on accent, pale"] = (colours[on], _mixed(colours["accent"], colours["card"], 0.14))
+    for name, (ink, on) in pairs.items():
+        dark, bright = sorted((_light(ink), _light(on)))
+        assert (bright + 0.05) / (dark + 0.05) >= 4.5, name
