@@ -21,6 +21,7 @@ from chatscene.commands.main import main
 from chatscene.errors import RunError, SettingsError
 from chatscene.runs.record import Status
 from chatscene.view.below import run_below
+from chatscene.view.child import Child, Ended
 from chatscene.view.server import MOST, Server
 from chatscene.view.turns import between
 from fake_run import finished, started
@@ -267,6 +268,19 @@ def test_a_second_line_is_told_that_one_is_worked_on_and_cancelling_leaves_the_s
     assert page.turn("show")["told"] == told  # another process has heard it again
 
 
+def test_a_process_that_dies_of_a_question_is_told_of_and_another_answers(folder: Path) -> None:
+    child = Child(lambda: {"folder": str(folder)})
+    child.start()
+    with pytest.raises(Ended, match="status 1"):
+        child.ask({"look": "nothing that there is", "runs": []})
+    child.start()
+    assert child.ask({"look": "still", "runs": ["none"]})["error"].startswith("there is no run 'none'")
+    child.end()
+    with pytest.raises(Ended, match="SIGKILL"):
+        child.ask({"look": "list", "runs": []})
+    child.close()
+
+
 def test_words_that_would_be_a_script_are_words(page: Page) -> None:
     refused = page.turn(f"new {NASTY}")
     assert refused["kind"] == "refused"
@@ -297,7 +311,7 @@ def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, m
     said = CliRunner().invoke(main, ["open", "runs/first"])
     assert said.output == "runs/first/report.html\n"
     assert opened == [(tmp_path / "runs/first/report.html").as_uri()]
-    assert CliRunner().invoke(main, ["open"]).output == "runs/second/report.html\n"
+    assert CliRunner().invoke(main, ["open"]).output == f"{tmp_path / 'runs/second/report.html'}\n"
     (tmp_path / "runs/second/report.html").unlink()
     assert CliRunner().invoke(main, ["open", "runs/second"]).exit_code == 1
 
@@ -311,7 +325,7 @@ def test_in_a_browser_runs_are_found_sorted_and_opened_and_nothing_that_was_said
         browser.wait("document.querySelectorAll('#runs tbody tr').length >= 3")
         assert NASTY in browser.run("document.querySelector('#runs').innerText")
         browser.run("document.querySelector('#find').focus()")
-        browser.type("steps out")
+        browser.type("walks")
         assert browser.run("document.querySelector('#count').textContent").startswith("1 of ")
         assert browser.run("document.documentElement.scrollWidth <= innerWidth")
         browser.run("document.querySelector('#runs a').click()")

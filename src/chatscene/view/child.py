@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any
 
 Answer = dict[str, Any]
@@ -34,13 +35,14 @@ class Child:
 
     def start(self) -> None:
         """Have it there, if it is not."""
-        if self._process is not None and self._process.poll() is None:
-            return
+        if self._process is not None:
+            if self._process.poll() is None:
+                return
+            self.close()
         # -P: the working folder is no place of modules; a session of its own: it ends with all that it started
         command = [sys.executable, "-P", "-m", "chatscene.view.working"]
-        self._process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True, bufsize=0
-        )
+        pipe = subprocess.PIPE
+        self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, start_new_session=True)
         _write(self._process, self._setup())
 
     def ask(self, question: Mapping[str, Any], told: Callable[[Answer], None] = lambda _: None) -> Answer:
@@ -71,10 +73,20 @@ class Child:
             os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()
 
+    def close(self) -> None:
+        """End it, and let go of it; nobody may be asking it."""
+        self.end()
+        for pipe in (self._process.stdin, self._process.stdout) if self._process is not None else ():
+            if pipe:
+                with suppress(BrokenPipeError):  # of what it was told last and did not hear
+                    pipe.close()
+        self._process = None
+
 
 def _write(process: subprocess.Popen[bytes], content: Mapping[str, Any]) -> None:
     assert process.stdin
     process.stdin.write(json.dumps(content).encode() + b"\n")
+    process.stdin.flush()
 
 
 def _read(process: subprocess.Popen[bytes]) -> Answer | None:

@@ -38,6 +38,7 @@ class Conversation:
         self._heard: list[str] = []
         self._turns: list[Turn] = []
         self._work: dict[str, Any] | None = None
+        self._answering: threading.Thread | None = None
 
     def say(self, line: str) -> None:
         """Begin to work on a line.
@@ -54,7 +55,8 @@ class Conversation:
                 raise Busy(f"{self._work['line']!r} is worked on; wait until it is done, or cancel it")
             self._child.start()  # so that whoever cancels finds it
             self._work = {"line": line, "since": time.monotonic(), "cancelled": False, "folder": ""}
-        threading.Thread(target=self._answer, args=(line, self._work), daemon=True).start()
+            self._answering = threading.Thread(target=self._answer, args=(line, self._work), daemon=True)
+            self._answering.start()
 
     def cancel(self) -> bool:
         """End the work on a line at once; whether there was one."""
@@ -84,7 +86,9 @@ class Conversation:
     def close(self) -> None:
         """End what is worked on; the talk is gone."""
         self.cancel()
-        self._child.end()
+        if self._answering:
+            self._answering.join()
+        self._child.close()
 
     def _answer(self, line: str, work: dict[str, Any]) -> None:
         try:

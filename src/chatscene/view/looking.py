@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 from collections import Counter, defaultdict
 from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -135,9 +136,16 @@ def still(folder: Path, name: str) -> dict[str, Any]:
     Raises:
         RunError: There is no such run, it is damaged, or none of its scenes was driven.
     """
-    run = runs.open_run(run_below(folder, name), runs.RunRecord)
+    path = run_below(folder, name)
+    return {"webp": _still(path, (path / RECORD).stat().st_mtime_ns)}
+
+
+@lru_cache(maxsize=1000)
+def _still(folder: Path, _written: int) -> str:
+    """The picture; drawn again once the record is another."""
+    run = runs.open_run(folder, runs.RunRecord)
     order = ranked(runs.read_scenes(run))
     if not order:
-        raise RunError(f"no scene of {name} was driven")
+        raise RunError(f"no scene of {folder} was driven")
     picture = still_of(runs.read_episode(run, order[0]["scene_id"]), runs.read_drawing(run))
-    return {"webp": base64.b64encode(picture).decode()}
+    return base64.b64encode(picture).decode()

@@ -80,16 +80,15 @@ class Server(ThreadingHTTPServer):
     daemon_threads = True
 
     def __init__(self, folder: Path, port: int, reading: Mapping[str, Any], search: Mapping[str, Any]) -> None:
-        try:
-            super().__init__((LOOPBACK, port), _Handler)
-        except OSError as error:
-            raise SettingsError(
-                f"port {port} of {LOOPBACK} cannot be had ({error.strerror}); say another --port"
-            ) from error
         self.folder, self.search = folder, search
         self.secret, self.of_reports = secrets.token_urlsafe(18), secrets.token_urlsafe(18)
         self.conversation = Conversation(folder, reading, search)
         self._looking, self._turn = Child(lambda: {"folder": str(folder)}), Lock()
+        try:
+            super().__init__((LOOPBACK, port), _Handler)
+        except OSError as error:
+            message = f"port {port} of {LOOPBACK} cannot be had ({error.strerror}); say another --port"
+            raise SettingsError(message) from error
 
     @property
     def address(self) -> str:
@@ -122,6 +121,8 @@ class Server(ThreadingHTTPServer):
         super().server_close()
         self.conversation.close()
         self._looking.end()
+        with self._turn:
+            self._looking.close()
 
 
 class _Handler(BaseHTTPRequestHandler):
