@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 import threading
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -23,7 +22,8 @@ def main() -> None:
     Whatever else is printed goes to the standard error output, so that no word of a package is taken for an answer.
     """
     lines: Queue[bytes] = Queue()
-    threading.Thread(target=_listen, args=(sys.stdin.buffer, lines), daemon=True).start()
+    heard = os.fdopen(os.dup(0), "rb")  # not that of sys.stdin, on whose lock an interpreter that ends would wait
+    threading.Thread(target=_listen, args=(heard, lines), daemon=True).start()
     with os.fdopen(os.dup(1), "wb", buffering=0) as answers:
         os.dup2(2, 1)
 
