@@ -14,6 +14,7 @@ from typing import Any
 
 from chatscene.errors import EditRefused
 from chatscene.read import lexicon
+from chatscene.read.asides import without_comments
 from chatscene.read.canonical import canonical
 from chatscene.read.edit_words import Mark, Named, Word, plainer, scanned
 from chatscene.read.edited_facts import ActWish, Wishes, edited
@@ -35,6 +36,7 @@ from chatscene.terms.scenario import (
     Slots,
     Unused,
     Why,
+    includes,
 )
 
 LONGEST = 500  # characters
@@ -61,6 +63,21 @@ def hear_edit(text: str, facts: Facts) -> Edit:
     plain = canonical(plainer(text)).removesuffix(".")
     if not plain or len(plain) > LONGEST:
         raise EditRefused(f"say what is to be changed, in at most {LONGEST} characters, such as 'make it a truck'")
+    try:
+        return _heard(text, plain, (), facts)
+    except EditRefused:
+        rest, comments = without_comments(plain)
+        if not comments or not rest:
+            raise
+        try:
+            return _heard(text, rest, comments, facts)
+        except EditRefused:
+            pass  # what is told of all of it is to be known
+        raise
+
+
+def _heard(text: str, plain: str, comments: tuple[str, ...], facts: Facts) -> Edit:
+    """What an edit makes of facts, read in plain words beside which there are comments."""
     words, unread = scanned(plain, facts.slots)
     if unread:
         mended = re.sub(r"[a-z]+", lambda m: lexicon.mended(m[0]), plain)
@@ -71,6 +88,7 @@ def hear_edit(text: str, facts: Facts) -> Edit:
         said = ", ".join(repr(one) for one in unread)
         raise EditRefused(f"not understood: {said}; say it otherwise, nothing was changed", words=tuple(unread))
     wishes = _Hearing(plain, words, facts.slots).wishes()
+    wishes.unused.extend(Unused(said=one, why=Why.BESIDES) for one in comments)
     after = edited(facts, wishes)
     if after == facts:
         raise EditRefused(f"nothing to change: this is so already ({', '.join(wishes.named()) or 'no fact is named'})")
@@ -162,6 +180,8 @@ class _Hearing:
             self._of_the_other(word)
         elif mark is Mark.ONLY:
             self._only(at)
+        elif mark is Mark.REPAIR:
+            self.old, self.told, self.changing, self.found.repaired = False, None, False, True
 
     def _new(self, word: Word) -> None:
         """What follows is new."""
@@ -281,7 +301,8 @@ class _Hearing:
         occluder = self.slots.occluder
         standing = next((one for one in Occluder if one == f"{_PARKED}{named.kind}"), None)
         parked = (Sort.WHERE, Where.EDGE) in named.traits and occluder is not None
-        marks = [one.mark for one in self._clause(self.words.index(word))]
+        marks = [one.mark for one in self._clause(self.words.index(word)) if one.mark is not Mark.OCCLUDER]
+        marks += [Mark.HIDDEN for one in self.words if one.mark is Mark.OCCLUDER and one.value is None]
         at_hand = standing is occluder and named.kind is not self.slots.adversary
         return standing if Mark.HIDDEN in marks or parked or at_hand else None
 
@@ -442,8 +463,10 @@ class _Hearing:
         if self.old and name == "control" and self.slots.control in (None, value):
             self.found.wish(name, Control.NONE, word.said)
         elif self.old:
-            self.found.old(name, value, word.said)
-        else:
+            self.found.old(name, self.slots.ego if name == "ego" else value, word.said)
+        elif name == "leader" and self.slots.leader is None and self.slots.position is Position.AHEAD:
+            self.whose = 0  # it is the adversary that leads
+        elif name != "place" or self.slots.place is None or value is self.slots.place or not includes(value, self.slots.place):
             self.found.wish(name, value, word.said)
 
     def _act(self, word: Word, at: int) -> None:
@@ -535,7 +558,11 @@ class _Hearing:
     def _bare_side(self, side: Side, word: Word) -> None:
         """A side alone is that of whoever is spoken of, or the one to which the ego turns."""
         turn = self.slots.maneuver is not None and ("left" in self.slots.maneuver or "right" in self.slots.maneuver)
-        if turn and (self.whose is None or self.slots.side is None or "maneuver" in self.found.facts):
+        if self.old and self.found.acts and self.found.acts[-1].action.row.turn:
+            return  # "it turns right, not left"
+        if self.whose is None and not turn:
+            self._fact("maneuver", Maneuver.LEFT_TURN if side is Side.LEFT else Maneuver.RIGHT_TURN, word)
+        elif turn and (self.whose is None or self.slots.side is None or "maneuver" in self.found.facts):
             assert self.slots.maneuver is not None  # or it is no turn
             other = {"left": "right", "right": "left"}[side]
             self._fact("maneuver", type(self.slots.maneuver)(self.slots.maneuver.replace(other, side)), word)
@@ -555,6 +582,8 @@ class _Hearing:
             self.told = Mark.HIDDEN
             return
         rest = self._clause(at)
+        if "see" in word.said and {"light", "weather"} & self.found.facts.keys():
+            return  # in the dark or in fog
         if not any(one.mark is Mark.OCCLUDER or (one.mark is Mark.USER and self._hides(one)) for one in rest):
             known = ", ".join(str(one).replace("-", " ") for one in Occluder)
             raise EditRefused(f"{word.said!r}: say by what: {known}")
@@ -572,7 +601,7 @@ class _Hearing:
         self.found.old("occluder", self.slots.occluder, word.said)
 
     def _number(self, number: Quantity | Shift, said: str) -> None:
-        if self.whose is None and number.measure is not Measure.TRIGGER:
+        if self.whose is None and number.measure not in (Measure.TRIGGER, Measure.DISTANCE):
             if isinstance(number, Shift) and number.measure is Measure.SPEED and not number.more:
                 self.found.wish("ego", EgoState.SLOW, said)
                 return
@@ -647,6 +676,7 @@ _MODES = (
     Mark.EGO,
     Mark.IT,
     Mark.OTHER,
+    Mark.REPAIR,
 )
 _SIDES = (Mark.SIDED, Mark.SIDE)
 _NONE = {Mark.MOVES: "ego", Mark.SEEN: "occluder"}

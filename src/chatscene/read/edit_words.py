@@ -14,6 +14,7 @@ from functools import lru_cache
 from typing import Any
 
 from chatscene.read import lexicon
+from chatscene.read.asides import COURTESY, WORSE_THAN
 from chatscene.read.inflection import any_form
 from chatscene.read.parse import SEVERAL
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
@@ -55,6 +56,7 @@ class Mark(StrEnum):
     JOINT = "joint"
     EGO = "ego"
     IT = "it"  # the adversary
+    REPAIR = "repair"  # no, I mean: what follows takes the place of what was said
     OTHER = "other"  # the second road user
     SIDE = "side"  # a bare one
     OTHER_SIDE = "other-side"
@@ -124,17 +126,41 @@ class Named:
 A_TURN = "a turn"  # to either side: the one that somebody makes already
 _PRONOUN = r"(?:it|him|her|them|that|this|he|she|they)"
 _CAUSE = r"(?:make|let|have|get|want|put|send|keep)"
+_VALUE = r"(?:speed|distance|gap|deceleration|braking)"
+_STAGING = "|".join(
+    (
+        # Phrases that set a scene and say nothing of it
+        rf"(?:(?:in|de)crease|raise|reduce|lower|bring)(?: (?:the|its|his|her))?(?: \w+)? {_VALUE}(?= (?:up |down )?to )|gap(?: of)?",
+        r"slippery(?= (?:with|from|because of|ice|snow)\b)|(?:in)?to (?:the|a|an) (?:next|neighbou?ring|adjacent|other) lane",
+        r"(?:let us|us) (?:see|try|have|do|take|use|say)(?: (?:it|that|this))?(?: with(?= an?))?|(?:would|might|could|will) be",
+        r"time of (?:the )?day|vehicle (?:type|class|category|kind)|type of|way(?= (?:so|that))|then(?= please)|back(?= to)|there(?= (?:is|are|should|shall|will)\b)",
+        r"(?:keep|leave) the rest|(?:the )?rest (?:as it is|unchanged|stays)|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)",
+        r"of day|bit where|at all|any ?more|any longer|out there|over there|all of a sudden|in general|as usual|right now|as before",
+        # Verbs without a meaning of their own
+        r"(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: have been| be)?",
+        r"[be]|been|am|do(?:es)?|did|done|[have]|[get]|got|[give]|[show]|[see]|seen|[try]|[use]|[happen]|[occur]|takes? place|taking place|plays? out|[set]|[move]|[place]|located?|positioned|"
+        r"[come]|[go]|[approach]|[drive]|driven|[start](?: off)?|[begin]|[appear]|[stand]|[walk]|[ride]|[travel]|[run](?= \w)|[keep]|[put]|[turn] out|[become]|suppose|assume|imagine|[mean]|[call]|[be] called|[name]",
+        # Closed classes
+        r"the|an?|its|his|her|their|our|this|that|these|those|such|some|any|all|both|whole|same|else|few|one|ones|anything|something|everything|everyone",
+        r"here|there|everywhere|somewhere|outside|outdoors|to|in|on|at|of|by|from|with|for|up|away|over|out|across|along|through|into|onto|toward|towards|during|under|about|around|if|whether|than|itself|himself|herself|themselves",
+        r"already|yet|again|now|just|so|but|very|quite|simply|merely|really|super|duper|extremely|totally|entirely|completely|altogether|suddenly|abruptly|hard|sharply|rather|instead|even|once|better|bit|little|lot|long",
+        # Names of what is named
+        r"scene|scenario|situation|case|variant|version|event|setting|geometry|environment|adversarial|man(?:oeuvre|oeuver|euver|euvre)s?|lighting|behaviou?r|position|value|act|actions?|part|number|kind|type|class|state|parameter|actor|initial|"
+        r"road|street|segment|section|stretch|weather|conditions?|surface|friction|low-friction|light|side|hand|lane|adjacent|neighbou?ring|day|time|speed|closing|distance|deceleration|direction|trigger|conflict|vrus?|us|ego|complete|full|sudden|fallen|ordinary|normal|regular|usual|plain|standard|poor|real|actual|other(?= (?:car|driver))",
+    )
+)
 
 _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SET, None, rf"(?:place|position|locate|start|spawn)(?= the )|(?:{_CAUSE}|place|position|locate|move|start|spawn|shift) {_PRONOUN}|(?:make|let|have|use|take|try|put|set|give|want|change {_PRONOUN} (?:to|into)|turn {_PRONOUN} into|it(?:'s| is| should be| must be| will be)|make the (?:scene|scenario|situation|whole thing))(?: {_PRONOUN})?|we want|how about|what if"),
-    (Mark.OLD, None, r"instead of|rather than|in place of|not|as opposed to|in lieu of"),
+    (Mark.REPAIR, None, r"(?<=, )(?:(?:no|nope|oops|sorry|correction|rather|or rather),?(?= (?:an?|the|it|make|from|on|at|in|we|let)\b)|(?:no, )?(?:we|i) mean(?:t)?)"),
+    (Mark.OLD, None, rf"{WORSE_THAN}|instead of|rather than|in place of|not|as opposed to|in lieu of"),
     (Mark.CHANGE, None, r"replace|swap(?: out)?|exchange|change|switch|convert|turn(?= the )|substitute"),
     (Mark.NEW, None, r"(?:with|by|for|to|into|become|becomes)(?= |$)"),
     (Mark.INSTEAD, None, r"instead|rather|in its place|in stead|this time|for a change|after all"),
-    (Mark.DROP, None, r"no|without(?: any)?|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|did|should|must|shall|will|can|could|would|need|is|are|was) ?not(?: (?:be|have|want))?|never|nobody|no one|no-one|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|nor|neither|stops?(?= the (?:rain|snow|fog))"),
+    (Mark.DROP, None, r"no|without(?: any)?|minus|ditch|scratch|kill|drop|remove|take away|take out|delete|lose|get rid of|leave out|leave away|forget(?: about)?|skip|scrap|omit|do away with|cut out(?= the )|(?:does|do|did|should|must|shall|will|can|could|would|need|is|are|was) ?not(?: (?:be|have|want))?|never|nobody|no one|no-one|(?:there (?:is|are|should be|shall be) )(?:no|not)(?: any)?|no longer|not any|nor|neither|stops?(?= the (?:rain|snow|fog))"),
     (Mark.ADD, None, r"add(?: in)?|include|introduce|bring in|there (?:is|are|should be|shall be|has to be)(?: also)?|plus|throw in|put in"),
     (Mark.ALSO, None, r"also|too|as well|additionally|in addition|on top(?: of that)?|besides"),
-    (Mark.THEN, None, r"(?:and )?(?:then|after (?:that|this|it)|afterwards?|later on(?= it)|after which|next(?= (?:it|he|she|they)\b)|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
+    (Mark.THEN, None, r"(?:and )?(?:then|followed by|after (?:that|this|it)|afterwards?|later on(?= it)|after which|next(?= (?:it|he|she|they)\b)|finally|in the end|at the end|subsequently|thereafter)(?: also)?|before (?:it )?finally"),
     (Mark.FIRST, None, r"first(?: of all)?|at first|initially|to begin with|beforehand"),
     (Mark.BEFORE, None, rf"before(?: {_PRONOUN})?(?= \w)"),
     (Mark.AFTER, None, rf"(?:after|once|when|having)(?: {_PRONOUN})?(?: has)?(?= \w+(?:ing|s|ed)\b)"),
@@ -142,11 +168,11 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.ONLY, None, r"only|just(?: the)? one|alone|a single|single|by (?:it|him|her)self|on (?:its|his|her) own"),
     (Mark.JOINT, None, r",|;|\.|:|and|but|or|so that|while|as|that|who|which|where"),
     (Mark.EGO, None, rf"(?:{_CAUSE} )?(?:us|we|our (?:own )?(?:car|vehicle)|the (?:av|vut|sut|host(?: vehicle)?|tested (?:car|vehicle)|test vehicle|subject vehicle))(?! (?:want|would like)\b)"),
-    (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|anyone else|somebody else|other (?:road users?|traffic)|the others?"),
+    (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?!side|direction|lane|way|hand)(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|anyone else|somebody else|other (?:road users?|traffic)|the others?"),
     (Mark.IT, None, rf"{_PRONOUN}|(?:(?:the|our) )?(?:adversary|opponent|actor|agent)(?: vehicle)?(?:'s)?|(?:the|that|this|our) (?:other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|guy|one|vehicle|attacker|actor)"),
-    (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:(?:other|opposite|opposing) (?:side|hand)|other direction)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other"),
+    (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:(?:other|opposite|opposing) (?:side|hand)|other direction)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other|(?:the )?other lane"),
     (Mark.MIRROR, None, r"(?:reverse(?= (?:everything|left|the (?:whole|scene|scenario|situation|sides)))|mirror|flip)(?: (?:it|everything|(?:the )?(?:(?:whole|entire) )?(?:scene|scenario|situation|thing)|that|this|left and right))?(?: left to right)?|swap left and right|mirrored|mirror image|the same (?:thing )?mirrored|left and right swapped"),
-    (Mark.SIDE, None, r"(?:the |our )?(?P<side>left|right)(?:-hand)?(?: side)?"),
+    (Mark.SIDE, None, r"(?:the |our )?(?P<side>left|right)(?:-hand)?(?: (?:side|kerb|curb|roadside|pavement|sidewalk))?"),
     (Mark.SIDED, ("left", None), r"(?:from )?(?:the )?left to (?:the )?right"),
     (Mark.SIDED, ("right", None), r"(?:from )?(?:the )?right to (?:the )?left"),
     (Mark.ACT, Action.WEAVE, r"wobbl\w*(?: from side to side)?|sway\w*"),
@@ -159,13 +185,17 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.WHERE, Where.BEHIND, r"[follow] us"),
     (Mark.ACT, Action.NARROW, r"(?:only )?(?:partly|partially|half|halfway) (?:in|on|into|onto|across) (?:our|the) lane|[block] (?:only |just )?(?:a |one )?(?:half|part)(?: of)? (?:our|the) lane"),
     (Mark.ACT, Action.ONCOMING, r"oncoming|[come] (?:towards|at) us|from the front|[come] the other way"),
+    (Mark.STATE, EgoState.SLOWS_DOWN, r"[decelerate]"),
+    (Mark.STATE, EgoState.SETS_OFF, r"(?:then )?[start](?: to (?:move|drive))?"),
+    (Mark.ACT, Action.TURN_BACK, r"[turn] a?round"),
+    (Mark.WHERE, Where.BEHIND, r"(?:from )?behind us"),
     (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
     (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|(?:have|had)(?: just)? stopped|[be] not moving|not moving|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
     (Mark.MANEUVER, Maneuver.STRAIGHT, r"[go] straight(?: (?:on|ahead|through|over))?|straight (?:on|ahead|through)|[drive] straight(?: (?:on|ahead|through))?|[keep] straight(?: on)?|[stay] in (?:our|the|its) lane"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
     (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
-    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|between|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
-    (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
+    (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|between|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them|the (?!ego|av)\w+)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
+    (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|(?:out )?in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
     (Mark.OCCLUDER, None, r"(?:the |an? |any )?(?:occluder|occlusion|cover|view blocker|obstruction)"),
     (Mark.LEADER, True, r"(?:with|behind|following|add|we follow) (?:an?|the|another) slow(?:er)?(?:[- ]moving)? (?:car|vehicle|truck|lorry|van|bus)(?: (?:ahead|in front)(?: of us)?)?(?: that we follow)?|(?:the |an? |any )?(?:slow )?(?:lead(?:ing)? (?:car|vehicle)|leader)(?: (?:ahead|in front)(?: of us)?)?"),
     (Mark.LANES, 1, r"(?:only |just )?(?:one|a single|1) lane(?: (?:each|per|in each|in our|in either) (?:way|direction))?|(?:on an? )?(?:single|one)[- ]lane(?: (?:road|street))?"),
@@ -177,12 +207,12 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.DEGREE, None, r"(?:heavy|light|torrential|pouring|driving|thick|dense|patchy|slight|steady|strong|severe)(?= (?:rain|snow|fog|shower))"),
     (Mark.FAR, Distance.FAR, r"(?:(?:very|quite|from|start|starts|starting) )?far (?:away|off|ahead|behind)(?: (?:from|of) us)?|in the distance|a long way (?:off|away|ahead|behind)|at (?:a )?(?:long|great|large) (?:distance|range)"),
     (Mark.FAR, Distance.NEAR, r"(?:(?:very|quite|start|starts|starting|right) )?(?:close by|nearby|close to us|near us|close up|close at hand)|a short (?:way|distance) (?:off|away|ahead)|at (?:a )?(?:short|close) (?:distance|range)"),
-    (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
+    (Mark.CONTROL, Control.SIGNAL, r"(?:with |that has )?(?:a set of |the |a |any )?(?:red |green )?(?:traffic |stop ?)?(?:lights?|signals?)|signali(?:s|z)ed|(?:light|signal)[- ]controlled"),
     (Mark.CONTROL, Control.STOP_SIGN, r"(?:with )?(?:a |the |any )?stop[- ]signs?(?: controlled)?|(?:all|two)[- ]way stop"),
-    (Mark.CONTROL, Control.NONE, r"un-?signali(?:s|z)ed|uncontrolled|unregulated|without (?:any )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|no (?:traffic )?(?:lights?|signals?)(?: or signs?)?|without any control|no control"),
-    (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|(?:three|3)[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.CONTROL, Control.NONE, r"un-?signali(?:s|z)ed|uncontrolled|unregulated|without (?:any )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|no (?:red |green )?(?:traffic )?(?:lights?|signals?)(?: or signs?)?|without any control|no control"),
+    (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|(?:three|3)[- ](?:way|arm(?:ed)?|leg(?:ged)?)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, (Place.FOUR_WAY, Control.STOP_SIGN), r"(?:at )?(?:a |the )?four[- ]way stop"),
-    (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|(?:four|4)[- ](?:way|arm(?:ed)?|legged)(?: (?:junction|intersection|crossing))?"),
+    (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|(?:four|4)[- ](?:way|arm(?:ed)?|leg(?:ged)?)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
     (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
     (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
@@ -192,11 +222,11 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SITE, Site.MOTORWAY, r"(?:an?|the|any)? ?(?:motorway|highway|freeway|expressway|autobahn)"),
     (Mark.SITE, Site.RURAL, r"(?:out )?(?:in|into|to) the country(?:side)?|rural(?: (?:road|area))?|(?:an?|the|any)? ?country (?:road|lane)"),
     (Mark.SITE, Site.CROSSWALK, r"(?:an?|the|any)? ?(?:crosswalk|zebra(?: crossing)?|pedestrian crossing)"),
-    (Mark.LIGHT, Light.DAY, r"(?:by|in the|during the|at) (?:day(?:time|light)?|noon|midday)|in (?:broad )?daylight|daylight|(?:in the )?(?:morning|afternoon)|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
+    (Mark.LIGHT, Light.DAY, r"(?:(?:by|in|during|at) )?(?:the )?(?:(?:broad|full) )?(?:day(?:time|light)|noon|midday|sun(?:light|shine|ny)?)|(?:by|in the|during the) day|(?:in the )?(?:morning|afternoon)|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
     (Mark.LIGHT, Light.NIGHT, r"(?:when it is |it is |in the )?dark(?:ness)?|(?:in|at|by|during) the night(?:time)?|nocturnal"),
     (Mark.LIGHT, Light.DUSK, r"in the twilight|at (?:dusk|dawn|twilight|sunset|sunrise)|in the (?:late )?evening"),
     (Mark.WEATHER, Weather.CLEAR, r"(?:it )?(?:has )?(?:just )?stop(?:s|ped)? (?:raining|snowing)|(?:the )?(?:rain|snow|fog) (?:has |is )?(?:stops?|stopped|gone|over|clears?|cleared|lifts?|lifted)|(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
-    (Mark.WEATHER, Weather.RAIN, r"(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining"),
+    (Mark.WEATHER, Weather.RAIN, r"(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining|pouring(?: down)?(?: with rain)?"),
     (Mark.WEATHER, Weather.SNOW, r"(?:in |during )?(?:the )?snow(?:fall|y|ing|s)?(?: weather)?|it is snowing"),
     (Mark.WEATHER, Weather.FOG, r"(?:in |during )?(?:the )?fog(?:gy)?(?: weather)?"),
     (Mark.SURFACE, Surface.DRY, r"(?:on )?(?:a |the )?dry(?: (?:road|street|surface|asphalt|conditions?))?|in the dry"),
@@ -205,16 +235,17 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SURFACE, Surface.SNOW, r"(?:on )?(?:a |the )?(?:snowy|snow-?covered) (?:road|street|surface)|(?:with )?snow on the (?:road|street|ground)"),
     (Mark.ANY, Measure.SPEED, r"(?:at )?(?:any|whatever) speed|no matter how fast"),
     (Mark.ANY, Measure.DISTANCE, r"(?:at )?any distance|anywhere"),
-    (Mark.FILLER, None, r"slippery(?= (?:with|from|because of) )|(?:in)?to (?:the|a|an) (?:next|neighbou?ring|adjacent|other) lane|let us (?:see|try|have|do|take|use)(?: (?:it|that|this))?(?: with(?= an?))?|(?:increase|raise|reduce|decrease|lower|bring) (?:the|its|his|her) (?:\w+ )?(?:speed|distance|gap|deceleration)(?= (?:up |down )?to )|gap(?: of)?|please|you|thing|time of (?:the )?day|(?:would|might|could|will) be (?:better|nicer|good|nice|great)|better|complete|full|sudden|fallen|once|we mean|i mean|mean|rather|else|adversarial|maneuver|manoeuvre|lighting|behaviou?r|position|vehicle type|type of|value|way(?= (?:so|that))|already|yet|thanks|thank you|hmm|well|hey|hi|then(?= please)|now|ok(?:ay)?|actually|kindly|again|back(?= to)|(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: be)?|be|is|are|was|being|been|do(?:es)?|the|an?|there(?= (?:is|are|should|shall|will)\b)|here|to|in|on|at|of|by|from|with|its|his|her|their|our|it's|out|we want|we'd like|(?:we )?(?:want|would like|like|prefer|need)(?: to)?(?: (?:see|have))?|this|that|these|scene|scenario|situation|case|variant|everything|everyone|whole|all|same|but|so|just|try|how about|what about|what if|can you|could you|suppose|assume|imagine|instead|happens?|happening|takes? place|taking place|plays out|set|move|located?|somewhere|during|under|version|bit|little|comes?|coming|goes?|approach(?:es|ing)?|drives?|driving|moves?|moving|starts?|starting|start off|begins?|appears?|located|positioned|stands?|placed|road|street|weather|conditions?|surface|light|side|hand|lane|kind|type|day|of day|time|speed|distance|number|act|actions?|part|bit where|at all|any ?more|anymore|any longer|altogether|completely|entirely|suddenly|abruptly|hard|sharply|really|very|quite|simply|merely|direction|rest (?:as it is|unchanged|stays)|keep the rest|leave the rest|everything else (?:stays|unchanged|the same)|otherwise (?:the same|unchanged)|us|for us|ego|let's|let us see|one|up|away|over|some|few|even|itself|himself|herself"),
+    (Mark.FILLER, None, COURTESY),
+    (Mark.FILLER, None, _STAGING),
 )  # fmt: skip
 
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
 _ADVERB = r"(?: (?:than (?:that|before|now|it is|it was)|to us|from us|behind us|ahead of us|in front of us|ahead|behind|at us))?"
 _SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
-    (Measure.SPEED, True, r"faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
+    (Measure.SPEED, True, r"(?:really|super|that|so|pretty|extremely)? ?fast|faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
     (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed"),
-    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller(?: gap)?|tighter|closer|nearer|less far)"),
-    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger)(?: gap)?|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
+    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|less (?:room|space|distance)|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller(?: gap)?|tighter|closer|nearer|less far)"),
+    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|more (?:room|space|distance)|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger)(?: gap)?|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
     (Measure.TRIGGER, False, r"later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
     (Measure.TRIGGER, True, r"earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
     (Measure.DECELERATION, True, r"harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
@@ -223,8 +254,8 @@ _SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
     (Measure.TIME, False, r"(?:for )?shorter|for a shorter time|less long|more briefly|not (?:so|as) long"),
 )  # fmt: skip
 _TIMES: tuple[tuple[float, str], ...] = (
-    (2.0, r"(?:twice|double|two times)(?: (?:as|the))?"),
-    (3.0, r"(?:three times|triple)(?: (?:as|the))?"),
+    (2.0, r"(?:twice|double|two times|2 ?x|2 times)(?: (?:as|the))?"),
+    (3.0, r"(?:three times|triple|3 ?x|3 times)(?: (?:as|the))?"),
     (0.5, r"half(?: (?:as|the))?|halve (?:the|its|his|her)"),
     (1.5, r"one and a half times(?: (?:as|the))?|half again as"),
 )
@@ -415,14 +446,22 @@ _REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(said, re.IGNORECASE), meant)
     for said, meant in (
         (r"[\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOTATION MARK}`]", "'"),
-        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
+        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 into \2"),
+        (r"(?<=\w) ?(?::|=+) ?(?!\d\d\b)", " is "),  # "speed: 5 m/s", "adversary=car"
         (r"\bcut-in", "cut in"),
+        (r"\bgimme\b", "give me"),
+        (r"\blemme\b", "let me"),
+        (r"\b(?:wan|gon|got)(?:na|ta)\b", "want to"),
+        (r"^(?:(?:oh|no|actually|hang on|hold on),? )*wait,? |^(?:no,? )+(?=(?:an?|the|it|he|she|we|not|i)\b)", ""),
+        (r"^((?:wh\w+|and|so)? ?)\b(could|should|would|can|is|are|was|does|do|did|might)n't (?=(?:it|we|i|you|he|she|they|there|the|this|that)\b)", r"\1\2 "),
         (r"\blet's\b", "let us"),
-        (r"\b(I|we|you|he|she|it|they)'d\b", r"\1 would"),
+        (r"\b(I|we|you|he|she|it|they|that|there)'d\b", r"\1 would"),
         (r"\b(?:an )?(?:additional|extra|one more) (?=\w)", "another "),
         (r"\bwon't\b", "will not"),
         (r"\bcan't\b", "can not"),
         (r"n't\b", " not"),
+        (r"\b(about|mind|try|consider|suggest|prefer) (mak|us|hav|tak|giv|chang|replac|remov|plac)ing\b", r"\1 \2e"),
+        (r"\b(about|mind|try|consider|suggest|prefer) (add|turn|start|let|put|set|swap|drop)(?:[tp])?ing\b", r"\1 \2"),
         (r"\b(it|he|she|that|there|who|what|this)'s\b", r"\1 is"),
         (r"'s(?= (?:\w+ing|behind|in|on|at|from|ahead|beside|not|now|a|an|the)\b)", " is"),
         (r"\b(it|he|she|they|that)'ll\b", r"\1 will"),

@@ -14,6 +14,7 @@ from chatscene.terms.acts import BRINGS, Action
 from chatscene.terms.conclusions import JUNCTIONS, LANE_CHANGES, TURNS, concluded
 from chatscene.terms.edit import Facts, in_words
 from chatscene.terms.scenario import (
+    EgoState,
     Maneuver,
     Measure,
     Place,
@@ -87,6 +88,7 @@ class Wishes:
         dropped: The words by which the other goes; empty if it stays.
         left: The words by which the adversary goes, where somebody else is left; empty if it stays.
         unused: What was said and no scene has.
+        repaired: Whether what is named from here on takes the place of what was named before: "a van, no, a bus".
     """
 
     facts: dict[str, tuple[Any, str]] = field(default_factory=dict[str, tuple[Any, str]])
@@ -101,6 +103,7 @@ class Wishes:
     dropped: str = ""
     left: str = ""
     unused: list[Unused] = field(default_factory=list[Unused])
+    repaired: bool = False
 
     def wish(self, fact: str, value: Any, said: str) -> None:
         """A fact is to have a value.
@@ -108,6 +111,8 @@ class Wishes:
         Raises:
             EditRefused: It is to have another one, too.
         """
+        if self.repaired or (fact, value) == ("ego", EgoState.SETS_OFF):  # who sets off stood before
+            self.facts.pop(fact, None)
         known = self.facts.setdefault(fact, (value, said))
         if fact == "place" and known[0] != value:
             if value is not None and known[0] is not None and includes(known[0], value):
@@ -140,6 +145,8 @@ class Wishes:
             EditRefused: It is to be yet another one.
         """
         known = self.numbers.setdefault(measure, (number, said))
+        if isinstance(known[0], Shift) and isinstance(number, Shift) and known[0] == replace(number, said=known[0].said):
+            return  # "faster, much faster"
         if isinstance(known[0], Shift) and isinstance(number, Quantity):
             self.numbers[measure] = number, said  # "slower, at 20 km/h"
         elif known[0] != number and not (isinstance(known[0], Quantity) and isinstance(number, Shift)):
@@ -380,6 +387,8 @@ def _joins(acts: list[Action], news: list[ActWish]) -> bool:
         return news[0].order is not Mark.INSTEAD
     if all(action.row.all_along and action.row.directed for action in acts) and not news[0].action.row.directed:
         return True  # who comes towards the ego still does
+    if len(news) == 1 and news[0].action is Action.STOP and acts == [Action.BRAKE]:
+        return False  # whoever stops brakes
     new, moving = {one.action for one in news}, bool(acts) and not _IDLE.issuperset(acts)
     braking = new <= {Action.BRAKE, *_ON_THE_WAY} and not _ENTERS.isdisjoint(acts)
     return moving and (new <= _ON_THE_WAY or braking)
