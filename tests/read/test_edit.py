@@ -99,6 +99,21 @@ def after(text: str, edit: str) -> dict[str, str]:
         (TURNS, "the car should turn earlier", {"trigger": "earlier"}),
         (TURNS, "turn right instead", {"actions": "turn-right"}),
         ("An oncoming cyclist comes towards us.", "he brakes", {"actions": "oncoming then brake"}),
+        (WALKS, "I'd be grateful if she could come from the left-hand side.", {"side": "left"}),
+        (WALKS, "nah, I think a dog would be scarier", {"adversary": "dog"}),
+        (WALKS, "An e-scooter would be more dangerous than somebody on foot.", {"adversary": "e-scooter"}),
+        (WALKS, "sorry, I meant left", {"side": "left"}),
+        (WALKS, "right -> left", {"side": "left"}),
+        (WALKS, "couldn't it be a cyclist?", {"adversary": "bicycle"}),
+        (WALKS, "set adversary=cyclist", {"adversary": "bicycle"}),
+        (WALKS, "it is too slow", {"speed": "it is too slow"}),
+        (WALKS, "more fast", {"speed": "faster"}),
+        (BRAKES, "make it a van, no, a bus", {"adversary": "bus"}),
+        (BRAKES, "a truck is following us", {"others": "truck follow (behind)"}),
+        (HIDDEN, "could the parked car be a bus?", {"occluder": "parked-bus"}),
+        (TURNS, "it turns right, not left", {"actions": "turn-right"}),
+        (TURNING, "we are stationary, then set off", {"ego": "sets-off"}),
+        (CUTS_IN, "it cuts in on us and slows down", {"actions": "cut-in then brake"}),
     ],
 )
 def test_an_edit_changes_just_the_fact_that_it_names(text: str, edit: str, changed: dict[str, str]) -> None:
@@ -141,6 +156,10 @@ def test_what_follows_from_a_named_fact_follows() -> None:
         (BRAKES, "it swerves to the left", "is in no fact"),
         (WALKS, "cyclist -> e-scooter", "there is none"),
         (WALKS, "hidden", "say by what"),
+        (WALKS, "he explodes, so make it purple", "not understood: 'explodes,', 'purple'"),
+        (WALKS, "from the left, with a trailer", "not understood: 'trailer'"),
+        (WALKS, "make it more realistic", "not understood"),
+        (WALKS, "we are a truck", "what the ego is"),
     ],
 )
 def test_what_cannot_be_done_is_refused_by_its_words(text: str, edit: str, reason: str) -> None:
@@ -160,6 +179,21 @@ def test_a_number_that_was_said_is_what_faster_is_faster_than() -> None:
 def test_how_heavy_a_rain_is_that_is_not_in_a_scene_is_listed_as_not_used() -> None:
     edit = hear_edit("in heavy rain", facts_of(WALKS))
     assert [one.said for one in edit.unused] == ["heavy"]
+
+
+@pytest.mark.parametrize(
+    ("edit", "changed", "comment"),
+    [
+        ("She is too easy to see; put her behind a hedge.", {"occluder"}, "she is too easy to see"),
+        ("The driver can't judge our speed, so add fog.", {"weather", "surface"}, "the driver can not judge our speed"),
+        ("make it a dog because cats are not supported", {"adversary"}, "because cats are not supported"),
+    ],
+)
+def test_why_something_is_wanted_is_listed_as_not_used(edit: str, changed: set[str], comment: str) -> None:
+    facts = facts_of(WALKS)
+    read = hear_edit(edit, facts)
+    assert {one.fact for one in changes(facts, read.facts)} <= changed
+    assert [one.said for one in read.unused] == [comment]
 
 
 def test_who_is_left_when_the_adversary_goes_is_the_adversary() -> None:

@@ -7,7 +7,6 @@ what he thinks of it are clauses of their own, which are left out only where the
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 _SPEAKER = r"(?:we|us|you)"  # in canonical form, whoever says it and whoever is told
 _SOFTLY = r"(?:(?:please|just|maybe|perhaps|also|possibly|kindly|now|instead|rather|really|still|only) )*"
@@ -19,7 +18,7 @@ _OPINION = (
     r"typical|common|rare|possible|impossible|feasible|useful|helpful|kind|grateful|happy|glad|pleased|appreciated|welcome|classic|"
     r"unfair|mean|silly|stupid|crazy|sweet|a (?:danger|problem|challenge|shame|pity|surprise))"
 )
-_WANTED = r"(?:see|have|try|do|get|use|look at|ask for|be|go with|go for|make it so(?: that)?|say|request|suggest|change it so(?: that)?)"
+_WANTED = r"(?:see|have|try|do|get|use|look at|ask for|go with|go for|make it so(?: that)?|say|request|suggest|change it so(?: that)?)"
 
 COURTESY = "|".join(
     (
@@ -32,16 +31,16 @@ COURTESY = "|".join(
         rf"(?:(?:it|that|this|he|she|they|which|there) )?(?:would|will|might|could|may)(?: also| only| even| just| probably| certainly)* be {_HOW}(?:{_OPINION}|harder)(?: for \w+)?(?: to (?:react|see|notice|avoid|handle|stop|brake|spot|deal with|have|do|{_WANTED}))?(?: if| when| to)?",
         rf"if (?:it is |that is |at all )?(?:not )?(?:too much (?:trouble|to ask)|{_HOW}{_OPINION})(?: with us| for us)?",
         rf"if {_SPEAKER} (?:do not mind|like|please|want(?: to)?|can|could|would|may|so wish|will)",
-        rf"(?:let )?be so (?:kind|good|nice)(?: as)?(?: to)?|be (?:kind|good|nice) enough(?: to)?",
-        rf"(?:do|does|would|will|could) (?:it|that|this) (?:also |still )?(?:work|run|make sense|go)(?: with| as| if| in)?",
-        r"(?:what|how) (?:would|will|does|do|could) (?:it|that|this|things) (?:look|be|go|happen)(?: like)?(?: if| with)?|what (?:would )?(?:happens? )?if(?: instead)?|(?:what|how) about|why (?:not|do not we|do we not)|and if|as if(?= it)|only if",
+        r"(?:let )?be so (?:kind|good|nice)(?: as)?(?: to)?|be (?:kind|good|nice) enough(?: to)?",
+        r"(?:do|does|would|will|could) (?:it|that|this) (?:also |still )?(?:work|make sense)(?: with| as| if| in)?",
+        r"(?:what|how) (?:would|will|does|do|could) (?:it|that|this|things) (?:look|be|go|happen)(?: like)?(?: if| with)?|what (?:would )?(?:happens? )?if(?: instead)?|(?:what|how) about|any chance (?:of|that|for)|why (?:not|do not we|(?:do|does|did|should)(?= (?:we|it|he|she|they)\b))|and if|as if(?= it)|only if",
         rf"sorry(?: to (?:bother|trouble) {_SPEAKER})?(?: again)?|(?:thank you|thanks|cheers)(?: (?:very|so) much| a lot)?|excuse us|pardon(?: us)?|my mistake|our mistake|if possible|whenever possible|for (?:us|me)|by the way",
         rf"to (?:be|make (?:it|this|things)|keep it) {_HOW}{_OPINION}|for (?:a change|fun|realism|good measure|once|variety)",
         r"(?:give|show) us|when (?:it|this|that|everything|the scene) (?:begins?|began|starts?|started)",
         # Particles
         r"oh|ooh|ah|aha|er|erm|uh|um|hm+|hmm+|yeah|yep|yup|yes|nah|nope|lol|haha|hehe|wow|yikes|ouch|oops|whoops|man|dude|guys|come on|ok(?:ay)?|alright|all right(?=,| )|right(?=, )|well|hey|hi|hello|dear|"
         r"actually|basically|honestly|frankly|literally|obviously|apparently|maybe|perhaps|possibly|probably|somehow|anyway|anyhow|of course|indeed|really|definitely|certainly|sure|surely|"
-        r"like(?= )|(?:we|you) know|kind of|sort of|or so|or something|or whatever|whatever|and (?:so|stuff)|(?:might|may|could|can) (?:just )?as well(?: be)?|on second thou?ghts?|for example|for instance|such as|say|"
+        r"like(?=[ ,])|(?:we|you) know|kind of|sort of|or so|or something|or whatever|whatever|and (?:so|stuff)|(?:might|may|could|can) (?:just )?as well(?: be)?|on second thou?ghts?|for example|for instance|such as|say|"
         r"correction|wrong|the wrong|misremembered|please|kindly|thing|stuff",
     )
 )
@@ -61,9 +60,11 @@ _REASON = re.compile(
 )
 _SO = re.compile(r"(?:and )?so\b(?! that)")
 _OF_ALL = r"(?:nobody|no one|everybody|everyone|people|hardly|usually|normally|generally|often|seldom|rarely|typically|these days)"
-_COMMENT = re.compile(rf"\b(?:too (?!and\b|but\b)\w+|{_OF_ALL}|{_OPINION}|harder (?:to|for))(?![\w'])")
+_COMMENT = re.compile(rf"\b(?:(?<=\w )too (?!and\b|but\b)\w+|{_OF_ALL}|{_OPINION}|harder (?:to|for))(?![\w'])")
 _EXCLAIMED = re.compile(r"(?:what an?|such an?|how) (?:\w+ )?\w+$")
-_WISH = re.compile(r"(?:and |then |but |now |just |please )*(?:make|let|have|use|put|set|add|give|take|drop|remove|replace)\b")
+_WISH = re.compile(
+    r"(?:and |then |but |now |just |please )*(?:make|let|have|use|put|set|add|give|take|drop|remove|replace)\b"
+)
 
 
 def without_comments(text: str) -> tuple[str, tuple[str, ...]]:

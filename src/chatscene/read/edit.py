@@ -208,7 +208,7 @@ class _Hearing:
             self.found.wish("group", None, self.words[at].said)
         elif self.slots.others:
             self.found.drop_other(self.words[at].said)
-        elif any(word.mark in (Mark.LANES, Mark.NUMBER, Mark.ACT, Mark.SHIFT) for word in self.words[at:]):
+        elif any(word.mark not in (*_MODES, Mark.FILLER, Mark.USER) for word in self.words):
             return
         else:
             raise EditRefused(f"{self.words[at].said!r}: there is nobody but the {_called(self.slots)}")
@@ -230,7 +230,7 @@ class _Hearing:
         marks = [one.mark for one in self._clause(at)]
         hides = self._hides(word)
         joins = named.article in _ANOTHER or Mark.ADD in marks[: marks.index(Mark.USER)] or Mark.ALSO in marks
-        joins |= self._comes_with(at) or self._is_let_in(word, at)
+        joins |= self._comes_with(at) or self._is_let_in(word, at) or self._is_behind(word, at)
         replaces = any(one.mark in (Mark.OLD, Mark.INSTEAD, Mark.CHANGE) for one in self.words)
         known = named.several and named.kind is self.slots.adversary  # they are a group
         if self.old or hides or not joins or replaces or known or named.article == _DEFINITE:
@@ -275,6 +275,14 @@ class _Hearing:
         acts = does is not None and does.mark is Mark.ACT and does.value not in self.slots.actions
         return let and other and (acts or drives)
 
+    def _is_behind(self, word: Word, at: int) -> bool:
+        """Whether somebody new is told to be behind the ego while the adversary, of another kind, is ahead."""
+        new = word.value.kind is not self.slots.adversary and word.value.article in ("a", "an")
+        opens = all(one.mark in (Mark.FILLER, Mark.JOINT, Mark.WHERE) for one in self.words[:at])
+        behind = {(Mark.WHERE, Where.BEHIND), (Mark.ACT, Action.TAILGATE)}
+        told = any((one.mark, one.value) in behind for one in self._clause(at))
+        return new and opens and told and self.slots.position in _SEEN_AT[Where.AHEAD]
+
     def _made_out(self, text: str, named: Named) -> Slots | None:
         """Somebody who joins, by the words of edits; if no act is said, who is ahead or parked stands."""
         words, unread = scanned(text, Slots())
@@ -303,8 +311,18 @@ class _Hearing:
         parked = (Sort.WHERE, Where.EDGE) in named.traits and occluder is not None
         marks = [one.mark for one in self._clause(self.words.index(word)) if one.mark is not Mark.OCCLUDER]
         marks += [Mark.HIDDEN for one in self.words if one.mark is Mark.OCCLUDER and one.value is None]
+        marks += [Mark.HIDDEN for one in self._before(word) if self._is_in_the_way(one)]
         at_hand = standing is occluder and named.kind is not self.slots.adversary
         return standing if Mark.HIDDEN in marks or parked or at_hand else None
+
+    def _before(self, word: Word) -> list[Word]:
+        """The words before one, of its clause."""
+        return [one for one in self._clause(self.words.index(word)) if one.at < word.at]
+
+    def _is_in_the_way(self, word: Word) -> bool:
+        """Whether what hides somebody is spoken of: "the parked car" that is to be a bus."""
+        occluder = self._hides(word) if word.mark is Mark.USER else word.value if word.mark is Mark.OCCLUDER else None
+        return occluder is not None and occluder is self.slots.occluder and word.said.startswith("the ")
 
     def _named(self, word: Word, at: int) -> None:
         """Somebody is named: the adversary, the other, or somebody in the adversary's place."""
@@ -317,6 +335,10 @@ class _Hearing:
             return
         if self._is_known(named, word, at):
             return
+        if [one.mark for one in self.words[max(at - 2, 0) : at]] == [Mark.EGO, Mark.FILLER] and self.words[
+            at - 1
+        ].said in _ARE:
+            raise EditRefused(f"{word.said!r}: what the ego is comes with the model of it")
         fact = "other adversary" if self.whose == 1 else "adversary"
         self.whose = self.whose or 0
         self.found.wish(fact, named.kind, word.said)
@@ -451,6 +473,8 @@ class _Hearing:
             raise EditRefused(f"{word.said!r}: to which side somebody turns or swerves is in no fact; leave it away")
         if word.mark is Mark.SIDE:
             self._bare_side(Side(word.value), word)
+        elif self.whose is None and word.mark is Mark.SIDED and word.said.startswith("to "):
+            self._bare_side(Side(word.value[0]), word)
         elif word.mark is Mark.OTHER_SIDE:
             self._other_side(word)
         else:
@@ -466,7 +490,12 @@ class _Hearing:
             self.found.old(name, self.slots.ego if name == "ego" else value, word.said)
         elif name == "leader" and self.slots.leader is None and self.slots.position is Position.AHEAD:
             self.whose = 0  # it is the adversary that leads
-        elif name != "place" or self.slots.place is None or value is self.slots.place or not includes(value, self.slots.place):
+        elif (
+            name != "place"
+            or self.slots.place is None
+            or value is self.slots.place
+            or not includes(value, self.slots.place)
+        ):
             self.found.wish(name, value, word.said)
 
     def _act(self, word: Word, at: int) -> None:
@@ -619,6 +648,7 @@ class _Hearing:
                 self.found.place(Where.AHEAD, said)
 
 
+_ARE = ("are", "be", "should be", "could be", "were")
 _TO_A_SIDE = (Action.SWERVE, Action.CHANGE_LANE, Action.U_TURN)
 _SEEN_AT = {
     Where.AHEAD: (Position.AHEAD, Position.AHEAD_BESIDE),

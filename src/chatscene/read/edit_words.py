@@ -139,10 +139,10 @@ _STAGING = "|".join(
         # Verbs without a meaning of their own
         r"(?:should|shall|must|will|would|could|can|may|might|ought to|needs? to|has to|have to)(?: have been| be)?",
         r"[be]|been|am|do(?:es)?|did|done|[have]|[get]|got|[give]|[show]|[see]|seen|[try]|[use]|[happen]|[occur]|takes? place|taking place|plays? out|[set]|[move]|[place]|located?|positioned|"
-        r"[come]|[go]|[approach]|[drive]|driven|[start](?: off)?|[begin]|[appear]|[stand]|[walk]|[ride]|[travel]|[run](?= \w)|[keep]|[put]|[turn] out|[become]|suppose|assume|imagine|[mean]|[call]|[be] called|[name]",
+        r"[come]|[go]|[approach]|[drive]|driven|[start](?: off)?|[begin]|[appear]|[stand]|[walk]|[ride]|[travel]|[run](?: it)?(?= \w)|[keep]|[put]|[turn] out|[become]|suppose|assume|imagine|[mean]|[call]|[be] called|[name]",
         # Closed classes
         r"the|an?|its|his|her|their|our|this|that|these|those|such|some|any|all|both|whole|same|else|few|one|ones|anything|something|everything|everyone",
-        r"here|there|everywhere|somewhere|outside|outdoors|to|in|on|at|of|by|from|with|for|up|away|over|out|across|along|through|into|onto|toward|towards|during|under|about|around|if|whether|than|itself|himself|herself|themselves",
+        r"here|there|everywhere|somewhere|outside|outdoors|to|in|on|at|of|by|from|with|for|up|away|over|out|across|along|through|into|onto|toward|towards|during|under|about|around|if|whether|than|able|(?:as|than|like) before|itself|himself|herself|themselves",
         r"already|yet|again|now|just|so|but|very|quite|simply|merely|really|super|duper|extremely|totally|entirely|completely|altogether|suddenly|abruptly|hard|sharply|rather|instead|even|once|better|bit|little|lot|long",
         # Names of what is named
         r"scene|scenario|situation|case|variant|version|event|setting|geometry|environment|adversarial|man(?:oeuvre|oeuver|euver|euvre)s?|lighting|behaviou?r|position|value|act|actions?|part|number|kind|type|class|state|parameter|actor|initial|"
@@ -164,12 +164,12 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.FIRST, None, r"first(?: of all)?|at first|initially|to begin with|beforehand"),
     (Mark.BEFORE, None, rf"before(?: {_PRONOUN})?(?= \w)"),
     (Mark.AFTER, None, rf"(?:after|once|when|having)(?: {_PRONOUN})?(?: has)?(?= \w+(?:ing|s|ed)\b)"),
-    (Mark.ON_THE_WAY, None, r"halfway(?: across| over| through)?|half-way|midway|mid-way|half way|in the middle(?: of the (?:road|street|lane|crossing|junction))?|on (?:its|his|her|the) way|in between|(?:for )?a (?:moment|second|sec|while|short while|bit(?= in))|briefly|part-?way"),
+    (Mark.ON_THE_WAY, None, r"halfway(?: across| over| through)?|half-way|midway|mid-way|half way|in the middle(?: of (?:the|our|his|her|its) (?:road|street|lane|crossing|junction|way))?|on (?:its|his|her|the) way|in between|(?:for )?a (?:moment|second|sec|while|short while|bit(?= in))|briefly|part-?way"),
     (Mark.ONLY, None, r"only|just(?: the)? one|alone|a single|single|by (?:it|him|her)self|on (?:its|his|her) own"),
-    (Mark.JOINT, None, r",|;|\.|:|and|but|or|so that|while|as|that|who|which|where"),
-    (Mark.EGO, None, rf"(?:{_CAUSE} )?(?:us|we|our (?:own )?(?:car|vehicle)|the (?:av|vut|sut|host(?: vehicle)?|tested (?:car|vehicle)|test vehicle|subject vehicle))(?! (?:want|would like)\b)"),
+    (Mark.JOINT, None, r",|;|\.|:|and|but|or|so that|while|as|that|who|which|where|when|as soon as"),
+    (Mark.EGO, None, rf"{_CAUSE} us|(?:{_CAUSE} )?(?:we|our (?:own )?(?:car|vehicle)|the (?:av|vut|sut|host(?: vehicle)?|tested (?:car|vehicle)|test vehicle|subject vehicle))(?! (?:want|would like)\b)"),
     (Mark.OTHER, None, r"the (?:second|third|other) (?:one|(?!side|direction|lane|way|hand)(?P<of>\w+))|(?:the |any )?(?:second|additional|extra|further) (?:road user|vehicle|party|actor|adversary|one)|everybody else|anybody else|anyone else|somebody else|other (?:road users?|traffic)|the others?"),
-    (Mark.IT, None, rf"{_PRONOUN}|(?:(?:the|our) )?(?:adversary|opponent|actor|agent)(?: vehicle)?(?:'s)?|(?:the|that|this|our) (?:other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|guy|one|vehicle|attacker|actor)"),
+    (Mark.IT, None, rf"{_PRONOUN}|(?:(?:the|our) )?(?:adversary|opponent|actor|agent)(?: vehicle)?(?:'s)?|(?:the|that|this|our) (?:other (?:party|road user|driver|rider|one|person)|driver|rider|road user|person|human|guy|one|vehicle|attacker|actor)"),
     (Mark.OTHER_SIDE, None, r"(?:(?:from|on|to|at) )?(?:the )?(?:(?:other|opposite|opposing) (?:side|hand)|other direction)(?: of the (?:road|street))?|(?:swap|switch|change|flip)(?: the)? sides?|(?:the )?other way(?: a?round)?|from the other|(?:the )?other lane"),
     (Mark.MIRROR, None, r"(?:reverse(?= (?:everything|left|the (?:whole|scene|scenario|situation|sides)))|mirror|flip)(?: (?:it|everything|(?:the )?(?:(?:whole|entire) )?(?:scene|scenario|situation|thing)|that|this|left and right))?(?: left to right)?|swap left and right|mirrored|mirror image|the same (?:thing )?mirrored|left and right swapped"),
     (Mark.SIDE, None, r"(?:the |our )?(?P<side>left|right)(?:-hand)?(?: (?:side|kerb|curb|roadside|pavement|sidewalk))?"),
@@ -188,12 +188,14 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.STATE, EgoState.SLOWS_DOWN, r"[decelerate]"),
     (Mark.STATE, EgoState.SETS_OFF, r"(?:then )?[start](?: to (?:move|drive))?"),
     (Mark.ACT, Action.TURN_BACK, r"[turn] a?round"),
+    (Mark.ACT, Action.CHANGE_LANE, r"[change] (?:in|on)?to (?:the |our )?(?:next|adjacent|neighbou?ring|other|left|right)(?:-hand)? lane"),
+    (Mark.ACT, Action.TAILGATE, r"[drive] (?:much |far |way |very )?too close(?: (?:behind|to) us)?"),
     (Mark.WHERE, Where.BEHIND, r"(?:from )?behind us"),
-    (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
+    (Mark.MOVES, None, r"(?:are |be )?(?:moving|rolling|under way)|are (?:driving|going)(?=$|,)|[keep] (?:moving|driving|going)|(?:do not|don't) (?:wait|stand|stop|brake|slow down)|not (?:standing|waiting|stopped|stationary|braking)|[drive] (?:normally|as usual)|at normal speed"),
     (Mark.STATE, EgoState.STANDS, r"[be] (?:standing|parked|halted)(?: still)?|(?:have|had)(?: just)? stopped|[be] not moving|not moving|at a standstill|stationary|standing(?: still)?|[stand](?: still)?"),
     (Mark.MANEUVER, Maneuver.STRAIGHT, r"[go] straight(?: (?:on|ahead|through|over))?|straight (?:on|ahead|through)|[drive] straight(?: (?:on|ahead|through))?|[keep] straight(?: on)?|[stay] in (?:our|the|its) lane"),
-    (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
-    (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
+    (Mark.MANEUVER, Maneuver.LANE_CHANGE_LEFT, r"[change] (?:into |to |in )?(?:the )?(?:lanes? )?(?:to the )?left(?: lane)?|[do] a lane change (?:to the )?left"),
+    (Mark.MANEUVER, Maneuver.LANE_CHANGE_RIGHT, r"[change] (?:into |to |in )?(?:the )?(?:lanes? )?(?:to the )?right(?: lane)?|[do] a lane change (?:to the )?right"),
     (Mark.HIDDEN, None, r"(?:is |be |stays? |being )?(?:hidden|concealed|obscured|occluded|masked|covered)(?: (?:behind|between|by|from view))?|(?:hides?|hiding|conceals?|obscures?|obscuring|occludes?|occluding|covers?|covering|masks?|masking)(?: (?:him|her|it|them|behind))?|(?:steps?|comes?|walks?|runs?|rides?|appears?|emerges?|pops?)?(?: out)?(?: from)? ?behind(?= (?:an?|the|some) (?!\w* ?(?:curve|bend|corner|junction|turn)))|(?:in|to) (?:our|the) (?:view|sight)|(?:blocks?|blocking|obstructs?|obstructing) (?:the|our) (?:view|sight)(?: with)?|in front of (?:it|him|her|them|the (?!ego|av)\w+)|from (?:view|sight)|out of sight|to hide(?: (?:him|her|it|them))?|(?:so (?:that )?)?(?:we|you|ego|nobody) (?:can ?not|could ?not|do not|will not)(?: yet)? see(?: (?:him|her|it|them))?(?: (?:at first|coming|until late))?|in the way of (?:our |the )?(?:sight|view)|at first"),
     (Mark.SEEN, None, r"(?:(?:is|be|are|fully|clearly|plainly|stays?|well) )*visible(?: (?:from the (?:start|beginning|outset)|all the time|at all times|all along))?|in plain (?:view|sight)|in full view|(?:out )?in the open|unhidden|not (?:be )?(?:hidden|concealed|obscured|occluded)|(?:with )?nothing (?:hides|hiding|hidden|in between|blocking)(?: (?:him|her|it|them|the view|our view))?|no (?:occlusion|occluder|cover|obstruction|hiding)|without (?:an? |the |any )?(?:occlusion|occluder|cover|obstruction|hiding)|(?:can|could) be seen(?: from the start)?|seen from the start"),
     (Mark.OCCLUDER, None, r"(?:the |an? |any )?(?:occluder|occlusion|cover|view blocker|obstruction)"),
@@ -213,7 +215,7 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.PLACE, Place.THREE_WAY, r"t[- ]?(?:junction|intersection|crossing)|(?:three|3)[- ](?:way|arm(?:ed)?|leg(?:ged)?)(?: (?:junction|intersection|crossing))?"),
     (Mark.PLACE, (Place.FOUR_WAY, Control.STOP_SIGN), r"(?:at )?(?:a |the )?four[- ]way stop"),
     (Mark.PLACE, Place.FOUR_WAY, r"cross-?roads|(?:four|4)[- ](?:way|arm(?:ed)?|leg(?:ged)?)(?: (?:junction|intersection|crossing))?"),
-    (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)"),
+    (Mark.PLACE, Place.JUNCTION, r"(?:a |the |an |any )?(?:street )?(?:intersection|junction)|(?:at|on|in) (?:the|a) crossing"),
     (Mark.PLACE, Place.LEFT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?left(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the left"),
     (Mark.PLACE, Place.RIGHT_CURVE, r"(?:in |on |around |round |through |behind |after )?(?:a |the )?right(?:-hand)? (?:bend|curve)|(?:a )?(?:bend|curve) to the right"),
     (Mark.PLACE, Place.CURVE, r"(?:in |on |around |round |through |into |behind |after )?(?:a |the )?(?:sweeping )?(?:bend|curve)|curv(?:ed|ing|y)(?: road)?|winding(?: road)?"),
@@ -222,12 +224,12 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
     (Mark.SITE, Site.MOTORWAY, r"(?:an?|the|any)? ?(?:motorway|highway|freeway|expressway|autobahn)"),
     (Mark.SITE, Site.RURAL, r"(?:out )?(?:in|into|to) the country(?:side)?|rural(?: (?:road|area))?|(?:an?|the|any)? ?country (?:road|lane)"),
     (Mark.SITE, Site.CROSSWALK, r"(?:an?|the|any)? ?(?:crosswalk|zebra(?: crossing)?|pedestrian crossing)"),
-    (Mark.LIGHT, Light.DAY, r"(?:(?:by|in|during|at) )?(?:the )?(?:(?:broad|full) )?(?:day(?:time|light)|noon|midday|sun(?:light|shine|ny)?)|(?:by|in the|during the) day|(?:in the )?(?:morning|afternoon)|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
+    (Mark.LIGHT, Light.DAY, r"(?:(?:by|in|during|at) )?(?:the )?(?:(?:broad|full|bright) )?(?:day(?:time|light)|noon|midday|sun(?:light|shine|ny)?)|(?:by|in the|during the|a bright|on a bright|a sunny|on a sunny) day|(?:in the )?(?:morning|afternoon)|(?:make it )?day(?:time)?|in the sun(?:shine)?"),
     (Mark.LIGHT, Light.NIGHT, r"(?:when it is |it is |in the )?dark(?:ness)?|(?:in|at|by|during) the night(?:time)?|nocturnal"),
     (Mark.LIGHT, Light.DUSK, r"in the twilight|at (?:dusk|dawn|twilight|sunset|sunrise)|in the (?:late )?evening"),
-    (Mark.WEATHER, Weather.CLEAR, r"(?:it )?(?:has )?(?:just )?stop(?:s|ped)? (?:raining|snowing)|(?:the )?(?:rain|snow|fog) (?:has |is )?(?:stops?|stopped|gone|over|clears?|cleared|lifts?|lifted)|(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
-    (Mark.WEATHER, Weather.RAIN, r"(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining|pouring(?: down)?(?: with rain)?"),
-    (Mark.WEATHER, Weather.SNOW, r"(?:in |during )?(?:the )?snow(?:fall|y|ing|s)?(?: weather)?|it is snowing"),
+    (Mark.WEATHER, Weather.CLEAR, r"(?:it )?(?:has )?(?:just )?stop(?:s|ped)? (?:raining|snowing)|(?:the )?(?:rain|snow|fog) (?:has |is )?(?:stops?|stopped|gone|over|clears?|cleared|lifts?|lifted)|(?:the )?sun (?:is |comes? )?(?:shining|shines|out)|(?:in )?(?:clear|fine|good|nice) (?:weather|conditions)|clear"),
+    (Mark.WEATHER, Weather.RAIN, r"(?:the )?rain (?:is )?falling|(?:in |during |under )?(?:the )?rain(?:y|ing|s)?(?: weather)?|(?:it )?rains?|it is raining|pouring(?: down)?(?: with rain)?"),
+    (Mark.WEATHER, Weather.SNOW, r"(?:the )?snow (?:is )?falling|(?:in |during )?(?:the )?snow(?:fall|y|ing|s)?(?: weather)?|it is snowing"),
     (Mark.WEATHER, Weather.FOG, r"(?:in |during )?(?:the )?fog(?:gy)?(?: weather)?"),
     (Mark.SURFACE, Surface.DRY, r"(?:on )?(?:a |the )?dry(?: (?:road|street|surface|asphalt|conditions?))?|in the dry"),
     (Mark.SURFACE, Surface.WET, r"(?:on )?(?:a |the )?wet(?: (?:road|street|surface|asphalt|conditions?))?|in the wet"),
@@ -241,15 +243,16 @@ _MARKS: tuple[tuple[Mark, Any, str], ...] = (
 
 _DEGREE = r"(?:(?:a (?:little )?bit|a little|slightly|somewhat|a touch|much|far|way|a lot|considerably|even|significantly|noticeably|any|still|quite a bit|rather|more|a good deal) )*"
 _ADVERB = r"(?: (?:than (?:that|before|now|it is|it was)|to us|from us|behind us|ahead of us|in front of us|ahead|behind|at us))?"
+_TOO = rf"(?:(?:{_PRONOUN} )?(?:is|was|are|looks|seems|feels) |^)(?:(?:a bit|a little|much|far|way|just) )?too"  # who complains wants the opposite
 _SHIFTS: tuple[tuple[Measure, bool, str], ...] = (
-    (Measure.SPEED, True, r"(?:really|super|that|so|pretty|extremely)? ?fast|faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
-    (Measure.SPEED, False, r"slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed"),
-    (Measure.DISTANCE, False, r"(?:(?:at a )?(?:smaller|shorter) distance|less (?:room|space|distance)|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller(?: gap)?|tighter|closer|nearer|less far)"),
-    (Measure.DISTANCE, True, r"(?:(?:at a )?(?:greater|larger|longer|bigger) distance|more (?:room|space|distance)|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger)(?: gap)?|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
-    (Measure.TRIGGER, False, r"later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
-    (Measure.TRIGGER, True, r"earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
-    (Measure.DECELERATION, True, r"harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
-    (Measure.DECELERATION, False, r"softer|gentler|more (?:gently|softly|smoothly)|less (?:hard|sharply|abruptly|strongly|violently|heavily)|not (?:so|as) hard|weaker|smoother"),
+    (Measure.SPEED, True, rf"{_TOO} slow(?:ly)?|(?:really|super|that|so|pretty|extremely)? ?fast|faster|quicker|more quickly|(?:at )?(?:an? )?(?:higher|greater|increased) speed|more speed|speedier|speed (?:it|him|her|them|things) up|(?:increase|raise|up) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed|(?:in (?:more of )?a (?:hurry|rush)|(?:at a )?run(?:ning)?|jogging|sprinting)"),
+    (Measure.SPEED, False, rf"{_TOO} (?:fast|quick|speedy)|slower|more slowly|(?:at )?(?:an? )?(?:lower|reduced|smaller) speed|less speed|slow (?:it|him|her|them|things) down|(?:not (?:so|as|quite so|that)|less) (?:fast|quick|quickly)|(?:decrease|reduce|lower) (?:the|its|his|her|the \w+'s|the \w+ \w+'s) (?:walking |driving |riding )?speed"),
+    (Measure.DISTANCE, False, rf"{_TOO} (?:far|distant)(?: away)?|(?:(?:at a )?(?:smaller|shorter) distance|less (?:room|space|distance)|(?:reduce|decrease|shorten|lower) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|smaller(?: gap)?|tighter|closer|nearer|less far)"),
+    (Measure.DISTANCE, True, rf"{_TOO} (?:close|near)|(?:(?:at a )?(?:greater|larger|longer|bigger) distance|more (?:room|space|distance)|(?:increase|extend|lengthen|enlarge) (?:the|its|his|her) (?:initial |starting |start )?(?:distance|gap)|(?:bigger|larger)(?: gap)?|(?:farther|further)(?: (?:away|off|out|back|up|down))?|more distant|not (?:so|as) (?:close|near))"),
+    (Measure.TRIGGER, False, rf"{_TOO} (?:early|soon)|later(?: on)?|(?:at )?a later (?:moment|point)|not (?:so|as) early"),
+    (Measure.TRIGGER, True, rf"{_TOO} late|earlier|sooner|(?:at )?an earlier (?:moment|point)|not (?:so|as) late"),
+    (Measure.DECELERATION, True, rf"{_TOO} (?:gentle|soft|weak)|harder|more (?:sharply|abruptly|strongly|violently|heavily|forcefully|suddenly)|stronger|sharper"),
+    (Measure.DECELERATION, False, rf"{_TOO} (?:hard|strong|sharp)|softer|gentler|more (?:gently|softly|smoothly)|less (?:hard|sharply|abruptly|strongly|violently|heavily)|not (?:so|as) hard|weaker|smoother"),
     (Measure.TIME, True, r"(?:for )?longer|for a longer time|not (?:so|as) short"),
     (Measure.TIME, False, r"(?:for )?shorter|for a shorter time|less long|more briefly|not (?:so|as) long"),
 )  # fmt: skip
@@ -441,25 +444,35 @@ OF_EGO = (Mark.MANEUVER, Mark.STATE, Mark.MOVES)
 """What is said of the ego alone."""
 
 _WORD = re.compile(r"\S+")
-_IT = re.compile(r"\b(?:it|him|her|them|this|that)\b")
+_IT = re.compile(rf"\b{_PRONOUN}\b")
+_OF_IT = (Mark.SET, Mark.BEFORE, Mark.AFTER)  # with a pronoun
 _REWRITES: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(said, re.IGNORECASE), meant)
     for said, meant in (
         (r"[\N{RIGHT SINGLE QUOTATION MARK}\N{LEFT SINGLE QUOTATION MARK}`]", "'"),
-        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 into \2"),
+        (r"^(left|right)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(left|right)$", r"\2"),
+        (r"^(.+?)\s*(?:->|=>|\N{RIGHTWARDS ARROW})\s*(.+)$", r"change \1 to \2"),
         (r"(?<=\w) ?(?::|=+) ?(?!\d\d\b)", " is "),  # "speed: 5 m/s", "adversary=car"
         (r"\bcut-in", "cut in"),
         (r"\bgimme\b", "give me"),
         (r"\blemme\b", "let me"),
         (r"\b(?:wan|gon|got)(?:na|ta)\b", "want to"),
         (r"^(?:(?:oh|no|actually|hang on|hold on),? )*wait,? |^(?:no,? )+(?=(?:an?|the|it|he|she|we|not|i)\b)", ""),
-        (r"^((?:wh\w+|and|so)? ?)\b(could|should|would|can|is|are|was|does|do|did|might)n't (?=(?:it|we|i|you|he|she|they|there|the|this|that)\b)", r"\1\2 "),
+        (
+            r"^((?:wh\w+|and|so)? ?)\b(could|should|would|can|is|are|was|does|do|did|might)n't (?=(?:it|we|i|you|he|she|they|there|the|this|that)\b)",
+            r"\1\2 ",
+        ),
         (r"\blet's\b", "let us"),
         (r"\b(I|we|you|he|she|it|they|that|there)'d\b", r"\1 would"),
         (r"\b(?:an )?(?:additional|extra|one more) (?=\w)", "another "),
         (r"\bwon't\b", "will not"),
         (r"\bcan't\b", "can not"),
         (r"n't\b", " not"),
+        (r"\bmore (near|fast|quick|slow|hard|soft|long|short|small|strong)\b", r"\1er"),
+        (r"\bmore (late|close)\b", r"\1r"),
+        (r"\bmore (?:far|distant)\b", "farther"),
+        (r"\bmore early\b", "earlier"),
+        (r"\bmore (?:big|large)\b", "bigger"),
         (r"\b(about|mind|try|consider|suggest|prefer) (mak|us|hav|tak|giv|chang|replac|remov|plac)ing\b", r"\1 \2e"),
         (r"\b(about|mind|try|consider|suggest|prefer) (add|turn|start|let|put|set|swap|drop)(?:[tp])?ing\b", r"\1 \2"),
         (r"\b(it|he|she|that|there|who|what|this)'s\b", r"\1 is"),
@@ -508,7 +521,7 @@ def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
         at, gap = end, True
         if best.mark is Mark.EGO:
             ego = True
-        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark is Mark.SET and _IT.search(best.said)):
+        elif best.mark in (Mark.IT, Mark.USER, Mark.OTHER) or (best.mark in _OF_IT and _IT.search(best.said)):
             ego = False
     return found, unread
 
@@ -516,7 +529,7 @@ def scanned(text: str, slots: Slots) -> tuple[list[Word], list[str]]:
 def _longest(text: str, at: int, slots: Slots, *, ego: bool) -> tuple[int, Word | None]:
     """The longest words at a place that mean something of whoever is spoken of, and where they end."""
     end, best = at, None
-    turns = [action for action in slots.actions if action.row.turn]
+    turns = [action for action in slots.actions if "turn" in action]
     for until, word in words_at(text, at):
         if (word.mark is Mark.ACT and ego) or (word.mark in OF_EGO and not ego) or (word.value == A_TURN and not turns):
             continue

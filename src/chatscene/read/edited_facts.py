@@ -145,7 +145,11 @@ class Wishes:
             EditRefused: It is to be yet another one.
         """
         known = self.numbers.setdefault(measure, (number, said))
-        if isinstance(known[0], Shift) and isinstance(number, Shift) and known[0] == replace(number, said=known[0].said):
+        if (
+            isinstance(known[0], Shift)
+            and isinstance(number, Shift)
+            and known[0] == replace(number, said=known[0].said)
+        ):
             return  # "faster, much faster"
         if isinstance(known[0], Shift) and isinstance(number, Quantity):
             self.numbers[measure] = number, said  # "slower, at 20 km/h"
