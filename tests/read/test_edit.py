@@ -157,7 +157,7 @@ def test_what_follows_from_a_named_fact_follows() -> None:
         (WALKS, "cyclist -> e-scooter", "there is none"),
         (WALKS, "hidden", "say by what"),
         (WALKS, "he explodes, so make it purple", "not understood: 'explodes,', 'purple'"),
-        (WALKS, "from the left, with a trailer", "not understood: 'trailer'"),
+        (WALKS, "from the left, with an umbrella", "not understood: 'umbrella'"),
         (WALKS, "make it more realistic", "not understood"),
         (WALKS, "we are a truck", "what the ego is"),
     ],
