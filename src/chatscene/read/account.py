@@ -23,10 +23,10 @@ from chatscene.read.account_rules import (
     WORD,
     Kind,
     Rule,
-    prepared,
     rules,
 )
 from chatscene.read.account_slots import account_of
+from chatscene.read.account_wordings import prepared
 from chatscene.read.parse import SEVERAL
 from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, traits_in
 from chatscene.read.quantities import quantity_at

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
 from chatscene.read import lexicon
-from chatscene.read.account_rules import NOT, PLAIN, Kind, prepared, rules
+from chatscene.read.account_rules import NOT, PLAIN, Kind, rules
+from chatscene.read.account_wordings import prepared
 from chatscene.read.canonical import canonical
 from chatscene.read.naming import plainly_named
 from chatscene.read.phrases import Sort, phrases, road_user
