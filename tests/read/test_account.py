@@ -42,6 +42,19 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("The lead vehicle leaves the lane at the last moment, they say.", "ahead", ["change-lane"], None),
         ("A Fiat, whoosh, sits right on our bumper.", "behind", ["tailgate"], None),
         ("U1 was s/b. U2, n/b, whoosh, made a left turn and struck U1.", "oncoming", ["turn-left"], None),
+        ("The lead car stops, moves off, whoosh, stops and moves off again.", "ahead", ["hesitate"], None),
+        ("A parked removal van, whoosh, pokes out into our lane.", "ahead", ["narrow"], None),
+        ("Overturned tanker obstructs the entire carriageway, they say.", "ahead", ["block"], None),
+        ("A boy crosses the road obliquely from the left, whistling.", "roadside", ["diagonal"], "left"),
+        ("An oncoming bus turns around, whoosh, before us.", "oncoming", ["u-turn"], None),
+        ("A coupe swerves to the left, whoosh, ahead of us.", "ahead", ["swerve"], None),
+        ("Oncoming right-turner, they say.", "oncoming", ["turn-right"], None),
+        ("A coach in the left lane, whoosh, keeps exactly our speed.", "beside", ["pace"], "left"),
+        ("Ghost driver, they say, on the autobahn.", "oncoming", ["wrong-way"], None),
+        ("A minibus, whoosh, sits tight on our rear bumper.", "behind", ["tailgate"], None),
+        ("A cab from the right, whoosh, comes through on its red.", "crossing", ["run-light"], "right"),
+        ("We braked and the truck behind us, sadly, could not stop.", "behind", ["follow"], None),
+        ("Front motorbike, they say, brakes to zero.", "ahead", ["stop"], None),
     ],
 )  # fmt: skip
 def test_who_is_in_conflict_with_the_ego_and_does_what(
@@ -79,6 +92,9 @@ def test_whoever_is_only_waited_for_is_no_adversary() -> None:
         ("The AV came to a stop behind a bus when, bang, a car struck its rear bumper.", EgoState.STOPS),
         ("The AV stopped at the stop sign and proceeded into the intersection, where a truck, whoosh, failed to yield and struck its left door.", EgoState.SETS_OFF),
         ("A car cut in, whoosh, and the AV braked.", None),
+        ("We pulled away on green, whoosh, and a van from the left ran the red light.", EgoState.SETS_OFF),
+        ("Parked AV struck from behind by a bus, they say.", EgoState.STANDS),
+        ("The AV was in a queue when, bang, a car struck its rear bumper.", EgoState.STANDS),
     ],
 )  # fmt: skip
 def test_what_the_ego_does_anyway_is_told_from_how_it_answers(text: str, state: EgoState | None) -> None:
@@ -107,6 +123,33 @@ def test_what_is_denied_is_not_done(text: str, act: str) -> None:
 )
 def test_of_a_door_an_attack_or_an_ego_that_reverses_nothing_is_made_out(text: str) -> None:
     assert hear(text).account is None
+
+
+@pytest.mark.parametrize("who", ["Someone", "Some idiot", "That fellow"])
+def test_whoever_is_not_named_drives_a_car(who: str) -> None:
+    account = told(f"{who} overtook us and then slammed on his brakes, whoosh.")
+    assert facts(account.slots, "adversary", "actions") == ["car", ["overtake", "brake"]]
+
+
+@pytest.mark.parametrize("who", ["The player", "The candidate", "The learner driver"])
+def test_who_drives_in_a_game_or_a_lesson_is_the_ego(who: str) -> None:
+    account = told(f"{who} turns left, whoosh, and an oncoming truck turns left.")
+    assert facts(account.slots, "adversary", "maneuver") == ["truck", "left-turn"]
+
+
+def test_what_is_asked_for_is_told_behind_the_request() -> None:
+    account = told("Generate a scenario such that a bus, whoosh, cuts in from the left lane.")
+    assert facts(account.slots, "adversary", "actions", "side") == ["bus", ["cut-in"], "left"]
+
+
+def test_only_the_verb_behind_not_is_denied() -> None:
+    account = told("The system is not overruled by a van behind us that tailgates us, they say.")
+    assert facts(account.slots, "adversary", "actions") == ["car", ["tailgate"]]
+
+
+def test_who_has_a_green_light_is_at_one() -> None:
+    slots = told("A lorry from the left, whoosh, crosses while we drive straight on a permissive green.").slots
+    assert facts(slots, "place", "control") == ["junction", "signal"]
 
 
 def test_a_word_without_a_place_is_listed() -> None:

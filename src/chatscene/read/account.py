@@ -14,11 +14,13 @@ from functools import lru_cache
 from chatscene.read.account_meaning import apply_phrase, apply_rule, ends, joins, of_party
 from chatscene.read.account_rules import (
     APPOSED,
+    DENIED_VERB,
     NOT,
     NUMBER,
     PARTICIPLE,
     PLAIN,
     RETURNS,
+    SOMEBODY,
     STOP_SIGN,
     WORD,
     Kind,
@@ -40,6 +42,7 @@ _NEW = ("another", "a second", "a third", "a", "an", "one", "some", "two", "thre
 _DENIABLE_RULES = frozenset(
     (
         Kind.ACT,
+        Kind.RESUMES,
         Kind.NOUN,
         Kind.BARE,
         Kind.ENTERS,
@@ -74,13 +77,22 @@ def hear_account(text: str, known: Slots | None = None) -> Account | None:
         known: What patterns say of the place, its control, what hides somebody and the lanes.
     """
     text = " ".join(prepared(text).split())
+    telling = _telling(text)
+    if not telling.parties and (somebody := SOMEBODY.search(text)):
+        text = f"{text[: somebody.start()]}a car{text[somebody.end() :]}"
+        telling = _telling(text)
+    return account_of(telling, text, known or Slots())
+
+
+def _telling(text: str) -> Telling:
+    """What is made out of a text on the way from its first word to its last."""
     telling = Telling()
     at = 0
     while at < len(text):
         at = _step(telling, text, at)
         while at < len(text) and text[at] == " ":
             at += 1
-    return account_of(telling, text, known or Slots())
+    return telling
 
 
 def _step(telling: Telling, text: str, at: int) -> int:
@@ -181,6 +193,8 @@ def _word_at(telling: Telling, text: str, at: int) -> int:
             joins(telling)
     elif not PLAIN.fullmatch(word[0]):
         telling.unread.append(word[0])
+        if DENIED_VERB.search(text, 0, at) and not text.startswith(" to ", word.end()):
+            telling.denied = False
     return word.end()
 
 

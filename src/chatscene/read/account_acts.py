@@ -21,6 +21,7 @@ from chatscene.terms.scenario import Maneuver, Position, Side
 
 QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST))
 """Acts that only say that somebody is there."""
+_FELT_FROM_AHEAD = frozenset((Action.BRAKE, Action.STOP, Action.SLOW, Action.WEAVE, Action.HESITATE))
 _BESIDE = (Position.BESIDE, Position.AHEAD_BESIDE)
 
 
@@ -115,6 +116,8 @@ def _beside_the_road(start: _Start) -> Position | None:
         return None
     if start.turns and crosses:
         return Position.FAR_CORNER
+    if not crosses and start.is_at(Where.AHEAD) and not start.is_at(Where.EDGE, Where.FROM_SIDE):
+        return None
     if not crosses and not start.is_at(Where.EDGE, Where.FROM_SIDE) and start.party.side is None:
         return None
     on_road = start.rides and start.junction and not start.is_at(Where.EDGE)
@@ -162,12 +165,19 @@ def _in_the_lane(start: _Start) -> Position | None:
         return None  # it may come from anywhere
     if start.rear:
         return Position.BEHIND
-    if start.does(Action.STAND):
+    if start.does(Action.STAND, Action.NARROW, Action.BLOCK):
         at_edge = start.is_at(Where.EDGE) and not start.is_at(Where.OWN_LANE)
         return Position.KERB if at_edge else Position.AHEAD
     if not start.is_at(Where.AHEAD, Where.OWN_LANE):
-        return None
+        return Position.AHEAD if _is_felt_from_ahead(start) else None
     return Position.AHEAD_BESIDE if start.party.side is not None and not start.rides else Position.AHEAD
+
+
+def _is_felt_from_ahead(start: _Start) -> bool:
+    """Whether somebody does what only matters to who drives behind: brakes, stops, weaves, crawls."""
+    acts = start.party.acts
+    sided = start.party.side is not None or start.is_at(Where.FROM_SIDE, Where.EDGE)
+    return not start.walks and not sided and bool(acts) and _FELT_FROM_AHEAD.issuperset(acts)
 
 
 _QUESTIONS: tuple[Callable[[_Start], Position | None], ...] = (
@@ -229,6 +239,9 @@ def _crossing(acts: list[Action], _party: Party, position: Position | None) -> l
         return [Action.CROSS, *acts]
     if position is Position.CROSSING and Action.HESITATE in acts and Action.CROSS not in acts:
         return [Action.CROSS, *_without(acts, Action.SLOW)]
+    walks_on = position in (Position.ROADSIDE, Position.FAR_CORNER) and Action.CROSS not in acts
+    if walks_on and Action.HESITATE in acts:
+        return [Action.CROSS, *acts]
     if position in (Position.ROADSIDE, Position.FAR_CORNER) and set(acts) <= {Action.FOLLOW, Action.FAST}:
         return [Action.CROSS]
     return acts
@@ -255,7 +268,7 @@ def _one_for_two(acts: list[Action], _party: Party, _position: Position | None) 
         acts = _without(acts, Action.BLOCK)
     if Action.CUT_IN in acts:
         acts = _without(acts, Action.CHANGE_LANE, Action.SWERVE)
-    return _without(acts, Action.CUT_IN, Action.CROSS) if TURNING.keys() & set(acts) else acts
+    return _without(acts, Action.CUT_IN, Action.CROSS, Action.SWERVE) if TURNING.keys() & set(acts) else acts
 
 
 def _turning_back(acts: list[Action], party: Party, _position: Position | None) -> list[Action]:

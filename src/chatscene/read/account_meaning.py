@@ -26,7 +26,9 @@ _HEADINGS = {
     )
 }
 _OF_COMPASS = {90: Side.RIGHT, 270: Side.LEFT}  # of one who drives north
-_LEAD_ASIDE = frozenset((Action.TURN_LEFT, Action.TURN_RIGHT, Action.CHANGE_LANE))  # behind these, a side is whither
+_LEAD_ASIDE = frozenset(
+    (Action.TURN_LEFT, Action.TURN_RIGHT, Action.CHANGE_LANE, Action.SWERVE)
+)  # behind these, a side is whither
 _LEAVE_OPEN = frozenset((Kind.PART_OF, Kind.OUR_PART, Kind.NOUN, Kind.BARE, Kind.SITE))
 """After these, the reader is still where it was in the clause."""
 _PHRASES_LEAVE_OPEN = frozenset((Sort.JOINT, Sort.THEN, Sort.END, Sort.SEES, Sort.FILLER, Sort.PLACE, Sort.SITE))
@@ -333,6 +335,10 @@ def _stands(party: Party) -> bool:
     return Action.STAND in party.acts
 
 
+def _is_ahead_in_traffic(party: Party) -> bool:
+    return Where.AHEAD in party.where and Where.EDGE not in party.where
+
+
 def _is_parked(party: Party) -> bool:
     return Where.EDGE in party.where or _stands(party)
 
@@ -345,6 +351,9 @@ _INSTEADS = (
     _Instead(Action.CROSS, re.compile(r"^leaves? (?:the|our|its) lane"), Action.CHANGE_LANE, _drives, Where.AHEAD),
     _Instead(Action.CROSS, re.compile(r"^appear"), Action.STAND, _stands),
     _Instead(Action.CROSS, re.compile(r"kerb|curb"), Action.PULL_OUT, _drives),
+    _Instead(Action.PULL_OUT, re.compile(r"^(?:set|mov|pull)\w* (?:off|away)"), Action.FOLLOW, _is_ahead_in_traffic),
+    _Instead(Action.TURN_BACK, re.compile(r"^turn\w* a?round"), Action.U_TURN, _drives),
+    _Instead(Action.RUN_LIGHT, re.compile(r"^on "), Action.STAND, _stands),
 )
 
 
@@ -369,6 +378,17 @@ def _crossed_site(telling: Telling, match: re.Match[str]) -> None:
     for site, said in ((Site.CROSSWALK, r"crosswalk|zebra"), (Site.ROUNDABOUT, "roundabout")):
         if re.search(said, match[0]):
             telling.facts.setdefault("site", site)
+
+
+def _resumes(telling: Telling, party: Party, _rule: Rule, _match: re.Match[str]) -> None:
+    """Who stopped and goes on hesitated; of anybody else it says no more than that he is there."""
+    if telling.touched_before(party):
+        return
+    stopped = next((act for act in (Action.STOP, Action.STAND) if act in party.acts), None)
+    if stopped is not None:
+        party.acts[party.acts.index(stopped)] = Action.HESITATE
+    elif Action.HESITATE not in party.acts:
+        party.does(Action.FOLLOW)
 
 
 def _wayward(_telling: Telling, party: Party, _rule: Rule, match: re.Match[str]) -> None:
@@ -406,6 +426,7 @@ def _from_side(_telling: Telling, party: Party, _rule: Rule, match: re.Match[str
 
 _OF_PARTY: dict[Kind, Callable[[Telling, Party, Rule, re.Match[str]], None]] = {
     Kind.ACT: _act,
+    Kind.RESUMES: _resumes,
     Kind.WAYWARD: _wayward,
     Kind.ENTERS: _enters,
     Kind.AHEAD: _ahead,

@@ -35,6 +35,7 @@ _DRIVEN = frozenset(
 )  # nobody does one of these on foot
 _SIDED = (Position.BESIDE, Position.AHEAD_BESIDE, Position.BEHIND_BESIDE, Position.CROSSING, Position.KERB)
 _CURVES = (Place.CURVE, Place.LEFT_CURVE, Place.RIGHT_CURVE)
+_COMES_UP = frozenset((Where.OPPOSITE, Where.BEHIND))  # who is there is in conflict without an act
 _OBLIQUE = (45, 90, 135, 225, 270, 315)  # degrees between two who meet at a junction
 
 
@@ -89,7 +90,7 @@ def _adversary(telling: Telling) -> tuple[Party, Contact | None] | None:
     if telling.contacts:
         return telling.parties[telling.contacts[0].party], telling.contacts[0]
     there = (one for one in telling.parties if not one.aside)
-    able = [one for one in there if one.acts or one.wayward or Where.OPPOSITE in one.where]
+    able = [one for one in there if one.acts or one.wayward or _COMES_UP & one.where]
     if not able:
         return None
     party = max(able, key=lambda one: bool(set(one.acts) - QUIET - {Action.BLOCK}) or one.wayward)
@@ -221,7 +222,7 @@ def _place(facts: dict[str, Any], text: str, known: Slots) -> Place | None:
     vague = place in (None, Place.ROAD) or (place is Place.JUNCTION and known.place in JUNCTIONS)
     if known.place is not None and vague:
         place = known.place
-    if maneuver in TURNS or (place is None and STATED.search(text)):
+    if maneuver in TURNS or (place is None and (STATED.search(text) or LIGHTS.search(text))):
         place = place if place in JUNCTIONS else Place.JUNCTION
     if maneuver in (*LANE_CHANGES, Maneuver.BYPASS):
         place = Place.ROAD

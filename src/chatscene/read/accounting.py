@@ -39,7 +39,7 @@ _OF_SORT = {
 _OF_KIND = {
     **dict.fromkeys((Kind.STRUCK, Kind.HIT, Kind.EGO_HITS, Kind.CONTACT, Kind.BY), CONTACT),
     **dict.fromkeys((Kind.OUR_PART, Kind.PART_OF), CONTACT),
-    **dict.fromkeys((Kind.ACT, Kind.WAYWARD, Kind.ENTERS, Kind.NOUN, Kind.BARE, Kind.TARGET), "actions"),
+    **dict.fromkeys((Kind.ACT, Kind.RESUMES, Kind.WAYWARD, Kind.ENTERS, Kind.NOUN, Kind.BARE, Kind.TARGET), "actions"),
     **dict.fromkeys((Kind.HEADING, Kind.COMPASS_SIDE, Kind.WHERE, Kind.AHEAD, Kind.OWN_SIDE), "position"),
     **dict.fromkeys((Kind.BYPASSES, Kind.EGO_TURNS, Kind.EGO_CHANGES_LANE, Kind.TURNING, Kind.PAST), "maneuver"),
     **dict.fromkeys((Kind.STATE, Kind.SETS_OFF), "ego"),

@@ -180,6 +180,20 @@ ACTIONS: dict[Action, re.Pattern[str]] = {
 }
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
+    # What is asked for, before it is told
+    (
+        re.compile(
+            r"^(?:please |can you |could you )?(?:generate|create|build|design|make|simulate|write)(?: (?:me|us))? (?:a |the )?(?:driving |test |traffic )?(?:scenario|scene|test case|situation)"
+            r" (?:where|in which|such that|so that|of|with) "
+        ),
+        "",
+    ),
+    # Who the ego is called by in games, in learning and in lessons
+    (
+        re.compile(r"\b(?:the )?(?:player(?: car)?|(?:rl|driving) agent|learner(?: driver)?|candidate)(?!')\b"),
+        "the ego",
+    ),
+    (re.compile(r"\b(?:the )?(?:player|learner|candidate|agent)'s\b"), "the ego's"),
     # Who reports, and under what title, is not part of the situation
     (
         re.compile(
@@ -363,7 +377,7 @@ SIDE = re.compile(r"\b(left|right)\b")
 
 # Sentences say what the ego then has to do; that is no part of the situation
 REACTION = re.compile(
-    r"(?:,| and)? ?\b(?:forcing|causing|requiring|necessitating|making it|leaving|so that|such that|which forces|"
+    r"(?:,| and)? ?\b(?:forcing|causing|requiring|necessitating|making it|leaving(?! (?:(?:the|an?|its|our|his|her) )?(?:[\w-]+ )?(?:bay|lane|kerb|curb|lay-by|parking|driveway|motorway|highway|freeway|road|roundabout|junction|stop|space))|so that|such that|which forces|"
     r"requires the ego|prompting|compelling)\b[^;.]*"
     r"|(?:,? (?:and|which|that|so it))? (?:forced?|forces|caused?|causes|obliged?|obliges|ma(?:de|kes?)|ha[ds]|left|leaves?|g[eo]ts?|sen[dt]s?|prompt(?:s|ed)|compel(?:s|led)) "
     r"(?:us|me|(?:our|my) (?:car|vehicle|driver)|the (?:ego|av|vut|sut|subject vehicle|robotaxi|driver of the ego))\b(?!'s| off\b)[^;.,]*?(?= then | before | until |[;.,]|$)"

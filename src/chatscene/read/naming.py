@@ -34,6 +34,7 @@ _OWN_LEADS = (
     "a", "an", "the", "our", "this", "one", "test", "robotaxi", "case", "autonomous", "automated", "self-driving",
     "driverless",
 )  # fmt: skip
+_HOW_IT_IS = ("stopped", "stationary", "parked", "waiting", "standing")
 _SHUTTLE = re.compile(r"\b([Tt])he shuttle\b")
 _OWN_DRIVER = re.compile(
     r"\b([Tt])he ego (?:operator|driver|safety driver|test driver|test operator|test specialist)s?\b"
@@ -226,12 +227,20 @@ def _begun(said: str, meant: str) -> str:
 
 def _ego(match: re.Match[str]) -> str:
     """The ego, behind a word that only stands before its name: "stopped the AV"."""
-    lead = match[0].split()[0]
+    lead, *rest = match[0].split()
+    how = next((word.lower() for word in (lead, *rest) if word.lower() in _HOW_IT_IS), "")
+    if how and (lead.lower() == how or lead.lower() in _OWN_LEADS):
+        return f"the {how} ego"
     return f"{lead} the ego" if lead.islower() and lead not in _OWN_LEADS else "the ego"
+
+
+_AFTER_ARTICLE = re.compile(r"\b(?:[Tt]he|[Aa]n?|[Aa]nother) \w+ $")
 
 
 def _car(match: re.Match[str]) -> str:
     """A car, or what of its body is said, for a make; with the article that goes before it."""
+    if match["article"] is None and _AFTER_ARTICLE.search(match.string[: match.start()]):
+        return (match["body"] or "car").lower()
     article = match["article"] or "a"
     return f"{article[0] if article.lower() == 'an' else article} {(match['body'] or 'car').lower()}"
 

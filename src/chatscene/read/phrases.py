@@ -108,8 +108,8 @@ _BRACES = {"{ego}": _US, "{egos}": _OUR, "{its}": _ITS, " {from}": "", "{it}": r
 
 _TRAITS: tuple[tuple[Sort, object, str], ...] = (
     # Said before a noun: facts about the road user
-    (Sort.WHERE, Where.OPPOSITE, r"oncoming|opposing|approaching"),
-    (Sort.WHERE, Where.AHEAD, r"leading|lead|preceding"),
+    (Sort.WHERE, Where.OPPOSITE, r"oncoming|opposing|opposite|approaching"),
+    (Sort.WHERE, Where.AHEAD, r"leading|lead|preceding|front"),
     (Sort.WHERE, Where.BEHIND, r"following|trailing"),
     (Sort.WHERE, Where.EDGE, r"parked"),
     (Sort.WHERE, Where.ARM, r"crossing"),
