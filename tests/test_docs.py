@@ -233,7 +233,7 @@ def test_the_figures_about_the_printed_tables_follow_from_them() -> None:
 
 
 def test_the_surrogates_rows_have_no_interval_in_the_documents() -> None:
-    for page in ("results.md", "evaluation.md"):
+    for page in ("results.md", "results/benchmark.md"):
         rows = re.findall(r"^\| (?:sac, |(?:CR|OS|Comp), before).*$", (ROOT / "docs" / page).read_text(), re.MULTILINE)
         assert rows
         for row in rows:
