@@ -1,0 +1,129 @@
+"""The gallery: a sentence and a picture of each of some packaged situations, driven, as a page of the documents.
+
+    python benchmarks/gallery.py --out runs/gallery
+
+runs each sentence (ten scenes on one route, seed 0, with the surrogate ego of the paper, `sac`) and writes
+`docs/gallery.md` and the pictures in `docs/gallery/`: the first scene of each report, at the moment of contact, or
+where ego and adversary are nearest. One of them moves, as `docs/crash.gif`. Runs that are there already are resumed.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import chatscene
+from chatscene.report.animation import animate, still
+from chatscene.runs import open_run, read_drawing
+
+PAGES = Path(__file__).parents[1] / "docs"
+SITUATIONS = {
+    "On foot": (
+        "A pedestrian crosses the street from the right.",
+        "A pedestrian steps out from behind a parked car on the right and stops in front of us.",
+        "A child dashes across the street from the left.",
+        "A group of pedestrians crosses at the crosswalk in front of us.",
+        "A pedestrian walks ahead of us along our lane in the same direction.",
+        "We turn left at a junction, and a pedestrian crosses the street that we turn into.",
+        "At night in the rain, a pedestrian crosses the street from the right.",
+    ),
+    "On two wheels": (
+        "A cyclist crosses from the left while we turn right.",
+        "A cyclist ahead of us swerves.",
+        "A cyclist rides out from behind a parked car on the right at 10 km/h.",
+        "A motorcycle cuts us off from the left.",
+        "We change lanes to the left while a motorcycle overtakes us on that side.",
+        "We turn left at a junction while an oncoming motorcycle drives straight on.",
+    ),
+    "Ahead of us": (
+        "The car ahead brakes hard.",
+        "The car ahead of us reverses.",
+        "The truck ahead stops suddenly.",
+        "The car ahead of us swerves around a car that stands in our lane.",
+    ),
+    "Beside and behind us": (
+        "A car cuts in from the right.",
+        "A car overtakes us and cuts in.",
+        "An ambulance comes up fast behind us in our lane.",
+        "A car pulls out from the kerb.",
+        "The car behind us drives too close.",
+    ),
+    "Oncoming": (
+        "An oncoming car swerves into our lane.",
+        "An oncoming car turns left across our path.",
+        "A car comes toward us in our lane on the wrong side of the road.",
+        "In a bend, an oncoming car comes over into our lane.",
+        "We go around a parked car while an oncoming car accelerates.",
+        "We go around a parked car while an oncoming motorcycle approaches.",
+    ),
+    "At a junction": (
+        "A car from the right runs the red light.",
+        "An ambulance from the right runs the red light.",
+        "A car from the left crosses the intersection in front of us.",
+        "A car from the right runs the stop sign and crosses in front of us.",
+        "At a T-junction, a car comes from the left while we turn left.",
+        "We turn right at a junction while a car comes from the left.",
+    ),
+    "On a motorway": (
+        "On a motorway, a car beside us on the right cuts in ahead of us.",
+        "On a motorway, the car ahead of us leaves our lane, and behind it a car stands still.",
+        "We merge onto a motorway from the on-ramp, and the car ahead of us brakes.",
+    ),
+    "Animals and things": (
+        "A deer crosses the road from the right in front of us.",
+        "A box lies on the road in our lane ahead.",
+        "Two crashed cars stand in our lane ahead, and we change lanes to the left.",
+    ),
+}
+HEAD = """# Gallery
+
+Some of what can be said, each run once: ten scenes on one route, driven by `sac`, the surrogate ego of the paper.
+It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)); shown is the first scene of the report.
+The ego is blue, adversaries are orange, what hides or blocks is brown.
+Lines are the ways that they came, a star is the contact.
+`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `0e45bb6`).
+[Coverage](coverage.md) has longer lists."""
+ANIMATED = "A pedestrian steps out from behind a parked car on the right and stops in front of us."
+FIGURE = """<figure>
+<img src="gallery/{picture}" alt="{sentence}" width="426" height="240" loading="lazy">
+<figcaption>{sentence} <small>{what}</small></figcaption>
+</figure>"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, required=True, help="the folder that the runs go to")
+    out = parser.parse_args().out
+    page = [HEAD]
+    for heading, sentences in SITUATIONS.items():
+        figures = [figure(sentence, out) for sentence in sentences]
+        page += [f"## {heading}", '<div class="gallery">', *figures, "</div>"]
+    (PAGES / "gallery.md").write_text("\n\n".join(page) + "\n")
+
+
+def figure(sentence: str, out: Path) -> str:
+    """Run a sentence and draw its first scene.
+
+    Returns:
+        The picture with the sentence, and what happened, below it.
+    """
+    name = "-".join("".join(c for c in sentence.lower() if c.isalnum() or c == " ").split())
+    folder = out / name
+    run = chatscene.resume(folder) if (folder / "run.json").exists() else None
+    if not isinstance(run, chatscene.Run):
+        run = chatscene.run(sentence, folder, scenes=10, routes=1, seed=0, ego="sac")
+    episode = run.best.episode
+    picture = PAGES / "gallery" / f"{name}.webp"
+    picture.parent.mkdir(exist_ok=True)
+    drawing = read_drawing(open_run(folder))
+    picture.write_bytes(still(episode, drawing))
+    if sentence == ANIMATED:
+        (PAGES / "crash.gif").write_bytes(animate(episode, drawing))
+    crash = episode.collision
+    what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
+    print(f"{sentence}  {what}", flush=True)
+    return FIGURE.format(sentence=sentence, picture=picture.name, what=what)
+
+
+if __name__ == "__main__":
+    main()
