@@ -50,6 +50,17 @@ def test_the_commands_of_a_page_do_what_it_says(page: str, tmp_path: Path, monke
         assert done.exit_code == status, f"{command}\n{done.output}"
 
 
+def test_the_commands_of_the_how_tos_do_what_they_say(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    pages = sorted((ROOT / "docs" / "howto").glob("*.md"))
+    steps = dict.fromkeys(step for page in pages for step in commands(page))  # what several pages do is done once
+    assert len(pages) == 4
+    assert len(steps) >= 6
+    for command, status in steps:
+        done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
+        assert done.exit_code == status, f"{command}\n{done.output}"
+
+
 def test_the_page_on_crashes_asks_for_one_and_shows_what_is_said(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -111,7 +122,7 @@ def ran(code: str, folder: Path) -> None:
     assert done.returncode == 0, f"{code}\n{done.stdout}\n{done.stderr}"
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/howto/rl-researcher.md"])
 def test_the_python_of_a_page_runs(page: str, tmp_path: Path) -> None:
     pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
