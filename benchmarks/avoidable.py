@@ -22,6 +22,7 @@ from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.crash_type import STANDING
 from chatscene.measure.instead import STANDSTILL
+from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore
 from chatscene.search.generator import load_generator
@@ -163,7 +164,7 @@ def main(
             for text, seed in product(texts, range(seeds))
         ]
         found = results.setdefault(name, {text: [] for text in texts})
-        for task, one in spread(Searcher, ego, tasks, jobs=jobs):
+        for task, one in spread(Searcher, ego, tasks, workers=Workers(jobs)):
             found[task.text].append(one)
         told, (first, *_) = row([one for every in found.values() for one in every]), results.values()
         base = row([one for every in first.values() for one in every])["distinct"]

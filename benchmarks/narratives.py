@@ -22,6 +22,7 @@ from chatscene import pipeline, runs
 from chatscene.errors import ChatSceneError, NothingFits
 from chatscene.maps.network import map_with, resolve_map
 from chatscene.program.meaning import check_meaning
+from chatscene.runs.executor import ONE
 from chatscene.runs.rebuild import rebuild
 from chatscene.search.climb import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
@@ -72,7 +73,7 @@ def _shown(text: str, said: Slots, settings: Settings, ego: str) -> str:
     with TemporaryDirectory() as folder:
         run = runs.create(Path(folder) / "run", runs.asked_run(text, settings=settings, ego=ego))
         try:
-            pipeline.search(run, 1, silent)
+            pipeline.search(run, ONE, silent)
         except ChatSceneError as error:
             return f"none: {type(error).__name__}"
         scenario, program = rebuild(run)

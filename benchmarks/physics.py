@@ -31,6 +31,7 @@ from chatscene.ego.policy import load_ego
 from chatscene.errors import ChatSceneError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran, drive
+from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.search.climb import climb
 from chatscene.search.generator import load_generator
@@ -194,7 +195,7 @@ def main(scenes: int, routes: int, seed: int, egos: tuple[str, ...], bases: tupl
     click.echo("|---|---|---|---|---|---|")
     order: dict[str, dict[str, float]] = {physics: {} for physics in VEHICLES}
     refused: list[str] = []
-    for found in spread(Searcher, (search, egos, bases), tasks, jobs=jobs):
+    for found in spread(Searcher, (search, egos, bases), tasks, workers=Workers(jobs)):
         click.echo(found.row())
         order[found.task.physics][found.task.generator] = sum(found.kept) / max(len(found.kept), 1)
         refused += found.refused

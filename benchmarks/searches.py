@@ -18,6 +18,7 @@ import numpy as np
 from chatscene import pipeline
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
+from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore
 from chatscene.search.sampler import SAMPLERS
@@ -129,7 +130,7 @@ def main() -> None:
         for scenario, sampler, seed in product(SCENARIOS, SAMPLERS.built_in, range(given.seeds))
     ]
     results: dict[tuple[str, str], list[Found]] = {}
-    for task, found in spread(Searcher, given.ego, tasks, jobs=given.jobs):
+    for task, found in spread(Searcher, given.ego, tasks, workers=Workers(given.jobs)):
         results.setdefault((task.scenario, task.sampler), []).extend(found)
     for scenario, text in SCENARIOS.items():
         print(f"\n**{scenario}**: {text}\n")

@@ -22,6 +22,7 @@ from chatscene import pipeline, runs
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
 from chatscene.maps.network import resolve_map
 from chatscene.program.meaning import check_meaning
+from chatscene.runs.executor import ONE
 from chatscene.runs.rebuild import rebuild
 from chatscene.search.climb import simulator_of
 from chatscene.search.generators.retrieved import Retrieved
@@ -80,7 +81,7 @@ def searched(text: str, settings: Settings, ego: str) -> tuple[Counter[str], str
     with TemporaryDirectory() as folder:
         run = runs.create(Path(folder) / "run", runs.asked_run(text, settings=settings, ego=ego))
         try:
-            pipeline.search(run, 1, silent)
+            pipeline.search(run, ONE, silent)
         except (NothingFits, MeansSomethingElse) as error:
             return Counter(refused=1), f"refused: {error}: {text}"
         except ChatSceneError as error:

@@ -18,9 +18,10 @@ from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
 from chatscene.interpret.stated import in_text
 from chatscene.maps.network import TOWN, map_with
+from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
-from chatscene.settings import EGO, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
+from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
@@ -158,7 +159,15 @@ class Run:
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
         return understand(record.text, runs.settings_of(record), generator=record.generator, edits=record.edits)
 
-    def edit(self, text: str, folder: Name | None = None, *, jobs: int = 1, progress: Progress = silent) -> Run:
+    def edit(
+        self,
+        text: str,
+        folder: Name | None = None,
+        *,
+        jobs: int = 1,
+        executor: str = EXECUTOR,
+        progress: Progress = silent,
+    ) -> Run:
         """A new run of the same situation but for what an edit names, with the same settings, seed and ego.
 
         This run stays as it is: to undo the edit is to go on with this one.
@@ -166,7 +175,8 @@ class Run:
         Args:
             text: What is to be another one: "make it a truck, from the left, and faster".
             folder: The new run's folder; one beside this one's if none is given.
-            jobs: Processes; any number gives the same files.
+            jobs: How many work at a time; any number gives the same files.
+            executor: Who they are, one of `chatscene.runs.executor.EXECUTORS`.
             progress: Told what is done.
 
         Raises:
@@ -189,7 +199,7 @@ class Run:
         )
         asked = asked.model_copy(update={"edited_from": str(self.folder.resolve())})
         where = runs.free_folder(self.folder.parent, text) if folder is None else Path(folder)
-        pipeline.run(asked, where, jobs=jobs, progress=progress)
+        pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
         return Run(where, **asdict(self._repeated))
 
     @property
@@ -365,6 +375,7 @@ def run(
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
     jobs: int = 1,
+    executor: str = EXECUTOR,
     progress: Progress = silent,
 ) -> Run:
     """Understand a sentence, search for crash scenes, keep the ones worth testing on, and write a report.
@@ -395,8 +406,9 @@ def run(
         reading: Which of the readings that are offered is taken whole, from 1.
         set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
         settings: All other settings; the keywords above come before them.
-        jobs: Processes; any number gives the same files. A script that starts more than one needs the guard
-            ``if __name__ == "__main__":``.
+        jobs: How many work at a time; any number gives the same files. A script that starts more than one needs the
+            guard ``if __name__ == "__main__":``.
+        executor: Who they are, one of `chatscene.runs.executor.EXECUTORS`; anyone gives the same files.
         progress: Told what is done.
 
     Raises:
@@ -432,7 +444,7 @@ def run(
         generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
         edits=_names(edit),
     )
-    pipeline.run(asked, where, jobs=jobs, progress=progress)
+    pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
 
 
@@ -541,6 +553,7 @@ def resume(
     folder: Name,
     *,
     jobs: int = 1,
+    executor: str = EXECUTOR,
     ego: Names = (),
     generator: Names = (),
     sampler: Names = (),
@@ -554,7 +567,8 @@ def resume(
 
     Args:
         folder: Folder of a run, an evaluation, a benchmark, a reproduction, a fine-tuning or a training.
-        jobs: Processes; any number gives the same files. A fine-tuning and a training are one.
+        jobs: How many work at a time; any number gives the same files. A fine-tuning and a training are one process.
+        executor: As `run`.
         ego: Egos again that the folder names and that may run code of their own: that its files say so is not enough.
         generator: Generator again, if it names one that is none of ours.
         sampler: Sampler again, if it names one that is none of ours.
@@ -580,7 +594,7 @@ def resume(
     )
     kind = runs.read_record(runs.Workspace(where), runs.Record).kind
     go_on: Callable[..., Any] = import_module(_RESUMES[kind]).resume
-    done = go_on(where, jobs=jobs, progress=progress, repeated=repeated)
+    done = go_on(where, workers=Workers(jobs, executor), progress=progress, repeated=repeated)
     if kind is runs.Kind.RUN:
         return Run(where, ego=ego, generator=generator, simulator=simulator, library=library)
     return done
@@ -666,6 +680,7 @@ def rate(
     seed: int = 0,
     exposure: Name | None = None,
     jobs: int = 1,
+    executor: str = EXECUTOR,
     progress: Progress = silent,
     ego: Names = (),
     generator: Names = (),
@@ -680,7 +695,8 @@ def rate(
         seed: Of these.
         exposure: TOML file that says how often values occur on the road; without it every value of a parameter's range
             is taken to occur alike.
-        jobs: Processes; any number gives the same.
+        jobs: How many work at a time; any number gives the same.
+        executor: As `run`.
         progress: Told what is done.
         ego: Ego of the run again, if it may run code of its own.
         generator: Generator of the run again, if it is none of ours.
@@ -697,7 +713,13 @@ def rate(
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
     densities = () if exposure is None else read_exposure(Path(exposure))
     return rate_of(
-        Path(folder), scenes=scenes, seed=seed, densities=densities, jobs=jobs, progress=progress, repeated=repeated
+        Path(folder),
+        scenes=scenes,
+        seed=seed,
+        densities=densities,
+        workers=Workers(jobs, executor),
+        progress=progress,
+        repeated=repeated,
     )
 
 
@@ -755,6 +777,7 @@ def evaluate(
     simulator: str | None = None,
     physics: str | None = None,
     jobs: int = 1,
+    executor: str = EXECUTOR,
     generator: Names = (),
     library: Names = (),
     progress: Progress = silent,
@@ -768,7 +791,8 @@ def evaluate(
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
-        jobs: Processes; see `run`.
+        jobs: As `run`.
+        executor: As `run`.
         generator: Generators of the runs again, if they are none of ours.
         library: Folders of snippets of the runs again, if they have any.
         progress: Told what is done.
@@ -786,7 +810,7 @@ def evaluate(
         every_scene=all,
         simulator=simulator or "",
         physics=physics or "",
-        jobs=jobs,
+        workers=Workers(jobs, executor),
         progress=progress,
         repeated=_again(generator=generator, library=library),
     )

@@ -16,12 +16,14 @@ from chatscene.exports.exporter import EXPORTERS
 from chatscene.models.language.checked import CheckedModel
 from chatscene.models.language.protocol import Limits
 from chatscene.models.language.scripted import Scripted
+from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, Proposal
 from chatscene.terms.snippet import ParameterRange
 from chatscene.testing import (
     ContractBroken,
     check_ego,
+    check_executor,
     check_exporter,
     check_generator,
     check_language_model,
@@ -52,6 +54,13 @@ def test_every_exporter_keeps_the_contract(name: str) -> None:
         check_exporter(name)
     except MissingExtra as error:
         pytest.skip(str(error))
+
+
+@pytest.mark.parametrize("name", sorted(EXECUTORS.built_in))
+def test_every_executor_keeps_the_contract(name: str) -> None:
+    if name == "ray":
+        pytest.skip("a cluster takes longer than all other tests of plug-ins: python benchmarks/two_nodes.py")
+    check_executor(name)
 
 
 PROGRAMS = ("program", "program-as-written")

@@ -352,7 +352,7 @@ def _other(option: click.Option) -> list[str]:
     return [option.opts[0], str(option.default + 1) if isinstance(option.default, int) else "some 'thing else"]
 
 
-NOT_OF_THE_SCENES = {"out", "jobs", "as_json", "program", "report", "trust", "as_written"}
+NOT_OF_THE_SCENES = {"out", "jobs", "executor", "as_json", "program", "report", "trust", "as_written"}
 OPTIONS_OF_RUN = [p for p in cli.run.params if isinstance(p, click.Option) and p.name not in NOT_OF_THE_SCENES]
 
 

@@ -43,6 +43,7 @@ from chatscene.report.terminal import print_understanding, visible
 from chatscene.runs import replay as replaying
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
+from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.record import RECORDS
 from chatscene.runs.replay import replay
@@ -439,7 +440,7 @@ def test_processes_that_are_started_import_nothing_from_the_working_folder(
     (tmp_path / "pickle.py").write_text(f"open({str(canary)!r}, 'w')\n")
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("PYTHONSAFEPATH", raising=False)
-    assert sorted(spread(itemgetter, 0, ["ab", "cd"], jobs=2)) == ["a", "c"]
+    assert sorted(spread(itemgetter, 0, ["ab", "cd"], workers=Workers(2))) == ["a", "c"]
     assert not canary.exists()
     assert "PYTHONSAFEPATH" not in os.environ
 

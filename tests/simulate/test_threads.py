@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from chatscene.maps.network import resolve_map
+from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.nursery import Nursery
@@ -91,7 +92,7 @@ def _counting(_: None) -> Callable[[int], list[int]]:
 
 
 def test_the_workers_of_a_run_have_one_thread_per_library() -> None:
-    for counts in spread(_counting, None, (1, 2), jobs=2):
+    for counts in spread(_counting, None, (1, 2), workers=Workers(2)):
         assert set(counts) == {1}
 
 

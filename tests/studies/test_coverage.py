@@ -13,6 +13,7 @@ from chatscene import pipeline
 from chatscene.commands.main import main
 from chatscene.errors import RunError, SettingsError
 from chatscene.runs import Workspace
+from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.settings import SearchSettings, Settings
 from chatscene.studies.catalogue import PACKAGED, load_catalogue, slug
@@ -199,9 +200,9 @@ def test_filling_goes_on_where_it_was_killed(tmp_path: Path, monkeypatch: pytest
     ran: list[str] = []
     search, draw = pipeline.search, pipeline.write_gif
 
-    def counted(run: Workspace, jobs: int, progress: Progress) -> None:
+    def counted(run: Workspace, workers: Workers, progress: Progress) -> None:
         ran.append(run.path.name)
-        search(run, jobs, progress)
+        search(run, workers, progress)
 
     def killed(_: Path) -> Path:
         raise KeyboardInterrupt

@@ -20,6 +20,7 @@ from chatscene.errors import EgoError, RunError, SettingsError
 from chatscene.measure import ordinary
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_table
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
+from chatscene.runs.executor import ONE, Workers
 from chatscene.search.generator import load_generator
 from chatscene.settings import SearchSettings, Settings
 from chatscene.studies import benchmark as benchmarks
@@ -45,7 +46,7 @@ def searched(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("searched")
     for number, text in enumerate(TEXTS):
         run = runs.create(folder / str(number), runs.asked_run(text, settings=SETTINGS, ego="rule-based"))
-        pipeline.search(run, 1, silent)
+        pipeline.search(run, ONE, silent)
     return folder
 
 
@@ -95,7 +96,7 @@ def test_the_surrogate_drives_its_scenes_as_it_did_when_they_were_found(searched
 
 def test_one_process_and_two_give_the_same_files(searched: Path, tmp_path: Path) -> None:
     for jobs in (1, 2):
-        evaluate([searched], tmp_path / str(jobs), egos=["rule-based", "idm"], jobs=jobs, progress=silent)
+        evaluate([searched], tmp_path / str(jobs), egos=["rule-based", "idm"], workers=Workers(jobs), progress=silent)
     assert content(tmp_path / "1") == content(tmp_path / "2")
 
 
@@ -205,7 +206,12 @@ def test_a_benchmark_is_the_same_at_one_and_two_jobs_and_after_a_cut(
 
     def run(name: str, jobs: int, progress: Any = silent) -> Any:
         return benchmark(
-            tmp_path / name, budget="tiny", egos=["idm"], surrogate="rule-based", jobs=jobs, progress=progress
+            tmp_path / name,
+            budget="tiny",
+            egos=["idm"],
+            surrogate="rule-based",
+            workers=Workers(jobs),
+            progress=progress,
         )
 
     def cut(what: str, done: int, _total: int) -> None:
@@ -216,6 +222,8 @@ def test_a_benchmark_is_the_same_at_one_and_two_jobs_and_after_a_cut(
     assert one.counts["ran"] == 6
     assert not one.refused
     assert [name for name, _ in one.evaluated.tables["collision-rate-by-ego"].rows] == ["idm, chatscene"]
+    searched = runs.run_folders([tmp_path / "one" / "scenes"])
+    assert all(runs.read_record(runs.Workspace(path)).timings["total"] >= 0.0 for path in searched)
     run("two", 2)
     with pytest.raises(KeyboardInterrupt):
         run("cut", 1, cut)

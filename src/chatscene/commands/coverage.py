@@ -8,7 +8,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, Reading, console, progress, say
+from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, WORKERS, Reading, console, progress, say
 
 
 @click.command()
@@ -42,7 +42,7 @@ from chatscene.commands.library import JSON, MAP_WITH_SITE, READING, Reading, co
     help="For a page with a picture of each entry, JSON, and runs.",
 )
 @click.option("--fill", is_flag=True, help="Run what is served and has no run under --out yet; goes on after a kill.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @READING
 @JSON
 def coverage(
@@ -55,6 +55,7 @@ def coverage(
     out: Path | None,
     fill: bool,
     jobs: int,
+    executor: str,
     as_json: bool,
     **reading: Unpack[Reading],
 ) -> None:
@@ -68,6 +69,7 @@ def coverage(
     chatscene coverage --catalogue ncap --fill --jobs 2 --out runs/ncap
     """
     from chatscene.report.terminal import print_coverage
+    from chatscene.runs.executor import Workers
     from chatscene.settings import RetrievalSettings, SearchSettings, Settings
     from chatscene.studies import coverage as desk
     from chatscene.studies.catalogue import PACKAGED, load_catalogue
@@ -84,7 +86,7 @@ def coverage(
         fill=fill,
     )
     found = [load_catalogue(name) for name in dict.fromkeys(catalogues or PACKAGED)]
-    rows = desk.cover(found, asked, jobs=jobs, progress=progress())
+    rows = desk.cover(found, asked, workers=Workers(jobs, executor), progress=progress())
     page = desk.write(out, found, asked, rows) if out else None
     if as_json:
         say(json.dumps(desk.as_json(found, asked, rows), indent=1, ensure_ascii=False))

@@ -15,6 +15,7 @@ from chatscene.commands.library import (
     JSON,
     MAP_WITH_SITE,
     READING,
+    WORKERS,
     Again,
     Reading,
     console,
@@ -45,7 +46,7 @@ EDITS = click.option(
     default=None,
     help="Folder of the new run; default: a new one beside RUN.",
 )
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @AGAIN
 @JSON
 def edit(
@@ -55,6 +56,7 @@ def edit(
     dry_run: bool,
     out: Path | None,
     jobs: int,
+    executor: str,
     as_json: bool,
     **again: Unpack[Again],
 ) -> None:
@@ -81,7 +83,7 @@ def edit(
     edited = run.understood.edit(text)
     if not as_json:
         say(str(edited))
-    done = None if dry_run else run.edit(text, out, jobs=jobs, progress=progress())
+    done = None if dry_run else run.edit(text, out, jobs=jobs, executor=executor, progress=progress())
     if as_json:
         say(json.dumps({**edited.as_dict(), "folder": str(done.folder) if done else None}, indent=1))
     elif done:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
 
-from chatscene.settings import MOST_READINGS, PHYSICS, READERS, SimulationSettings
+from chatscene.settings import EXECUTOR, MOST_READINGS, PHYSICS, READERS, SimulationSettings
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -26,6 +26,12 @@ MAP_WITH_SITE = click.option(
     help="The packaged 'town' or 'outskirts', or an .xodr file.  [default: town; outskirts for motorways and the like]",
 )
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])
+EXECUTOR_OPTION = click.option(
+    "--executor",
+    default=EXECUTOR,
+    show_default=True,
+    help="Who works: processes of this machine, or ray:HOST:PORT, a cluster; any gives the same.",
+)
 PHYSICS_OPTION = click.option(
     "--physics",
     type=click.Choice(PHYSICS),
@@ -33,6 +39,14 @@ PHYSICS_OPTION = click.option(
     show_default=True,
     help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
 )
+
+
+def WORKERS(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
+    """Options that say who works."""
+    jobs = click.option(
+        "--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="How many work at a time."
+    )
+    return jobs(EXECUTOR_OPTION(command))
 
 
 class Reading(TypedDict):
@@ -238,9 +252,9 @@ def search(text: str, component: str, top: int, own: str, as_json: bool) -> None
 @library.command()
 @OWN
 @click.option("--scenes", default=10, show_default=True, help="Of each program.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @JSON
-def lint(own: str, scenes: int, jobs: int, as_json: bool) -> None:
+def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None:
     """Check every snippet: header against code, compiles, samples, runs, does what it says, differs from the others.
 
     With --library, your own snippets are checked, with partners from both libraries.
@@ -250,8 +264,9 @@ def lint(own: str, scenes: int, jobs: int, as_json: bool) -> None:
     chatscene library lint --library my-snippets
     """
     from chatscene.grow.curation import lint_library
+    from chatscene.runs.executor import Workers
 
-    checked, findings = lint_library(own, scenes=scenes, jobs=jobs, progress=progress())
+    checked, findings = lint_library(own, scenes=scenes, workers=Workers(jobs, executor), progress=progress())
     if as_json:
         say(json.dumps([{"id": f.snippet_id, "rung": f.rung, "message": f.message} for f in findings]))
     else:
@@ -268,10 +283,16 @@ def lint(own: str, scenes: int, jobs: int, as_json: bool) -> None:
 @click.option("--ablation", is_flag=True, help="Also what each part of the retrieval brings.")
 @click.option("--no-drive", is_flag=True, help="Do not run the programs.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @READING
 def evaluate(
-    sentences: str, ablation: bool, no_drive: bool, out: Path | None, jobs: int, **reading: Unpack[Reading]
+    sentences: str,
+    ablation: bool,
+    no_drive: bool,
+    out: Path | None,
+    jobs: int,
+    executor: str,
+    **reading: Unpack[Reading],
 ) -> None:
     """Measure how well sentences are understood, against facts that people wrote down for them.
 
@@ -280,12 +301,15 @@ def evaluate(
     chatscene library evaluate --sentences mine.jsonl --library my-snippets --out runs/reading
     """
     from chatscene.report.tables import as_text, write_tables
+    from chatscene.runs.executor import Workers
     from chatscene.settings import RetrievalSettings
     from chatscene.studies import reading as understanding
 
     settings = RetrievalSettings(**reading)
     found = understanding.load_sentences(sentences)
-    judged = understanding.measure(found, settings=settings, drive=not no_drive, jobs=jobs, progress=progress())
+    judged = understanding.measure(
+        found, settings=settings, drive=not no_drive, workers=Workers(jobs, executor), progress=progress()
+    )
     tables = {"understanding": understanding.summary_table(judged), "facts": understanding.slot_table(judged)}
     if ablation:
         tables["ablation"] = understanding.ablation_table(found, settings)

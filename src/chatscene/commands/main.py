@@ -22,6 +22,7 @@ from chatscene.commands.library import (
     AGAIN,
     CHOOSING,
     DRIVEN_AGAIN,
+    EXECUTOR_OPTION,
     GENERATOR_AGAIN,
     JSON,
     LIBRARY_AGAIN,
@@ -29,6 +30,7 @@ from chatscene.commands.library import (
     MAP_WITH_SITE,
     PHYSICS_OPTION,
     READING,
+    WORKERS,
     Again,
     Chosen,
     DrivenAgain,
@@ -147,8 +149,9 @@ goes into looking through what has just been loaded and stays."""
     "--jobs",
     default=None,
     type=click.IntRange(min=1),
-    help="Processes; default: as many as pay.",
+    help="How many work at a time; default: as many as pay.",
 )
+@EXECUTOR_OPTION
 @READING
 @CHOOSING
 @JSON
@@ -170,6 +173,7 @@ def run(
     physics: str,
     out: Path | None,
     jobs: int | None,
+    executor: str,
     as_json: bool,
     **reading: Unpack[Chosen],
 ) -> None:
@@ -220,6 +224,7 @@ def run(
                 simulator=simulator,
                 physics=physics,
                 jobs=jobs or (1 if has_one_world(simulator) else _jobs(scenes, routes)),
+                executor=executor,
                 progress=progress(),
                 **reading,
             )
@@ -230,12 +235,14 @@ def run(
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
-@click.option("--jobs", default=None, type=click.IntRange(min=1), help="Processes; any number gives the same files.")
+@click.option("--jobs", default=None, type=click.IntRange(min=1), help="How many work at a time.  [default: 1]")
+@EXECUTOR_OPTION
 @AGAIN
 @JSON
 def resume(
     folder: Path,
     jobs: int | None,
+    executor: str,
     as_json: bool,
     **again: Unpack[Again],
 ) -> None:
@@ -256,6 +263,7 @@ def resume(
         done = api.resume(
             folder,
             jobs=jobs or 1,
+            executor=executor,
             progress=progress(),
             **again,
         )
@@ -279,7 +287,7 @@ def resume(
 @click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
 @PHYSICS_THERE
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="Default: under runs/.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @GENERATOR_AGAIN
 @LIBRARY_AGAIN
 @JSON
@@ -291,6 +299,7 @@ def evaluate(
     physics: str | None,
     out: Path | None,
     jobs: int,
+    executor: str,
     generator: tuple[str, ...],
     library: tuple[str, ...],
     as_json: bool,
@@ -311,6 +320,7 @@ def evaluate(
         simulator=simulator or None,
         physics=physics,
         jobs=jobs,
+        executor=executor,
         generator=generator,
         library=library,
         progress=progress(),
@@ -335,7 +345,7 @@ def evaluate(
 @PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @JSON
 def benchmark(
     generator: str,
@@ -350,6 +360,7 @@ def benchmark(
     seed: int,
     out: Path,
     jobs: int,
+    executor: str,
     as_json: bool,
 ) -> None:
     """Search all eight base scenarios and measure egos on the scenes that are kept; the paper's main experiment.
@@ -359,6 +370,7 @@ def benchmark(
     chatscene benchmark --budget paper --jobs 2 --out runs/paper
     chatscene benchmark --generator advsim --budget paper --jobs 2 --out runs/advsim
     """
+    from chatscene.runs.executor import Workers
     from chatscene.studies import benchmark as benchmarks
     from chatscene.studies import evaluation
 
@@ -374,7 +386,7 @@ def benchmark(
         simulator=simulator,
         physics=physics,
         seed=seed,
-        jobs=jobs,
+        workers=Workers(jobs, executor),
         progress=progress(),
     )
     _say_benchmarked(outcome, as_json)
@@ -388,7 +400,7 @@ def benchmark(
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and GIFs.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 def drive(
     egos: tuple[str, ...],
     map_name: str,
@@ -398,6 +410,7 @@ def drive(
     seed: int,
     out: Path | None,
     jobs: int,
+    executor: str,
 ) -> None:
     """Let egos drive the ordinary routes of a map: do they get there, do they crash, how fast are they?
 
@@ -406,6 +419,7 @@ def drive(
     chatscene drive --ego my-policy.zip --out runs/my-policy
     """
     from chatscene.report.tables import as_text
+    from chatscene.runs.executor import Workers
     from chatscene.studies import driving
 
     table = driving.drive(
@@ -415,7 +429,7 @@ def drive(
         simulation=SimulationSettings(simulator=simulator, physics=physics),
         scenes=scenes,
         seed=seed,
-        jobs=jobs,
+        workers=Workers(jobs, executor),
         progress=progress(),
     )
     say(as_text(table))

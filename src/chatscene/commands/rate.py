@@ -8,7 +8,7 @@ from typing import Unpack
 
 import click
 
-from chatscene.commands.library import DRIVEN_AGAIN, JSON, DrivenAgain, progress, say
+from chatscene.commands.library import DRIVEN_AGAIN, JSON, WORKERS, DrivenAgain, progress, say
 from chatscene.settings import EGO
 
 
@@ -22,11 +22,18 @@ from chatscene.settings import EGO
     type=click.Path(path_type=Path),
     help="How often values occur on the road, a table per parameter; else every value of a range does alike.",
 )
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @DRIVEN_AGAIN
 @JSON
 def rate(
-    what: str, scenes: int, seed: int, exposure: Path | None, jobs: int, as_json: bool, **again: Unpack[DrivenAgain]
+    what: str,
+    scenes: int,
+    seed: int,
+    exposure: Path | None,
+    jobs: int,
+    executor: str,
+    as_json: bool,
+    **again: Unpack[DrivenAgain],
 ) -> None:
     """Say how often the situation of a run ends in a crash, and in an avoidable one, if it comes about.
 
@@ -43,7 +50,18 @@ def rate(
     if " " in what.strip() and not folder.exists():
         folder = runs.free_folder(Path("runs"), what)
         ego = again["ego"][0] if again["ego"] else EGO
-        api.run(what, folder, scenes=api.FIRST_LOOK, sampler="random", jobs=jobs, progress=progress(), ego=ego)
+        api.run(
+            what,
+            folder,
+            scenes=api.FIRST_LOOK,
+            sampler="random",
+            jobs=jobs,
+            executor=executor,
+            progress=progress(),
+            ego=ego,
+        )
         say(f"the run: {folder}", err=as_json)
-    found = api.rate(folder, scenes=scenes, seed=seed, exposure=exposure, jobs=jobs, progress=progress(), **again)
+    found = api.rate(
+        folder, scenes=scenes, seed=seed, exposure=exposure, jobs=jobs, executor=executor, progress=progress(), **again
+    )
     say(json.dumps(found.as_dict()) if as_json else found.in_words())

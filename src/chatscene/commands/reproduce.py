@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from chatscene.commands.library import JSON, PHYSICS_OPTION, progress, say
+from chatscene.commands.library import JSON, PHYSICS_OPTION, WORKERS, progress, say
 
 if TYPE_CHECKING:
     from chatscene.studies.reproduce import Reproduced
@@ -30,7 +30,7 @@ ALL = "all"
 @click.option("--choice", default="paper", show_default=True, help="Checkpoints of table 3: paper, or held-out.")
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(min=1), help="Processes.")
+@WORKERS
 @JSON
 def reproduce(
     tables: tuple[str, ...],
@@ -42,6 +42,7 @@ def reproduce(
     seed: int,
     out: Path,
     jobs: int,
+    executor: str,
     as_json: bool,
 ) -> None:
     """Make the paper's tables, TABLE... being table1 to table5 or all, with its own numbers below ours.
@@ -53,6 +54,7 @@ def reproduce(
     chatscene reproduce all --out runs/tables
     chatscene reproduce table1 table2 --budget paper --jobs 2 --out runs/tables-paper
     """
+    from chatscene.runs.executor import Workers
     from chatscene.studies.reproduce import TABLES
     from chatscene.studies.reproduce import reproduce as make
 
@@ -65,7 +67,7 @@ def reproduce(
         preset=preset,
         choice=choice,
         seed=seed,
-        jobs=jobs,
+        workers=Workers(jobs, executor),
         progress=progress(),
     )
     say_reproduced(done, as_json)

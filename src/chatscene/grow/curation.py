@@ -16,6 +16,7 @@ from chatscene.grow.lint import Finding, alike, sifted, sound_part, trials, try_
 from chatscene.library.load import library_with, load_library
 from chatscene.maps.network import resolve_map
 from chatscene.read.slot_classifier import NAME, PACKAGED, SlotClassifier, save_classifier
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.climb import simulator_of
@@ -58,7 +59,7 @@ class _Checker:
 
 
 def lint_library(
-    own: str = "", *, scenes: int, jobs: int = 1, progress: Progress
+    own: str = "", *, scenes: int, workers: Workers = ONE, progress: Progress
 ) -> tuple[Counter[Component], tuple[Finding, ...]]:
     """Check the packaged library, or somebody's own beside it.
 
@@ -66,7 +67,7 @@ def lint_library(
         own: Folder of one's own snippets; only these are checked then, as a stranger's: they are held against the
             allow-list and run behind the walls. Empty: the packaged ones are checked.
         scenes: Of each program.
-        jobs: Processes; any number gives the same findings.
+        workers: Who tries; any number gives the same findings.
         progress: Told what is done.
 
     Returns:
@@ -82,7 +83,7 @@ def lint_library(
         tried |= set(ids)
         tasks.append((ids, kind))
     tasks += joints(sound, only)
-    for done, findings in enumerate(spread(_Checker, _Setup(own, scenes, only), tasks, jobs=jobs), 1):
+    for done, findings in enumerate(spread(_Checker, _Setup(own, scenes, only), tasks, workers=workers), 1):
         found |= findings
         progress("programs", done, len(tasks))
     if only is not None:

@@ -31,7 +31,7 @@ class Summary:
         """The summary of a run by its record."""
         return cls(
             counts=record.counts,
-            seconds=record.timings["total"],
+            seconds=record.timings.get("total", 0.0),
             ego=egos_in_words(record)[0],
             stepped=stepped_in_words(record),
         )

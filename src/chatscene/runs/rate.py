@@ -11,10 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.maps.carried import CarriedMap
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.criticality import criticality
 from chatscene.program.sample import scene_seed
 from chatscene.runs.blocks import read_episode, read_events, read_ranges, read_scenes
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
@@ -107,7 +109,7 @@ def _told(share: Share) -> str:
 class _Setup:
     program: ScenicProgram
     generator: str
-    map_path: Path
+    map: CarriedMap
     settings: Settings
     ego: str
 
@@ -117,7 +119,7 @@ class _Driver:
 
     def __init__(self, setup: _Setup) -> None:
         self._program = setup.program
-        self._simulator = simulator_of(load_generator(setup.generator), setup.map_path, setup.settings)
+        self._simulator = simulator_of(load_generator(setup.generator), setup.map.file(), setup.settings)
         self._ego: EgoPolicy = load_ego(setup.ego)
 
     def __call__(self, task: tuple[int, Scene]) -> tuple[int, Came | None]:
@@ -148,7 +150,7 @@ def rate(
     scenes: int = 200,
     seed: int = 0,
     densities: Sequence[Density] = (),
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress = silent,
     repeated: Repeated | None = None,
 ) -> Rate:
@@ -162,7 +164,7 @@ def rate(
         scenes: How many scenes to draw beside those of the run.
         seed: Of these.
         densities: How often values occur; a parameter without one is taken to be uniform in its range.
-        jobs: How many processes; it changes no number.
+        workers: Who drives; it changes no number.
         progress: Told of the drives.
         repeated: What the run names and the user trusts.
 
@@ -175,7 +177,7 @@ def rate(
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
     record = read_record(run)
     settings = settings_of(record)
-    check_jobs(settings.simulation, jobs)
+    check_jobs(settings.simulation, workers.jobs)
     scenario, program = rebuild(run)
     exposure = exposure_of(program.parameters, densities)
     routes = sorted({route_index(row["route_id"]) for row in read_scenes(run)}) or [0]
@@ -184,7 +186,7 @@ def rate(
     for points, came, batch in _stored(run, program, exposure, UNIFORM.get(sampler, 0)):
         tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
-    setup = _Setup(program, record.generator, map_of(record), settings, record.ego)
+    setup = _Setup(program, record.generator, CarriedMap.of(map_of(record)), settings, record.ego)
     done = 0
     for number, count in enumerate(rounds(scenes)):
         rng = np.random.default_rng((scene_seed(seed, f"{scenario.id}/rate"), number))
@@ -196,7 +198,7 @@ def rate(
             for i, point in enumerate(points)
         ]
         found: dict[int, Came | None] = {}
-        for i, came in spread(_Driver, setup, tasks, jobs=jobs):
+        for i, came in spread(_Driver, setup, tasks, workers=workers):
             found[i] = came
             progress("scenes", done + len(found), scenes)
         tally.add(points, on, [found[i] for i in range(count)], Batch(count=count, density=proposal))

@@ -11,16 +11,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from chatscene import runs
-from chatscene.errors import MapError, MeansSomethingElse, NothingFits, SettingsError, no_such
-from chatscene.pipeline import search
-from chatscene.runs.parallel import spread
+from chatscene.errors import MapError, SettingsError, no_such
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.progress import Progress, silent
+from chatscene.runs.searching import Search, search_all
 from chatscene.runs.trust import Repeated, follow
-from chatscene.runs.working import going_on, working
+from chatscene.runs.working import going_on
 from chatscene.search.generator import load_generator
 from chatscene.settings import PAPER, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import check_jobs
@@ -88,7 +89,7 @@ def benchmark(
     simulator: str = SimulationSettings().simulator,
     physics: str = SimulationSettings().physics,
     avoidable_only: bool = False,
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress,
 ) -> Benchmarked:
     """Run a benchmark, or go on with one that was cut.
@@ -103,18 +104,14 @@ def benchmark(
         search=replace(search, seed=seed, avoidable_only=avoidable_only, sampler=sampler),
         simulation=SimulationSettings(simulator=simulator, physics=physics),
     )
-    check_jobs(settings.simulation, jobs)
+    check_jobs(settings.simulation, workers.jobs)
     asked = runs.asked_benchmark(
         generator, budget, egos=egos, surrogate=surrogate, settings=settings, map_name=map_name
     )
     with going_on(folder, asked, progress, leaves=()) as (work, tell):
         tasks = _tasks(folder, generator, scenarios)
         began = time.monotonic()
-        refused: dict[str, str] = {}
-        for count, (task, reason) in enumerate(spread(_Searcher, asked, tasks, jobs=jobs), 1):
-            if reason:
-                refused[task.text] = reason
-            tell("searching, scenarios", count, len(tasks))
+        refused = _searched(asked, tasks, workers, tell)
         found = [task.folder for task in tasks if task.text not in refused]
         if not found:
             raise MapError(f"map {map_name!r} serves none of the scenarios; the first: {next(iter(refused.values()))}")
@@ -130,13 +127,13 @@ def benchmark(
         )
 
         repeated = Repeated(generator=(generator,), simulator=(simulator,))
-        evaluated = evaluate(found, folder / "evaluation", egos=egos, jobs=jobs, progress=tell, repeated=repeated)
+        evaluated = evaluate(found, folder / "evaluation", egos=egos, workers=workers, progress=tell, repeated=repeated)
         record = runs.update(work, timings={"evaluation": evaluated.seconds})
     return Benchmarked(folder=folder, evaluated=evaluated, refused=refused, counts=counts, seconds=record.timings)
 
 
 def resume(
-    folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None
+    folder: Path, *, workers: Workers = ONE, progress: Progress = silent, repeated: Repeated | None = None
 ) -> Benchmarked:
     """Go on with a benchmark that was killed or failed.
 
@@ -159,7 +156,7 @@ def resume(
         simulator=settings.simulation.simulator,
         physics=settings.simulation.physics,
         avoidable_only=settings.search.avoidable_only,
-        jobs=jobs,
+        workers=workers,
         progress=progress,
     )
 
@@ -210,30 +207,35 @@ def _stepped(folders: Iterable[Path]) -> tuple[dict[str, int], dict[str, list[st
     return stepped, instead
 
 
-class _Searcher:
-    """Searches with one scenario after another."""
-
-    def __init__(self, benchmark: runs.BenchmarkRecord) -> None:
-        self._of = benchmark
-
-    def __call__(self, task: _Task) -> tuple[_Task, str]:
-        """Search; the reason if the scenario cannot be searched with."""
-        of = self._of
-        with runs.alone(task.folder):
-            asked = runs.asked_run(
+def _searched(
+    asked: runs.BenchmarkRecord, tasks: Sequence[_Task], workers: Workers, progress: Progress
+) -> dict[str, str]:
+    """Search with every scenario, each into its run folder; those that cannot be searched with, and why."""
+    refused: dict[str, str] = {}
+    searches: dict[str, Search] = {}
+    settings = runs.settings_of(asked)
+    with ExitStack() as locks:
+        for task in tasks:
+            locks.enter_context(runs.alone(task.folder))
+            of = runs.asked_run(
                 task.text,
-                settings=runs.settings_of(of),
-                map_name=of.map_name,
-                ego=of.surrogate,
-                generator=of.generator,
+                settings=settings,
+                map_name=asked.map_name,
+                ego=asked.surrogate,
+                generator=asked.generator,
             )
-            run = runs.take_up(task.folder, asked)
-            record = runs.read_record(run)
-            if record.status is runs.Status.REFUSED:
-                return task, record.reason
-            try:
-                with working(run, silent) as tell:
-                    search(run, 1, tell)
-            except (NothingFits, MeansSomethingElse, MapError) as error:
-                return task, str(error)
-            return task, ""
+            run = runs.take_up(task.folder, of)
+            if (record := runs.read_record(run)).status is runs.Status.REFUSED:
+                refused[task.text] = record.reason
+                continue
+            done = runs.resume(run)
+            if (record := runs.read_record(run)).status is not runs.Status.DONE:
+                searches[task.text] = Search(record=record, run=run, settings=settings.search, done=done)
+        over = len(tasks) - len(searches)
+        since: dict[Path, float] = {}
+        for one in search_all(list(searches.values()), workers=workers):
+            began = since.setdefault(one.run.path, time.monotonic())
+            if one.is_over:
+                runs.update(one.run, timings={"total": time.monotonic() - began})
+            progress("searching, scenarios", over + sum(one.is_over for one in searches.values()), len(tasks))
+    return refused | {text: one.refused for text, one in searches.items() if one.refused}

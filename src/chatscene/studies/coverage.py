@@ -37,6 +37,7 @@ from chatscene.report.animation import still
 from chatscene.report.coverage import coverage_page
 from chatscene.report.viewer import ranked
 from chatscene.runs.atomic import write_bytes, write_json
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.climb import climb, simulator_of
@@ -77,13 +78,15 @@ class Asked:
     fill: bool = False
 
 
-def cover(catalogues: Sequence[Catalogue], asked: Asked, *, jobs: int = 1, progress: Progress) -> tuple[Covered, ...]:
+def cover(
+    catalogues: Sequence[Catalogue], asked: Asked, *, workers: Workers = ONE, progress: Progress
+) -> tuple[Covered, ...]:
     """Ask for every entry of catalogues; runs that are missing can be killed at any time, and are gone on with.
 
     Args:
         catalogues: What to ask for; no two have the same name.
         asked: What is asked of each entry.
-        jobs: Processes; any number gives the same.
+        workers: Who works; where runs are made, which are folders, processes of this machine.
         progress: Told what is done.
 
     Returns:
@@ -100,14 +103,15 @@ def cover(catalogues: Sequence[Catalogue], asked: Asked, *, jobs: int = 1, progr
             raise SettingsError(f"two catalogues are called {name!r}; give one file another name")
     if asked.fill and asked.folder is None:
         raise SettingsError("runs need a folder: say where with --out")
-    check_jobs(asked.settings.simulation, jobs)
+    check_jobs(asked.settings.simulation, workers.jobs)
     resolve_map(asked.map_name or map_with(None))  # what is not there is told here, and once
     for ego in asked.egos:
         load_ego(ego)
     every = [(catalogue.name, entry) for catalogue in catalogues for entry in catalogue.entries]
     tasks = [(number, name, entry) for number, (name, entry) in enumerate(every)]
     rows: dict[int, Covered] = {}
-    for number, row in spread(_Desk, asked, tasks, jobs=jobs):
+    workers = workers.here() if asked.folder else workers
+    for number, row in spread(_Desk, asked, tasks, workers=workers):
         rows[number] = row
         progress("entries", len(rows), len(tasks))
     return tuple(rows[number] for number in range(len(tasks)))

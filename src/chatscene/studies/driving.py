@@ -9,12 +9,14 @@ from pathlib import Path
 import numpy as np
 
 from chatscene.ego.policy import load_ego, name_of
+from chatscene.maps.carried import CarriedMap
 from chatscene.maps.drawing import drawing_around
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary, ordinary_episodes, ordinary_table
 from chatscene.report.animation import animate
 from chatscene.report.tables import write_tables
 from chatscene.runs.atomic import write_bytes
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.settings import SimulationSettings
@@ -32,11 +34,11 @@ SHOWN = 10  # the course in the GIF: the first that turns
 class _Setup:
     """What every process needs to know."""
 
-    map_name: str
+    map: CarriedMap
     simulation: SimulationSettings
     scenes: int
     seed: int
-    folder: Path | None
+    pictured: bool
 
 
 def drive(
@@ -47,7 +49,7 @@ def drive(
     simulation: SimulationSettings | None = None,
     scenes: int = 5,
     seed: int = SEED,
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress,
 ) -> ResultTable:
     """Let egos drive every ordinary course of a map.
@@ -59,7 +61,7 @@ def drive(
         simulation: In what, and with which step and limits.
         scenes: Draws of traffic per course.
         seed: Of the traffic.
-        jobs: Processes; an ego is driven by one.
+        workers: Who drives; an ego is driven by one.
         progress: Told what is done.
 
     Raises:
@@ -69,12 +71,16 @@ def drive(
     for ego in egos:
         load_ego(ego)
     simulation = simulation or SimulationSettings()
-    check_jobs(simulation, jobs)
-    load_simulator(resolve_map(map_name), simulation)  # an unknown one is told here, and once
-    setup = _Setup(map_name=map_name, simulation=simulation, scenes=scenes, seed=seed, folder=folder)
+    check_jobs(simulation, workers.jobs)
+    path = resolve_map(map_name)
+    load_simulator(path, simulation)  # an unknown one is told here, and once
+    carried, pictured = CarriedMap.of(path), folder is not None
+    setup = _Setup(map=carried, simulation=simulation, scenes=scenes, seed=seed, pictured=pictured)
     results: dict[str, OrdinaryResult] = {}
-    for count, (ego, result) in enumerate(spread(_Driver, setup, egos, jobs=jobs), 1):
+    for count, (ego, result, picture) in enumerate(spread(_Driver, setup, egos, workers=workers), 1):
         results[ego] = result
+        if folder is not None and picture:
+            write_bytes(folder / f"{name_of(load_ego(ego))}.gif", picture)
         progress("driving, egos", count, len(egos))
     table = ordinary_table([results[ego] for ego in egos])
     if folder is not None:
@@ -87,21 +93,23 @@ class _Driver:
 
     def __init__(self, setup: _Setup) -> None:
         self._setup = setup
-        self._simulator = load_simulator(resolve_map(setup.map_name), setup.simulation)
+        self._map = setup.map.file()
+        self._simulator = load_simulator(self._map, setup.simulation)
 
-    def __call__(self, ego: str) -> tuple[str, OrdinaryResult]:
+    def __call__(self, ego: str) -> tuple[str, OrdinaryResult, bytes]:
+        """How an ego fares, and a picture of it where one is asked for."""
         setup = self._setup
         policy = load_ego(ego)
-        if setup.folder is not None:
+        picture = b""
+        if setup.pictured:
             drives = ordinary_episodes(policy, self._simulator, scenes=1, seed=setup.seed)
             shown = [episode for _, episode in zip(range(SHOWN + 1), drives, strict=False)][-1][1]
             if isinstance(shown, Episode):
-                picture = animate(shown, _drawing(shown, setup.map_name), frames=FRAMES, widest=WIDEST)
-                write_bytes(setup.folder / f"{name_of(policy)}.gif", picture)
-        return ego, drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed)
+                picture = animate(shown, _drawing(shown, self._map), frames=FRAMES, widest=WIDEST)
+        return ego, drive_ordinary(policy, self._simulator, scenes=setup.scenes, seed=setup.seed), picture
 
 
-def _drawing(episode: Episode, map_name: str) -> dict[str, object]:
+def _drawing(episode: Episode, map_path: Path) -> dict[str, object]:
     """The map around a drive."""
     ego = episode.ego_track
-    return drawing_around(load_network(resolve_map(map_name)), np.column_stack((ego.x, ego.y)))
+    return drawing_around(load_network(map_path), np.column_stack((ego.x, ego.y)))

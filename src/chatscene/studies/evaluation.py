@@ -15,6 +15,7 @@ from pathlib import Path
 from chatscene import runs
 from chatscene.ego.policy import load_ego
 from chatscene.errors import EgoError, RunError, SettingsError
+from chatscene.maps.carried import CarriedMap
 from chatscene.measure.drive import Ran, drive
 from chatscene.measure.score import average_displacement
 from chatscene.measure.tables import (
@@ -27,6 +28,7 @@ from chatscene.measure.tables import (
 from chatscene.report.egos import egos_in_words
 from chatscene.report.summary import stepped_in_words
 from chatscene.report.tables import write_tables
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.rebuild import map_of, rebuild
@@ -39,7 +41,7 @@ from chatscene.settings import Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
-from chatscene.terms.scenario import BaseScenario, Scenario
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
@@ -68,12 +70,22 @@ class Evaluated:
 class _Task:
     """One ego on the kept scenes of one route of one source."""
 
-    folder: Path
     source: runs.SourceRecord
     ego: str
     number: int
     route: int
-    map_name: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Given:
+    """A task with all that a worker needs for it, who may have no folder of ours."""
+
+    task: _Task
+    program: ScenicProgram
+    slots: Slots
+    scenes: tuple[Scene, ...]
+    generator: str
+    settings: Settings
 
 
 def evaluate(
@@ -85,7 +97,7 @@ def evaluate(
     first_route: int = 0,
     simulator: str = "",
     physics: str = "",
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress,
     repeated: Repeated | None = None,
 ) -> Evaluated:
@@ -99,7 +111,7 @@ def evaluate(
         first_route: Scenes on earlier routes are left out, as those that an ego was trained on.
         simulator: In what they are driven; empty for that of the runs.
         physics: How bodies answer there; empty for that of the runs.
-        jobs: Processes.
+        workers: Who drives.
         progress: Told what is done.
         repeated: What the runs name and the user as well, besides egos.
 
@@ -133,13 +145,13 @@ def evaluate(
             )
     map_of(records[0])  # it must still be the file that they were made on
     settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
-    check_jobs(settings.simulation, jobs)
+    check_jobs(settings.simulation, workers.jobs)
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
     asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
         kept = runs.take_up(folder, asked)
         return _carry_on(
-            kept, jobs, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
+            kept, workers, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
         )
 
 
@@ -164,7 +176,9 @@ def _source(run: runs.Workspace, record: runs.RunRecord, first_route: int, *, ke
     )
 
 
-def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Evaluated:
+def resume(
+    folder: Path, *, workers: Workers = ONE, progress: Progress = silent, repeated: Repeated | None = None
+) -> Evaluated:
     """Go on with an evaluation that was killed or failed.
 
     Raises:
@@ -172,12 +186,12 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated
             must be repeated (`chatscene.runs.trust.follow`).
     """
     run = runs.open_run(folder, runs.EvaluationRecord)
-    check_jobs(runs.settings_of(runs.read_record(run, runs.EvaluationRecord)).simulation, jobs)
+    check_jobs(runs.settings_of(runs.read_record(run, runs.EvaluationRecord)).simulation, workers.jobs)
     with runs.alone(folder):
-        return _carry_on(run, jobs, progress, repeated or Repeated())
+        return _carry_on(run, workers, progress, repeated or Repeated())
 
 
-def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repeated) -> Evaluated:
+def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
     record = runs.read_record(run, runs.EvaluationRecord)
     sources = [runs.Workspace(Path(source.folder)) for source in record.sources]
@@ -186,8 +200,8 @@ def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repe
     with working(run, progress) as tell:
         runs.resume(run, told=lambda said: tell(said, 0, 0))
         if runs.read_record(run, runs.Record).status is not runs.Status.DONE:
-            tasks = _tasks(run, record)
-            failures |= _drive_all(run, record, tasks, failures, jobs, tell)
+            tasks = _tasks(record)
+            failures |= _drive_all(run, record, tasks, failures, workers, tell)
             every = [(t.source.scenario_id, t.route, t.number) for t in tasks if t.ego not in failures]
             runs.finish(run, selected=_fill_ins(record), expected=every)
         tell("computing the tables", 0, 0)
@@ -203,7 +217,7 @@ def _carry_on(run: runs.Workspace, jobs: int, progress: Progress, repeated: Repe
     )
 
 
-def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
+def _tasks(record: runs.EvaluationRecord) -> list[_Task]:
     """Every ego that did not fail on every route with scenes of every source.
 
     Raises:
@@ -212,7 +226,7 @@ def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
     for source in record.sources:
         runs.open_run(Path(source.folder))
     return [
-        _Task(folder=run.path, source=source, ego=ego, number=number, route=route, map_name=record.map_name)
+        _Task(source=source, ego=ego, number=number, route=route)
         for number, ego in enumerate(record.egos)
         if ego not in record.failures
         for source in record.sources
@@ -225,22 +239,51 @@ def _drive_all(
     record: runs.EvaluationRecord,
     tasks: Sequence[_Task],
     failed: dict[str, str],
-    jobs: int,
+    workers: Workers,
     progress: Progress,
 ) -> dict[str, str]:
     """Run every task that is not done; the reasons of the egos that failed in it."""
     done = runs.done_blocks(run)
     left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
     failures: dict[str, str] = {}
-    for count, (task, reason) in enumerate(spread(_Evaluator, record, left, jobs=jobs), len(tasks) - len(left) + 1):
-        if reason and task.ego not in failures:
-            failures[task.ego] = reason
+    given = _given(left, record)
+    came = spread(_Evaluator, CarriedMap.of(map_of(record)), given, workers=workers)
+    for count, (task, block) in enumerate(came, len(tasks) - len(left) + 1):
+        if isinstance(block, Block):
+            runs.write_block(run, block)
+        elif task.ego not in failures:
+            failures[task.ego] = block
             runs.update(run, failures={**failed, **failures})
         progress("driving, ego and route", count, len(tasks))
     for number, ego in enumerate(record.egos):
         if ego in failures or ego in failed:  # a kill may have come between the failure and this
             runs.drop_blocks(run, number)
     return failures
+
+
+def _given(tasks: Sequence[_Task], record: runs.EvaluationRecord) -> list[_Given]:
+    """Tasks with the programs of their sources, made again, and how these are run."""
+    found: list[_Given] = []
+    sources: dict[str, tuple[Scenario, ScenicProgram, runs.RunRecord]] = {}
+    for task in tasks:
+        if task.source.folder not in sources:
+            source = runs.Workspace(Path(task.source.folder))
+            sources[task.source.folder] = (*rebuild(source), runs.read_record(source))
+        scenario, program, made = sources[task.source.folder]
+        rows = [row for route, row in _kept(task.source, record) if route == task.route]
+        found.append(
+            _Given(
+                task=task,
+                program=program,
+                slots=scenario.slots,
+                scenes=tuple(runs.scene_of(row, program) for row in rows),
+                generator=made.generator,
+                settings=Settings(
+                    simulation=runs.settings_of(record).simulation, retrieval=runs.settings_of(made).retrieval
+                ),
+            )
+        )
+    return found
 
 
 def _kept(source: runs.SourceRecord, record: runs.EvaluationRecord) -> list[tuple[int, dict[str, object]]]:
@@ -262,48 +305,34 @@ def _fill_ins(record: runs.EvaluationRecord) -> dict[str, bool]:
 class _Evaluator:
     """Does tasks in one process, and keeps what was compiled and loaded."""
 
-    def __init__(self, record: runs.EvaluationRecord) -> None:
-        self._record = record
-        self._programs: dict[str, tuple[Scenario, ScenicProgram]] = {}
+    def __init__(self, carried: CarriedMap) -> None:
+        self._map = carried.file()
         self._simulators: dict[tuple[str, Settings], Simulator] = {}
         self._failed: dict[str, str] = {}
 
-    def __call__(self, task: _Task) -> tuple[_Task, str]:
-        """Drive and keep; the reason if the ego failed, now or before."""
+    def __call__(self, given: _Given) -> tuple[_Task, Block | str]:
+        """Drive; the reason if the ego failed, now or before."""
+        task = given.task
         if task.ego in self._failed:
             return task, self._failed[task.ego]
-        source = runs.Workspace(Path(task.source.folder))
-        if task.source.folder not in self._programs:
-            self._programs[task.source.folder] = rebuild(source)
-        scenario, program = self._programs[task.source.folder]
-        scenes = [runs.scene_of(row, program) for route, row in _kept(task.source, self._record) if route == task.route]
         try:
-            block = self._block(task, scenario, program, scenes, self._simulator_of(source))
+            return task, self._block(given, self._simulator_of(given))
         except EgoError as error:
             self._failed[task.ego] = str(error)
             return task, str(error)
-        runs.write_block(runs.Workspace(task.folder), block)
-        return task, ""
 
-    def _simulator_of(self, source: runs.Workspace) -> Simulator:
-        """Where the programs of a source are run, which is for its own generator to say; one for all that are alike."""
-        record = runs.read_record(source)
-        settings = Settings(
-            simulation=runs.settings_of(self._record).simulation, retrieval=runs.settings_of(record).retrieval
-        )
-        key = (record.generator, settings)
+    def _simulator_of(self, given: _Given) -> Simulator:
+        """Where a program is run, which is for its own generator to say; one for all that are alike."""
+        key = (given.generator, given.settings)
         if key not in self._simulators:
-            generator = load_generator(record.generator)
-            self._simulators[key] = simulator_of(generator, map_of(self._record), settings)
+            self._simulators[key] = simulator_of(load_generator(given.generator), self._map, given.settings)
         return self._simulators[key]
 
-    def _block(
-        self, task: _Task, scenario: Scenario, program: ScenicProgram, scenes: Sequence[Scene], simulator: Simulator
-    ) -> Block:
-        ego = load_ego(task.ego)
-        outcomes = [drive(program, scenario.slots, scene, simulator=simulator, ego=ego) for scene in scenes]
+    def _block(self, given: _Given, simulator: Simulator) -> Block:
+        task, ego = given.task, load_ego(given.task.ego)
+        outcomes = [drive(given.program, given.slots, scene, simulator=simulator, ego=ego) for scene in given.scenes]
         return Block(
-            scenario_id=scenario.id,
+            scenario_id=given.program.scenario_id,
             route=task.route,
             number=task.number,
             ranges=(),

@@ -29,6 +29,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.score import wilson
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.program.check import unshown
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress
 from chatscene.search.climb import climb, simulator_of
@@ -263,7 +264,7 @@ def measure(
     *,
     settings: RetrievalSettings,
     drive: bool = True,
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress,
 ) -> tuple[Judged, ...]:
     """Judge sentences, in their order.
@@ -272,12 +273,12 @@ def measure(
         sentences: What to read.
         settings: Of the retrieval.
         drive: Whether to run the programs, which takes most of the time.
-        jobs: Processes; any number gives the same.
+        workers: Who judges; any number gives the same.
         progress: Told what is done.
     """
     setup = _Setup(settings, drive)
     judged: dict[int, Judged] = {}
-    for number, one in spread(_Judge, setup, list(enumerate(sentences)), jobs=jobs):
+    for number, one in spread(_Judge, setup, list(enumerate(sentences)), workers=workers):
         judged[number] = one
         progress("sentences", len(judged), len(sentences))
     return tuple(judged[i] for i in range(len(sentences)))

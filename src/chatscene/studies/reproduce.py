@@ -24,6 +24,7 @@ from chatscene.report.beside_paper import beside_paper
 from chatscene.report.egos import egos_in_words
 from chatscene.report.figures import two_curves
 from chatscene.report.tables import write_tables
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.parallel import spread
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
@@ -128,7 +129,7 @@ def reproduce(
     preset: str = "released",
     choice: str = "paper",
     seed: int = 0,
-    jobs: int = 1,
+    workers: Workers = ONE,
     progress: Progress,
 ) -> Reproduced:
     """Make tables of the paper.
@@ -142,7 +143,7 @@ def reproduce(
         preset: How often a fine-tuning learns, of `chatscene.learn.finetune.PRESETS`.
         choice: Who chooses its checkpoint.
         seed: Of everything.
-        jobs: Processes; any number gives the same.
+        workers: Who works; an ego is fine-tuned in its folder, by a process of this machine.
         progress: Told what is done.
 
     Raises:
@@ -169,7 +170,7 @@ def reproduce(
         choice=choice,
     )
     with going_on(folder, asked, progress, leaves=LEAVES) as (work, tell):
-        done = _made(work, chosen, tables, settings, f"{preset}-{choice}", common, jobs, tell)
+        done = _made(work, chosen, tables, settings, f"{preset}-{choice}", common, workers, tell)
         write_tables(folder / "tables", done)
     return Reproduced(folder=folder, tables=done, seconds=runs.read_record(work, runs.ReproductionRecord).timings)
 
@@ -181,7 +182,7 @@ def _made(
     settings: FinetuneSettings,
     taught: str,
     common: _Common,
-    jobs: int,
+    workers: Workers,
     progress: Progress,
 ) -> dict[str, ResultTable]:
     """The tables, each with the paper's rows; what they need is made first."""
@@ -198,7 +199,7 @@ def _made(
                 physics=common.physics,
                 avoidable_only=common.avoidable_only,
                 seed=common.seed,
-                jobs=jobs,
+                workers=workers,
                 progress=lambda what, count, total, method=method: progress(f"{method}: {what}", count, total),
             )
         run = runs.open_run(done.evaluated.folder)
@@ -214,7 +215,7 @@ def _made(
     }
     if "table3" in tables:
         lessons = _Lessons(work.path, work.file("finetuning") / taught, budget.bases, settings)
-        found["table3"] = _finetuned(lessons, work, jobs, progress)
+        found["table3"] = _finetuned(lessons, work, workers, progress)
     progress("drawing the search", 0, 0)
     curves = {method: _searched(work.file("generation") / method / "scenes") for method in METHODS}
     x = "share of the simulations"
@@ -232,7 +233,9 @@ def _timed(work: runs.Workspace, part: str) -> Generator[None]:
     runs.update(work, timings={part: time.monotonic() - began})
 
 
-def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Reproduced:
+def resume(
+    folder: Path, *, workers: Workers = ONE, progress: Progress = silent, repeated: Repeated | None = None
+) -> Reproduced:
     """Go on with a reproduction that was killed or failed.
 
     Raises:
@@ -247,7 +250,7 @@ def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated
         preset=record.preset,
         choice=record.choice,
         **asdict(runs.settings_from(_Common, record.settings)),
-        jobs=jobs,
+        workers=workers,
         progress=progress,
     )
 
@@ -276,16 +279,16 @@ def _searched(scenes: Path) -> list[tuple[float, float, float]]:
 # Table 3
 
 
-def _finetuned(lessons: _Lessons, work: runs.Workspace, jobs: int, progress: Progress) -> ResultTable:
+def _finetuned(lessons: _Lessons, work: runs.Workspace, workers: Workers, progress: Progress) -> ResultTable:
     """The surrogate, and what it became on each method's scenes of the training routes, on all methods' others."""
     tasks = [(method, base) for base in lessons.bases for method in METHODS]
     with _timed(work, f"fine-tuning, {lessons.where.name}"):
-        for count, _ in enumerate(spread(_Tutor, lessons, tasks, jobs=jobs), 1):
+        for count, _ in enumerate(spread(_Tutor, lessons, tasks, workers=workers.here()), 1):
             progress("fine-tuning", count, len(tasks))
     curves = {method: _learned([lessons.ego(method, base) for base in lessons.bases]) for method in METHODS}
     two_curves(lessons.where / "figures" / "finetuning.svg", curves, x="episodes", second="completion")
     with _timed(work, f"testing, {lessons.where.name}"):
-        drives = [drive for base in lessons.bases for drive in _tested(lessons, base, jobs, progress)]
+        drives = [drive for base in lessons.bases for drive in _tested(lessons, base, workers, progress)]
     collided = ego_table(drives, Mode.PAPER, which="collision_rate")
     scored = ego_table(drives, Mode.PAPER, which="overall_score")
     completed = ego_table(drives, Mode.PAPER, which="completion")
@@ -334,12 +337,12 @@ def _named(what: str, rows: Sequence[tuple[str, tuple[Cell, ...]]]) -> list[tupl
     return [(f"{what}, {label.partition(',')[0]}", cells) for label, cells in rows]
 
 
-def _tested(lessons: _Lessons, base: BaseScenario, jobs: int, progress: Progress) -> list[Drive]:
+def _tested(lessons: _Lessons, base: BaseScenario, workers: Workers, progress: Progress) -> list[Drive]:
     """The egos of a base scenario on all methods' scenes, on the routes that none of them trained on."""
     egos = {SURROGATE: BEFORE} | {str(lessons.ego(method, base) / "policy.npz"): method for method in METHODS}
     where = lessons.where / "tested" / base
     sources = [lessons.scenes(method, base) for method in METHODS]
     first = lessons.settings.train_routes
-    done = evaluate(sources, where, egos=list(egos), first_route=first, jobs=jobs, progress=progress)
+    done = evaluate(sources, where, egos=list(egos), first_route=first, workers=workers, progress=progress)
     run = runs.open_run(done.folder)
     return [replace(d, ego=egos[d.ego], generator="all") for d in read_drives(run)]

@@ -14,6 +14,7 @@ The project's own tests call the same functions over what is packaged. No test r
 from chatscene.testing.contract import ContractBroken
 from chatscene.testing.egos import check_ego
 from chatscene.testing.encoders import check_encoder
+from chatscene.testing.executors import check_executor
 from chatscene.testing.exporters import check_exporter
 from chatscene.testing.generators import check_generator
 from chatscene.testing.language_models import check_language_model
@@ -24,6 +25,7 @@ __all__ = [
     "ContractBroken",
     "check_ego",
     "check_encoder",
+    "check_executor",
     "check_exporter",
     "check_generator",
     "check_language_model",

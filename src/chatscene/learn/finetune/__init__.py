@@ -26,6 +26,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import drive_ordinary
 from chatscene.program.ordinary import ordinary_courses
 from chatscene.runs.atomic import write_bytes
+from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
@@ -141,12 +142,18 @@ def finetune(folder: Path, sources: Sequence[Path], settings: FinetuneSettings, 
     )
 
 
-def resume(folder: Path, *, jobs: int = 1, progress: Progress = silent, repeated: Repeated | None = None) -> Finetuned:  # noqa: ARG001
+def resume(
+    folder: Path,
+    *,
+    workers: Workers = ONE,  # noqa: ARG001
+    progress: Progress = silent,
+    repeated: Repeated | None = None,
+) -> Finetuned:
     """Go on with a fine-tuning that was killed or failed.
 
     Args:
         folder: Which.
-        jobs: Nothing: it is one process, however many there may be.
+        workers: Nobody else: it is one process, whoever there may be.
         progress: Told what is done.
         repeated: What the record names and the user as well.
 

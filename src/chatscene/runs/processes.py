@@ -1,0 +1,52 @@
+"""Work in processes of this machine."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import connection, get_context, parent_process
+from typing import Any
+
+_SAFE_PATH = "PYTHONSAFEPATH"
+
+
+class Processes(ProcessPoolExecutor):
+    """Processes that begin without this one's state, and without the working folder among the places of modules.
+
+    Python puts it first in a process that is started with ``-c``, as these are, unless it is told otherwise.
+
+    Args:
+        max_workers: How many.
+        initializer: What each calls first.
+        initargs: With what.
+    """
+
+    def __init__(self, max_workers: int, *, initializer: Callable[..., object], initargs: tuple[Any, ...]) -> None:
+        self._before = os.environ.get(_SAFE_PATH)
+        os.environ[_SAFE_PATH] = "1"
+        super().__init__(
+            max_workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(initializer, *initargs)
+        )
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Take no more; see `chatscene.runs.executor.Executor`."""
+        super().shutdown(wait, cancel_futures=cancel_futures)
+        if self._before is None:
+            os.environ.pop(_SAFE_PATH, None)
+        else:
+            os.environ[_SAFE_PATH] = self._before
+
+
+def _begin(initializer: Callable[..., object], *setup: Any) -> None:
+    threading.Thread(target=_die_with_parent, daemon=True).start()
+    initializer(*setup)
+
+
+def _die_with_parent() -> None:
+    """A worker whose run was killed must not go on."""
+    parent = parent_process()
+    if parent is not None:
+        connection.wait([parent.sentinel])
+        os._exit(1)

@@ -1,0 +1,67 @@
+"""Work that is spread over workers."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from chatscene.errors import RunError, SettingsError
+from chatscene.maps.carried import CarriedMap
+from chatscene.maps.network import PACKAGED
+from chatscene.runs.executor import ONE, Workers, load_executor
+from chatscene.runs.parallel import LOST, spread
+
+
+def _halving(_: None) -> Callable[[int], int]:
+    return lambda number: number // 2
+
+
+@pytest.mark.parametrize("workers", [ONE, Workers(2)])
+def test_what_follows_from_a_result_is_done_too(workers: Workers) -> None:
+    halves = spread(_halving, None, [9, 4], workers=workers, then=lambda half: [half] if half else [])
+    assert sorted(halves) == [0, 0, 1, 1, 2, 2, 4]
+
+
+def _counted(folder: str) -> Callable[[int], int]:
+    def die(number: int) -> int:
+        (Path(folder) / f"{os.getpid()}").touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+        return number
+
+    return die
+
+
+def test_a_task_that_kills_every_worker_is_given_up_in_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("chatscene.runs.parallel.LOST", 1)
+    with pytest.raises(RunError, match=r"workers were killed 2 times in a row, .* chatscene resume DIR"):
+        list(spread(_counted, str(tmp_path), [1, 2], workers=Workers(2)))
+    assert LOST > 1
+    assert len(list(tmp_path.iterdir())) >= 2
+
+
+def test_an_executor_that_is_not_there_is_told_of() -> None:
+    with pytest.raises(SettingsError, match="executor"):
+        load_executor("process", 1, print)
+    with pytest.raises(SettingsError, match="no work with 0 jobs"):
+        Workers(0)
+
+
+def test_a_map_that_travelled_is_the_same_file_under_the_same_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    mine = tmp_path / "mine.xodr"
+    mine.write_bytes(PACKAGED["town"].read_bytes())
+    carried = CarriedMap.of(mine)
+    assert carried.file() == mine
+    mine.write_text("another")
+    copy = carried.file()
+    assert copy.name == "mine.xodr"
+    assert copy != mine
+    assert copy.read_bytes() == carried.content
+    mine.unlink()
+    assert carried.file() == copy
