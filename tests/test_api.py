@@ -142,6 +142,14 @@ def test_a_scene_of_a_run_is_simulated_again_bit_for_bit(simulated: chatscene.Ru
     assert chatscene.replay(str(simulated.folder), simulated.best.id).identical
 
 
+def test_a_scene_goes_on_with_another_ego_from_a_moment_on(simulated: chatscene.Run) -> None:
+    whole, came = simulated.best.episode, simulated.best.branch(at=1.0, ego="idm")
+    assert came.ego.startswith(f"{whole.ego}, then ")
+    assert np.array_equal(came.ego_track.speed[:11], whole.ego_track.speed[:11])
+    with pytest.raises(SettingsError, match="begins at 0 s"):
+        simulated.best.branch(at=-0.1, ego="idm")
+
+
 def test_a_scene_is_an_environment_that_begins_as_it_did(simulated: chatscene.Run) -> None:
     pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
     scene, ego = simulated.best, chatscene.load_ego("rule-based")

@@ -28,6 +28,7 @@ from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
 
 if TYPE_CHECKING:
+    from chatscene.ego.policy import EgoPolicy
     from chatscene.exports.export import Exported
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
@@ -285,6 +286,21 @@ class DrivenScene:
         from chatscene.runs.replay import replay as replay_scene
 
         return replay_scene(self._workspace.path, self.id, repeated=self._repeated)
+
+    def branch(self, at: float, ego: str | EgoPolicy) -> Episode:
+        """The same drive until a moment, with another ego from then on, which has no memory of what was before.
+
+        Args:
+            at: When the other takes over [s].
+            ego: Who: by name, file or ``package.module:factory``, or an object with ``act``.
+
+        Raises:
+            RunError: The run names what must be repeated.
+            SimulationError: The scene cannot be driven again.
+        """
+        from chatscene.runs.branching import branch_scene
+
+        return branch_scene(self._workspace.path, self.id, at=at, ego=ego, repeated=self._repeated)
 
     def why(self) -> Why:
         """Why it crashed, by driving it otherwise: who struck whom, what it took, how the ego avoids it.

@@ -136,15 +136,19 @@ class _CarefulDriver:
     def __init__(self, ego: EgoPolicy, braking: int, dt: float, brake_lag: float = 0.0) -> None:
         self._ego = ego
         self._scale = PEDALS[pedals_of(ego)]
-        self._braking = braking
+        self.begins = braking
         self._dt = dt
         self._ramp = max(RAMP - 2.0 * brake_lag, dt)
         self._step = 0
         begin(ego)
 
+    def skip(self) -> None:
+        """Everything before it brakes was driven without it."""
+        self._step = self.begins
+
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)
-        braked = self._step - self._braking
+        braked = self._step - self.begins
         self._step += 1
         if acceleration < 0.0:
             acceleration *= self._scale

@@ -333,8 +333,12 @@ class _Braking:
     """Another ego until a step, then its whole brake; its steering throughout."""
 
     def __init__(self, ego: EgoPolicy, step: int) -> None:
-        self._ego, self._left = ego, step
+        self._ego, self._left, self.begins = ego, step, step
         begin(ego)
+
+    def skip(self) -> None:
+        """Everything before it brakes was driven without it."""
+        self._left = 0
 
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)
@@ -345,11 +349,16 @@ class _Braking:
 class _Limited:
     """Another ego that keeps to a speed [m/s]."""
 
+    begins = 0
+
     def __init__(self, ego: EgoPolicy, limit: float, dt: float) -> None:
         self._ego, self._limit, self._dt = ego, limit, dt
         self._speed_at = SPEED_AT[observation_of(ego)]
         self._brake = PEDALS[pedals_of(ego)] * LIMITS["Car"].brake
         begin(ego)
+
+    def skip(self) -> None:
+        """Nothing is driven without it."""
 
     def act(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)

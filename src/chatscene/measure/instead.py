@@ -9,7 +9,7 @@ from typing import Protocol
 from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of
 from chatscene.errors import EgoError, SimulationError
-from chatscene.simulate.simulator import Session, Simulator
+from chatscene.simulate.simulator import DrivesItself, Session, Simulator
 from chatscene.terms.episode import Ending
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
@@ -18,10 +18,16 @@ STANDING = 0.01  # [m/s]
 
 
 class Driver(Protocol):
-    """Somebody in an ego's place."""
+    """Somebody in an ego's place, who does as that ego did until the step `begins`."""
+
+    begins: int
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1], as those of an ego."""
+        ...
+
+    def skip(self) -> None:
+        """Be told that everything before `begins` was driven without it."""
         ...
 
 
@@ -75,6 +81,8 @@ def drive_instead(
     opened(drive)
     standing = 0
     try:
+        if driver.begins and isinstance(drive, DrivesItself) and drive.drive(ego, until=driver.begins):
+            driver.skip()
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
             try:
                 action = driver.act(drive.observation)

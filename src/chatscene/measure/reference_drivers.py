@@ -200,6 +200,8 @@ def _avoids(
 class _InPlace:
     """Another ego, of which only the pedals are touched."""
 
+    begins = 0
+
     def __init__(self, ego: EgoPolicy, dt: float) -> None:
         self._ego, self._dt = ego, dt
         self._scale = PEDALS[pedals_of(ego)]
@@ -209,6 +211,9 @@ class _InPlace:
     def watch(self, session: Session) -> None:
         """Take in what is driven."""
         self._session = session
+
+    def skip(self) -> None:
+        """Nothing is driven without it."""
 
     def _own(self, observation: Observation) -> tuple[float, float]:
         acceleration, steering = self._ego.act(observation)

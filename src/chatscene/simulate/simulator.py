@@ -20,7 +20,7 @@ from chatscene.terms.simulator import SimulatorIdentity
 
 
 class Session(Protocol):
-    """A simulation that is stepped from outside; one at a time per process.
+    """A simulation that is stepped from outside; unless its simulator says otherwise, one at a time per process.
 
     `observation` is what the ego sees now; `ending` is None while the session goes on; `rejection` says why the
     program itself gave it up, and is empty otherwise. Nothing may be stepped after an ending or a rejection.
@@ -68,8 +68,12 @@ class Session(Protocol):
 class DrivesItself(Protocol):
     """A session that lets some egos drive to the end by itself, with the same episode."""
 
-    def drive(self, ego: EgoPolicy) -> bool:
-        """Let an ego drive to the end, after its `reset`; False if this one is not known here, and nothing was done."""
+    def drive(self, ego: EgoPolicy, until: int | None = None) -> bool:
+        """Let an ego drive from the beginning to the end or to a step, after its `reset`, with its own pedals.
+
+        Returns:
+            False if this one is not known here, or cannot be gone on with at that step; nothing was done then.
+        """
         ...
 
 

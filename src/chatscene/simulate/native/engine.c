@@ -997,12 +997,12 @@ void ask_network(const Policy *policy, const double *seen, double *acceleration,
     *steer = squashed(in[1], policy->output);
 }
 
-/* Runs a world to its end; how many steps it took. */
-int64_t run_world(World *w, const Policy *policy) {
+/* Runs a world to its end, or to a step; how many steps it took. */
+int64_t run_world(World *w, const Policy *policy, int64_t until) {
     int64_t first = w->step, left = 0;
     double acceleration = 0.0, steer = 0.0;
     see(w);
-    while (w->ending == GOES_ON && !w->fault) {
+    while (w->ending == GOES_ON && !w->fault && w->step < until) {
         switch (policy->kind) {
         case RULE_BASED: rule_based(w->seen, &acceleration, &steer); break;
         case INTELLIGENT_DRIVER: intelligent_driver(&w->car, w->seen, &acceleration, &steer); break;
@@ -1018,6 +1018,6 @@ int64_t run_world(World *w, const Policy *policy) {
 /* Runs many worlds, one after the other; how many steps they took together. */
 int64_t run_worlds(World *const *worlds, int64_t count, const Policy *policy) {
     int64_t steps = 0;
-    for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], policy);
+    for (int64_t i = 0; i < count; i++) steps += run_world(worlds[i], policy, INT64_MAX);
     return steps;
 }

@@ -23,6 +23,7 @@ from chatscene.simulate.native.building import NoEngine, compile_engine, source_
 PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
 CHECKED = 4000  # numbers on which each function is held against Python's
 ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK = 6, 8, 80, 32, 64  # as in engine.c
+END = 2**63 - 1  # a step that no scene comes to
 
 _Doubles = POINTER(c_double)
 
@@ -202,7 +203,7 @@ class Engine:
         library.step_world.restype = None
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
         library.run_world.restype = c_int64
-        library.run_world.argtypes = (POINTER(World), POINTER(Policy))
+        library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
         library.run_worlds.restype = c_int64
         library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
         library.ask_network.restype = None
@@ -218,9 +219,9 @@ class Engine:
         """One step of a scene."""
         self._library.step_world(ctypes.byref(world), throttle, brake, steer)
 
-    def run(self, world: World, policy: Policy) -> int:
-        """Run a scene to its end; how many steps it took."""
-        steps: int = self._library.run_world(ctypes.byref(world), ctypes.byref(policy))
+    def run(self, world: World, policy: Policy, until: int = END) -> int:
+        """Run a scene to its end, or to a step; how many steps it took."""
+        steps: int = self._library.run_world(ctypes.byref(world), ctypes.byref(policy), until)
         return steps
 
     def run_many(self, worlds: list[World], policy: Policy) -> int:

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, controls, observation_of
+from chatscene.ego.policy import PEDALS, EgoPolicy, controls, observation_of, pedals_of
 from chatscene.errors import StuckBehavior
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
-from chatscene.simulate.native.engine import Engine, NoEngine, load_engine
+from chatscene.simulate.native.engine import END, Engine, NoEngine, load_engine
 from chatscene.simulate.native.policies import policy_of
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
@@ -31,9 +31,11 @@ class NativeSession:
     """A scene in the engine; see `chatscene.simulate.simulator.Session` for the contract.
 
     Args:
-        reference: The same scene, opened by the embedded simulator, no step made: what is kept of a drive is its.
-        bound: The scene as arrays.
+        reference: The same scene, opened and closed by the embedded simulator, no step made: what is kept of a drive
+            is made by it.
+        bound: The scene as arrays, its own.
         engine: What steps it.
+        pedals: One of `chatscene.ego.policy.PEDALS`.
 
     Attributes:
         observation: What the ego sees now.
@@ -44,11 +46,12 @@ class NativeSession:
 
     rejection = ""
 
-    def __init__(self, reference: SteppedSession, bound: Bound, engine: Engine) -> None:
+    def __init__(self, reference: SteppedSession, bound: Bound, engine: Engine, pedals: str) -> None:
         self._reference = reference
+        self._pedals = pedals
         self._bound = bound
         self._engine = engine
-        self.observation: Observation = reference.observation
+        self.observation: Observation = reference.observation.copy()
         self.ending: Ending | None = None
         self.step_number = 0
 
@@ -71,25 +74,25 @@ class NativeSession:
         """Drive one step.
 
         Raises:
-            EgoError: The action is not two finite numbers, or the session was ended by another in the same process.
+            EgoError: The action is not two finite numbers.
             StuckBehavior: A plan comes to no act, since its phases end as they begin.
         """
-        self._reference.check_open()
-        self._engine.step(self._bound.world, *controls(action, self._reference.pedals))
+        self._engine.step(self._bound.world, *controls(action, self._pedals))
         self._look()
 
-    def drive(self, ego: EgoPolicy) -> bool:
-        """Let an ego that the engine knows drive to the end; False if it does not know it, and nothing was done.
+    def drive(self, ego: EgoPolicy, until: int | None = None) -> bool:
+        """Let an ego that the engine knows drive to the end or to a step; False if it does not, and nothing was done.
 
         Raises:
-            EgoError: The session was ended by another in the same process.
             StuckBehavior: As for `step`.
         """
         policy = policy_of(ego, self._engine)
         if policy is None or observation_of(ego) != self._reference.preset:
             return False
-        self._reference.check_open()
-        self._engine.run(self._bound.world, policy)
+        if until is not None and policy.every > 1:
+            return False  # it holds what it decided before
+        self._bound.world.hardest = PEDALS[pedals_of(ego)]
+        self._engine.run(self._bound.world, policy, END if until is None else until)
         self._look()
         return True
 
@@ -117,12 +120,13 @@ class NativeSession:
         return self._reference.episode(scene_id, ego)
 
     def close(self) -> None:
-        """Give the process free for another session."""
-        self._reference.close()
+        """Nothing: Scenic has no part in it any more, and any number of them may be open in a process."""
 
 
 class NativeSimulator:
     """Runs in the engine what it covers; see `chatscene.simulate.simulator.Simulator` for the contract.
+
+    A scene that is opened again and again, to be driven otherwise, is placed by Scenic once.
 
     Args:
         map_path: The map everything runs on.
@@ -138,6 +142,7 @@ class NativeSimulator:
         self.identity = replace(self._embedded.identity, name=NAME, confinable=False)
         self.missing = ""
         self._engine: Engine | None = None
+        self._placed: tuple[tuple[object, ...], SteppedSession, Bound] | None = None
         try:
             self._engine = load_engine()
         except NoEngine as error:
@@ -165,6 +170,9 @@ class NativeSimulator:
         through_collisions: bool = False,
     ) -> Session | Rejected:
         """Start a session: Scenic places the scene, the engine steps it if it can, and the episode says why if not."""
+        key = (program, scene, observation, through_collisions)
+        if self._placed is not None and self._placed[0] == key:
+            return self._session(*self._placed[1:], pedals)
         opened = self._embedded.open(
             program, scene, observation=observation, pedals=pedals, through_collisions=through_collisions
         )
@@ -172,17 +180,24 @@ class NativeSimulator:
             return opened
         assert isinstance(opened, SteppedSession)
         try:
-            return self._engaged(opened, program)
+            bound = self._bound(opened, program)
         except NotCovered as reason:
             opened.stepped = Stepped(by=REFERENCE, instead=str(reason))
             return opened
         except BaseException:
             opened.close()
             raise
+        opened.close()
+        self._placed = (key, opened, bound)
+        return self._session(opened, bound, pedals)
 
-    def _engaged(self, opened: SteppedSession, program: ScenicProgram) -> NativeSession:
+    def _session(self, reference: SteppedSession, bound: Bound, pedals: str) -> NativeSession:
+        assert self._engine is not None
+        return NativeSession(reference, bound.copy(), self._engine, pedals)
+
+    def _bound(self, opened: SteppedSession, program: ScenicProgram) -> Bound:
         if self._engine is None:
             raise NotCovered(f"there is no engine: {self.missing}")
         if opened.ending is not None:
             raise NotCovered("over as it begins")
-        return NativeSession(opened, bind(opened, program), self._engine)
+        return bind(opened, program)
