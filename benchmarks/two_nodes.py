@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import filecmp
 import os
+import socket
 import tempfile
 import threading
 import time
@@ -24,6 +25,7 @@ from chatscene.runs.executor import Workers
 from chatscene.settings import SearchSettings, Settings
 from chatscene.testing import check_executor
 
+LOOPBACK = "127.0.0.1"
 TEXT = "A cyclist rides out from the left and stops in front of us."
 
 
@@ -31,13 +33,14 @@ TEXT = "A cyclist rides out from the left and stops in front of us."
 @click.option("--scenes", default=30, show_default=True)
 @click.option("--routes", default=4, show_default=True)
 def main(scenes: int, routes: int) -> None:
-    os.environ |= {"RAY_raylet_start_wait_time_s": "600", "RAY_USAGE_STATS_ENABLED": "0"}
+    patient = {"RAY_raylet_start_wait_time_s": "120", "RAY_agent_register_timeout_ms": "600000"}
+    os.environ |= {**patient, "RAY_USAGE_STATS_ENABLED": "0"}
     settings = Settings(search=SearchSettings(scenes=scenes, routes=routes))
     asked = runs.asked_run(TEXT, settings=settings, ego="sac")
     cluster: Any = import_module("ray.cluster_utils").Cluster(
-        initialize_head=True, head_node_args={"num_cpus": 1, "node_ip_address": "127.0.0.1", "include_dashboard": False}
+        initialize_head=True, head_node_args={"include_dashboard": False, **_node()}
     )
-    second = cluster.add_node(num_cpus=1, node_ip_address="127.0.0.1")
+    second = cluster.add_node(**_node())
     cluster.wait_for_nodes()
     ray = Workers(2, f"ray:{cluster.address}")
     check_executor(ray.executor)
@@ -54,6 +57,16 @@ def main(scenes: int, routes: int) -> None:
         for name, folder in folders.items():
             print(f"{name}: {_compared(folders['processes'], folder)}")
     cluster.shutdown()
+
+
+def _node() -> dict[str, Any]:
+    """A node with a core on loopback; with ports of its own it need not wait for its agents to find theirs."""
+    names = ("metrics_agent_port", "metrics_export_port", "dashboard_agent_listen_port", "runtime_env_agent_port")
+    held = [socket.create_server((LOOPBACK, 0)) for _ in names]
+    ports = {name: one.getsockname()[1] for name, one in zip(names, held, strict=True)}
+    for one in held:
+        one.close()
+    return {"num_cpus": 1, "node_ip_address": LOOPBACK, **ports}
 
 
 def _run(folder: Path, asked: runs.RunRecord, workers: Workers) -> None:

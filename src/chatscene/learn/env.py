@@ -1,7 +1,8 @@
 """A Gymnasium environment over routes and scenes: what an ego learns to drive in.
 
 One drive at a time per process (Scenic's rule): whatever else is simulated in the same process takes the drive away
-from an environment, which has to be reset then. `vector_env` gives each environment a process of its own.
+from an environment, which has to be reset then. In the simulator ``native`` Scenic places a scene and is done with it,
+so that there any number of drives go on side by side. `vector_env` makes several environments of either kind.
 """
 
 from __future__ import annotations
@@ -221,11 +222,26 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             self._drive = None
 
 
-def vector_env(count: int, **arguments: Any) -> gymnasium.vector.AsyncVectorEnv:
-    """Several environments, each in a process of its own.
+def vector_env(
+    count: int, *, map_name: str | Path = "town", settings: SimulationSettings | None = None, **arguments: Any
+) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
+    """Several environments, each of which is to the bit what it would be alone.
+
+    In the simulator ``native`` they live side by side in this process and share what it compiled; in any other each has
+    a process of its own. An environment whose drive ended begins anew with the next step, as Gymnasium has it
+    (``AutoresetMode.NEXT_STEP``).
 
     Args:
         count: How many.
-        arguments: Of `DrivingEnv`.
+        map_name: As of `DrivingEnv`.
+        settings: As of `DrivingEnv`.
+        arguments: What else `DrivingEnv` takes, but a simulator.
     """
-    return gymnasium.vector.AsyncVectorEnv([partial(DrivingEnv, **arguments)] * count, context="spawn")
+    settings = settings or SimulationSettings()
+    if settings.simulator != "native":
+        made = partial(DrivingEnv, map_name=map_name, settings=settings, **arguments)
+        return gymnasium.vector.AsyncVectorEnv([made] * count, context="spawn")
+    simulator = load_simulator(resolve_map(str(map_name)), settings)
+    courses = arguments.pop("courses", None) or ordinary_courses(simulator)
+    made = partial(DrivingEnv, courses, map_name=map_name, simulator=simulator, **arguments)
+    return gymnasium.vector.SyncVectorEnv([made] * count)
