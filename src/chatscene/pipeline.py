@@ -60,7 +60,7 @@ def _carry_on(kept: runs.Workspace, workers: Workers, progress: Progress) -> Sum
     with working(kept, progress) as tell:
         search(kept, workers, tell)
         tell("writing the report", 0, 0)
-        write_report(kept.path)
+        write_report(kept.path, followed=True)
         write_gif(kept.path)
     return Summary.of(runs.read_record(kept))
 

@@ -1,10 +1,13 @@
 from __future__ import annotations
 
+import base64
 import html
+import json
 import re
 import shlex
 import shutil
 import subprocess
+import zlib
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict, fields, replace
@@ -26,16 +29,21 @@ from chatscene.commands import main as cli
 from chatscene.ego.observation import IN_WORDS, OBSERVATIONS
 from chatscene.ego.policy import EGOS, in_words, load_ego, observation_of, senses_of
 from chatscene.errors import RunError
+from chatscene.exports.export import kept_scenes
+from chatscene.exports.exporter import load_exporter
 from chatscene.maps import picture
 from chatscene.report import animation, viewer
+from chatscene.report import files as report_files
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
+from chatscene.report.files import FORMATS, pack_files
 from chatscene.report.highlight import highlight
 from chatscene.report.measures import MEASURES
 from chatscene.report.measures import in_words as measures_in_words
+from chatscene.report.outcomes import BOTTOM, LINE, plot_outcomes
 from chatscene.report.ranges import plot_ranges
-from chatscene.report.sections import command, verdict
-from chatscene.report.tracks import extent, pack_drawing, pack_episode
+from chatscene.report.sections import command, tiles, verdict
+from chatscene.report.tracks import NEVER, extent, pack_beside, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
     ProgramRecord,
@@ -239,13 +247,13 @@ def test_a_run_without_a_drawing_of_its_map_still_replays(tmp_path: Path) -> Non
 def test_the_verdict_carries_an_interval() -> None:
     row = {"status": "ran", "selected": False, "fill_in": False, "meaning_ok": True, "impact_speed": None}
     rows = [row | {"collision": i < 41, "avoidable": i < 12 if i < 41 else None} for i in range(50)]
-    assert "<dd>29%</dd>" in verdict(rows, "sac", read=True)
-    assert "82%, 95 % interval 69% to 90%" in verdict(rows, "sac", read=True)
+    assert "<dd>29%</dd>" in tiles(rows)
+    assert "82%, 95 % interval 69% to 90%" in verdict(rows, read=True)
 
 
 def test_where_nothing_collided_there_is_no_hardest_impact() -> None:
     row = {"status": "ran", "selected": True, "fill_in": True, "meaning_ok": True, "impact_speed": None}
-    page = verdict([row | {"collision": False, "avoidable": None}] * 3, "sac", read=True)
+    page = tiles([row | {"collision": False, "avoidable": None}] * 3)
     assert "m/s</dd>" not in page
     assert page.count("nothing collided") == 2
 
@@ -280,7 +288,7 @@ def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> N
         {"status": "ran", "selected": True, "fill_in": False, "collision": True, "avoidable": None, "meaning_ok": True}
         | {"impact_speed": 3.0}
     ]
-    assert "show all" not in verdict(rows, "sac", read=False)
+    assert "show all" not in verdict(rows, read=False)
 
 
 def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
@@ -440,6 +448,60 @@ def test_a_range_plot_has_a_bar_a_block_and_a_dot_a_scene(tmp_path: Path) -> Non
     assert sum(len(row.dots) for row in plot.rows) == 30
 
 
+def test_outcomes_lie_above_the_line_where_it_collided_and_below_where_not(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=2)
+    rows = [row for row in read_ranges(run) if row["parameter"] == "OPT_GEO_Y"]
+    ran = [row for row in read_scenes(run) if row["status"] == "ran"]
+    plot = plot_outcomes("OPT_GEO_Y", rows, ran)
+    assert len(plot.points) == len(ran)
+    for point in plot.points:
+        assert (point.y < LINE) == point.kind.startswith("hit")
+        assert point.y <= BOTTOM
+
+
+def test_the_page_holds_the_files_of_kept_scenes_as_they_are_exported(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    kept = [row["scene_id"] for row in read_scenes(run) if row["selected"]]
+    packed = pack_files(run.path, kept)
+    assert list(packed) == kept
+    files = json.loads(zlib.decompress(base64.b64decode(packed[kept[0]])))
+    assert files.keys() == FORMATS.keys()
+    (scene,) = kept_scenes(run.path, kept[:1])
+    (written,) = load_exporter("csv").files(scene).items()
+    assert (files["csv"]["name"], files["csv"]["text"].encode()) == written
+
+
+def test_files_that_do_not_fit_are_left_out_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = finished(tmp_path / "run", count=1)
+    monkeypatch.setattr(report_files, "FILES_BYTES", 10)
+    assert pack_files(run.path, [row["scene_id"] for row in read_scenes(run) if row["selected"]]) == {}
+
+
+def test_gap_and_time_to_collision_are_kept_step_by_step() -> None:
+    episode = drive(scene(0, {"OPT_ADV_SPEED": 2.0, "OPT_ADV_DISTANCE": 20.0, "OPT_GEO_Y": 40.0}))
+    packed = pack_episode(episode)
+    gap = _unpacked(packed["near"]["gap"], 100, packed["steps"])
+    left = _unpacked(packed["near"]["time"], 100, packed["steps"])
+    assert gap[0] == pytest.approx(36.95, abs=1.0)
+    assert gap[-1] == left[-1] == 0.0
+    assert set(left[left < 0].round(2).tolist()) <= {NEVER / 100}
+
+
+def test_a_drive_beside_another_has_the_ego_and_whom_that_one_met() -> None:
+    values = {"OPT_ADV_SPEED": 2.0, "OPT_ADV_DISTANCE": 20.0, "OPT_GEO_Y": 40.0}
+    shown, other = drive(scene(0, values)), drive(scene(0, values | {"OPT_ADV_DISTANCE": 0.0}), steps=300)
+    packed = pack_beside(other, shown)
+    assert [actor["name"] for actor in packed["actors"]] == ["ego", "adversary"]
+    assert packed["steps"] == len(shown.ego_track.x) + 40
+
+
+def test_a_page_says_why_no_scene_was_driven_again(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    assert "The kept scenes were not driven again for this page" in _page(run.path)  # its snippets are not ours
+    update(run, egos=["somebodys.stack:make_ego"])
+    assert "the run names what is not packaged, and only who made it runs that" in _page(run.path)
+
+
 def test_a_gif_of_the_best_scene_is_small_and_moves(tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
     path = write_gif(run.path)
@@ -535,7 +597,7 @@ def test_in_a_browser_the_replay_starts_by_itself_and_time_goes_on(tmp_path: Pat
     assert re.search(r'id="trouble"[^>]*hidden', document)
     assert _text(document, "clock") == "3.2 s of 3.2 s"
     assert _text(document, "play") == "Replay"
-    assert re.findall(r"<span>([^<]*) <b>", document)[:3] == ["ego: rule-based", "pedestrian", "between centres"]
+    assert re.findall(r"<span>([^<]*) <b>", document)[:3] == ["ego: rule-based", "pedestrian", "gap"]
     assert f'data-scene="{SCENARIO}/route-00/scene-006" aria-current="true"' in document
 
 
@@ -559,8 +621,16 @@ press("f"); say(document.getElementById("follow").getAttribute("aria-pressed"));
 press("0"); press("+"); press("-"); press("n"); say(document.getElementById("scene-name").textContent);
 document.querySelectorAll(".play-scene")[4].click(); say(document.getElementById("scene-name").textContent);
 document.querySelector("#events button").click();
+press("h"); say(document.getElementById("heading").getAttribute("aria-pressed"));
+const find = document.getElementById("find");
+find.value = "scene 003"; find.dispatchEvent(new Event("input")); say(document.getElementById("found").textContent);
+const impact = document.querySelectorAll(".sort")[2]; impact.click(); impact.click();
+say(impact.parentElement.getAttribute("aria-sort"));
 say(document.getElementById("trouble").hidden);
 """
+
+
+WORKED = ["true", "1 of 10 scenes", "descending", "true"]
 
 
 @needs_chromium
@@ -571,7 +641,7 @@ def test_in_a_browser_keys_and_buttons_do_what_they_say(tmp_path: Path) -> None:
     page.write_text(text.replace("</body>", f"<script>{PRESSES}</script></body>"), encoding="utf-8")
     said = re.findall(r'<p class="heard">([^<]*)</p>', _opened(page, tmp_path / "profile"))
     order = [row["scene_id"][-9:].replace("-", " ") for row in viewer.ranked(read_scenes(run))]
-    assert said == ["0.0", "0.2", "Replay", "false", f"route 00 · {order[1]}", f"route 00 · {order[4]}", "true"]
+    assert said == ["0.0", "0.2", "Replay", "false", f"route 00 · {order[1]}", f"route 00 · {order[4]}", *WORKED]
 
 
 @needs_chromium

@@ -35,7 +35,7 @@ def criticality(episode: Episode) -> Criticality:
     ego, others, crash = episode.ego_track, episode.adversaries, episode.collision
     following = [_following(ego, other) for other in others]
     return Criticality(
-        time_to_collision=_least(_time_to_collision(ego, other) for other in others),
+        time_to_collision=_least(float(times_to_collision(ego, other).min()) for other in others),
         post_encroachment_time=_least(_post_encroachment(ego, other) * episode.dt for other in others),
         time_headway=_least(headway for headway, _ in following),
         deceleration_required=max((braking for _, braking in following if braking > 0.0), default=None),
@@ -187,15 +187,15 @@ class _Pair:
         return np.where(still, always, np.minimum(first, last)), np.where(still, np.inf, np.maximum(first, last))
 
 
-def _time_to_collision(ego: Track, other: Track) -> float:
-    """Least time [s] until the boxes touch if both keep velocity and heading; inf if they never would."""
+def times_to_collision(ego: Track, other: Track) -> Array:
+    """(T,) Time [s] until the boxes touch if both keep velocity and heading; inf where they never would."""
     a, b = _Boxes.of(ego), _Boxes.of(other)
     enter, leave = _Pair.of(a, b).overlap(
         other.speed * b.cos - ego.speed * a.cos, other.speed * b.sin - ego.speed * a.sin
     )
     begin, end = enter.max(axis=0), leave.min(axis=0)
     meets = (begin <= end) & (end >= 0.0)
-    return float(np.where(meets, np.maximum(begin, 0.0), np.inf).min())
+    return np.where(meets, np.maximum(begin, 0.0), np.inf)
 
 
 def _post_encroachment(ego: Track, other: Track) -> float:
@@ -235,23 +235,27 @@ def _overlaps(a: _Boxes, b: _Boxes) -> tuple[Steps, Steps]:
     return i[touching], j[touching]
 
 
+def gaps(ego: Track, other: Track) -> Array:
+    """(T,) Gap [m] between the boxes; 0 where they overlap."""
+    a, b = _Boxes.of(ego), _Boxes.of(other)
+    # Between two convex shapes that are apart, a corner of one of them is nearest.
+    apart = np.minimum(_corner_gaps(a, b), _corner_gaps(b, a))
+    return np.where(_Pair.of(a, b).touching, 0.0, apart)
+
+
 def least_gap(ego: Track, other: Track) -> float:
     """Least gap [m] between the boxes over all steps."""
-    a, b = _Boxes.of(ego), _Boxes.of(other)
-    if _Pair.of(a, b).touching.any():
-        return 0.0
-    # Between two convex shapes that are apart, a corner of one of them is nearest.
-    return min(_corner_gap(a, b), _corner_gap(b, a))
+    return float(gaps(ego, other).min())
 
 
-def _corner_gap(a: _Boxes, b: _Boxes) -> float:
-    """Least distance [m] from a corner of the first box to the second box, over all moments."""
+def _corner_gaps(a: _Boxes, b: _Boxes) -> Array:
+    """(T,) Least distance [m] from a corner of the first box to the second box."""
     along = a.half_length * np.array((1.0, 1.0, -1.0, -1.0))[:, None]
     across = a.half_width * np.array((1.0, -1.0, -1.0, 1.0))[:, None]
     dx, dy = a.x + along * a.cos - across * a.sin - b.x, a.y + along * a.sin + across * a.cos - b.y
     beyond_x = np.maximum(np.abs(dx * b.cos + dy * b.sin) - b.half_length, 0.0)
     beyond_y = np.maximum(np.abs(dy * b.cos - dx * b.sin) - b.half_width, 0.0)
-    return float(np.hypot(beyond_x, beyond_y).min())
+    return np.asarray(np.hypot(beyond_x, beyond_y).min(axis=0))
 
 
 def _following(ego: Track, other: Track) -> tuple[float, float]:

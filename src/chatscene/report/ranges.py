@@ -81,7 +81,7 @@ def plot_ranges(parameter: str, ranges: Sequence[Row], scenes: Sequence[Row]) ->
         scenes: The driven rows of `scenes.parquet` of the same scenario and route.
     """
     blocks = sorted(ranges, key=lambda row: row["block"])
-    low, high = _axis(blocks)
+    low, high = axis(blocks)
     return Plot(
         label=f"{parameter}: range and scenes in {len(blocks)} blocks",
         width=WIDTH,
@@ -94,19 +94,20 @@ def plot_ranges(parameter: str, ranges: Sequence[Row], scenes: Sequence[Row]) ->
     )
 
 
-def _axis(blocks: Sequence[Row]) -> tuple[float, float]:
+def axis(blocks: Sequence[Row]) -> tuple[float, float]:
     """The declared range, or something around it if it is a single value."""
     low, high = blocks[0]["low"], blocks[0]["high"]
     return (low, high) if high > low else (low - 0.5, low + 0.5)
 
 
-def _at(value: float, low: float, high: float) -> float:
+def at(value: float, low: float, high: float) -> float:
+    """Where a value lies between the ends of an axis [px]."""
     share = min(max((value - low) / (high - low), 0.0), 1.0)
     return round(LEFT + share * (WIDTH - LEFT - RIGHT), 1)
 
 
 def _bar(row: Row, parameter: str, low: float, high: float, scenes: Sequence[Row]) -> Bar:
-    start, end = _at(row["low"], low, high), _at(row["high"], low, high)
+    start, end = at(row["low"], low, high), at(row["high"], low, high)
     own = [scene for scene in scenes if scene["block"] == row["block"] and scene.get(parameter) is not None]
     return Bar(
         block=row["block"] + 1,
@@ -121,6 +122,6 @@ def _bar(row: Row, parameter: str, low: float, high: float, scenes: Sequence[Row
 def _dot(scene: Row, parameter: str, low: float, high: float) -> Dot:
     return Dot(
         kind=("hit" if scene["collision"] else "miss") + (" kept" if scene["selected"] else ""),
-        x=_at(scene[parameter], low, high),
+        x=at(scene[parameter], low, high),
         title=f"{scene['scene_id']}: {scene[parameter]:.4g}, {scene['ending']}",
     )

@@ -14,9 +14,11 @@ from urllib.parse import quote
 from chatscene.measure.score import wilson
 from chatscene.report.accounting import parts_of
 from chatscene.report.highlight import highlight
+from chatscene.report.outcomes import Outcomes, plot_outcomes
 from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.templates import fill_section
 from chatscene.runs import RunRecord, Status
+from chatscene.runs.beside import Beside
 from chatscene.search.generators.own_program import options_of
 from chatscene.settings import SIMULATOR, Settings, SimulationSettings
 
@@ -55,23 +57,39 @@ def _words(name: str) -> str:
     return name.replace("_", " ")
 
 
-def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> Markup:
-    """How many scenes there are, how many crashed, how many were kept and show what was read; and who drove.
+def verdict(scenes: Sequence[Row], *, read: bool) -> Markup:
+    """How many scenes there are, how many crashed, how many were kept and show what was read.
 
     Args:
         scenes: Driven ones and rejected ones.
-        ego: Who drove and what it sees, as `chatscene.report.egos.egos_in_words` says it.
         read: Whether anything was read that scenes are held against.
     """
     ran = [row for row in scenes if row["status"] == "ran"]
     if not ran:
         return fill_section("undriven")
     hits, kept = sum(row["collision"] for row in ran), sum(row["selected"] for row in ran)
+    low, high = wilson(hits, len(ran))
+    return fill_section(
+        "verdict",
+        _scenes(len(ran)),
+        hits,
+        f"{hits / len(ran):.0%}, 95 % interval {low:.0%} to {high:.0%}",
+        kept,
+        _shown(ran) if read else "Nothing was read that a scene would have to show.",
+    )
+
+
+def tiles(scenes: Sequence[Row]) -> Markup:
+    """The numbers of all scenes, driven ones and rejected ones, with what each is."""
+    ran = [row for row in scenes if row["status"] == "ran"]
+    if not ran:
+        return fill_section("quiet", "No scene was driven.")
+    hits, kept = sum(row["collision"] for row in ran), sum(row["selected"] for row in ran)
     fill_ins = sum(row["fill_in"] for row in ran)
     avoidable = sum(row["avoidable"] is True for row in ran)
     low, high = wilson(hits, len(ran))
     fastest = max((row["impact_speed"] or 0.0 for row in ran), default=0.0)
-    tiles = [
+    shown = [
         (f"{hits / len(ran):.0%}", "collision rate", f"95 % interval {low:.0%} to {high:.0%} (Wilson)"),
         (
             f"{fastest:.1f} m/s" if hits else "none",
@@ -94,16 +112,29 @@ def verdict(scenes: Sequence[Row], ego: str, *, read: bool) -> Markup:
             f"of {len(scenes)}" + "; the reasons are below" * (len(ran) < len(scenes)),
         ),
     ]
-    return fill_section(
-        "verdict",
-        _scenes(len(ran)),
-        hits,
-        f"{hits / len(ran):.0%}, 95 % interval {low:.0%} to {high:.0%}",
-        kept,
-        _shown(ran) if read else "Nothing was read that a scene would have to show.",
-        ego,
-        tiles,
-    )
+    return fill_section("tiles", shown)
+
+
+def beside(beside: Beside, kept: Sequence[Row]) -> Markup:
+    """What became of the kept scenes with another ego, or why nobody drove them again."""
+    if beside.why_not:
+        return fill_section("quiet", f"The kept scenes were not driven again for this page: {beside.why_not}.")
+    if not beside.drives:
+        return fill_section("quiet", "No kept scene was driven again for this page.")
+    mine = sum(bool(row["collision"]) for row in kept if row["scene_id"] in beside.drives)
+    theirs = sum(drive.collision is not None for drive in beside.drives.values())
+    return fill_section("beside", beside.ego, _scenes(len(beside.drives), "kept scene"), mine, theirs)
+
+
+def outcomes(ranges: Sequence[Row], scenes: Sequence[Row]) -> Markup:
+    """A plot per scenario and parameter of what came of its values, over all routes."""
+    names = dict.fromkeys((row["scenario_id"], row["parameter"]) for row in ranges)
+    plots: list[tuple[str, str, Outcomes]] = []
+    for scenario, name in names:
+        rows = [row for row in ranges if (row["scenario_id"], row["parameter"]) == (scenario, name)]
+        own = [row for row in scenes if row["scenario_id"] == scenario]
+        plots.append((short(name), _meaning(rows, name), plot_outcomes(name, rows, own)))
+    return fill_section("outcomes", plots) if plots and scenes else fill_section("quiet", "Nothing was searched.")
 
 
 def _shown(ran: Sequence[Row]) -> str:
@@ -130,7 +161,7 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
         ("Impact", "m/s", True),
         ("Avoidable", None, False),
         ("Who hit", None, False),
-        ("Score", None, True),
+        ("Score", "less is worse", True),
         ("As read", None, False),
         *((short(name), units[name], True) for name in parameters),
     ]

@@ -10,10 +10,14 @@ from typing import Any
 import numpy as np
 import shapely
 
+from chatscene.measure.criticality import gaps, times_to_collision
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 
 MARGIN = 70.0  # [m] of map around a drive
 TOLERANCE = 0.03  # [m] by which a line of the map may be off
+LONGEST = 10.0  # [s], beyond which a time to collision is not shown
+NEVER = -1  # in place of a time to collision where the two never would touch
+AFTER = 4.0  # [s] that a drive beside another goes on after that has ended
 
 Box = tuple[float, float, float, float]
 
@@ -26,6 +30,37 @@ def pack_episode(episode: Episode) -> dict[str, Any]:
         "actors": [_pack_track(track) for track in episode.tracks],
         "signals": [_pack_signal(signal) for signal in episode.signals],
         "events": [_pack_event(episode, event) for event in episode.events],
+        "near": _pack_nearness(episode),
+    }
+
+
+def pack_beside(episode: Episode, shown: Episode) -> dict[str, Any]:
+    """A drive of the same scene by another ego: that ego, and whom the ego that is shown meets, as `pack_episode`."""
+    other = met(shown)
+    names = {episode.ego_track.actor, other.actor if other else ""}
+    until = len(shown.ego_track.x) + round(AFTER / shown.dt)
+    return {
+        "steps": min(len(episode.ego_track.x), until),
+        "actors": [_pack_track(track, until) for track in episode.tracks if track.actor in names],
+    }
+
+
+def met(episode: Episode) -> Track | None:
+    """Whom the ego meets: whom it collides with, else its adversary; None where it is alone."""
+    crash = episode.collision
+    others = [track for track in episode.tracks if crash is not None and track.actor == crash.other]
+    return next(iter((*others, *episode.adversaries)), None)
+
+
+def _pack_nearness(episode: Episode) -> dict[str, Any]:
+    """Gap [cm] and time to collision [0.01 s, `NEVER` where there is none] to whom the ego meets, step by step."""
+    other = met(episode)
+    if other is None:
+        return {"gap": [], "time": []}
+    left = times_to_collision(episode.ego_track, other)
+    return {
+        "gap": _differences(gaps(episode.ego_track, other), 100),
+        "time": _differences(np.where(left <= LONGEST, left, NEVER / 100), 100),
     }
 
 
@@ -34,17 +69,17 @@ def size_of(packed: Mapping[str, Any]) -> int:
     return len(json.dumps(packed, separators=(",", ":")))
 
 
-def _pack_track(track: Track) -> dict[str, Any]:
+def _pack_track(track: Track, until: int | None = None) -> dict[str, Any]:
     return {
         "name": track.actor,
         "role": track.role.value,
         "kind": track.kind,
         "length": round(track.length, 2),
         "width": round(track.width, 2),
-        "x": _differences(track.x, 100),
-        "y": _differences(track.y, 100),
-        "heading": _differences(track.heading, 1000),
-        "speed": _differences(track.speed, 100),
+        "x": _differences(track.x[:until], 100),
+        "y": _differences(track.y[:until], 100),
+        "heading": _differences(track.heading[:until], 1000),
+        "speed": _differences(track.speed[:until], 100),
     }
 
 

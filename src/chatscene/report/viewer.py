@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
+from chatscene.report.files import FORMATS, pack_files
 from chatscene.report.measures import in_words
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section
-from chatscene.report.tracks import Box, extent, pack_drawing, pack_episode, size_of
+from chatscene.report.tracks import Box, extent, met, pack_beside, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     RunRecord,
     Workspace,
@@ -32,19 +33,24 @@ from chatscene.runs import (
     read_scenes,
 )
 from chatscene.runs.atomic import write_bytes
+from chatscene.runs.beside import Beside, drive_beside
 from chatscene.terms.actors import BY_CLASS
+from chatscene.terms.episode import Episode
 
 if TYPE_CHECKING:
     from markupsafe import Markup
 
-REPLAY_BYTES = 1_900_000  # of tracks on one page; the page stays under 3 MB with its map
+REPLAY_BYTES = 1_600_000  # of tracks on one page; the page stays under 3 MB with its map and files
+SCRIPTS = ("unpack", "draw", "labels", "chart", "camera", "words", "overview", "table", "files", "hands")  # of page/
 
 
-def write_report(folder: Path) -> Path:
+def write_report(folder: Path, *, followed: bool = False) -> Path:
     """Write `report.html` into a run folder, finished or not.
 
     Args:
         folder: The run folder.
+        followed: Whether the user named what the run names, so that the page may have its kept scenes driven again
+            with it (`chatscene.runs.beside`); else that is done only where everything is packaged.
 
     Returns:
         The path of the page: one file, no requests, works from ``file://``.
@@ -54,7 +60,7 @@ def write_report(folder: Path) -> Path:
     """
     run = open_run(folder, RunRecord)
     path = run.file("report.html")
-    write_bytes(path, _page(run).encode())
+    write_bytes(path, _page(run, followed=followed).encode())
     note(run, path)
     return path
 
@@ -70,20 +76,25 @@ def ranked(scenes: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     return sorted((row for row in scenes if row["status"] == "ran"), key=rank)
 
 
-def _page(run: Workspace) -> str:
+def _page(run: Workspace, *, followed: bool) -> str:
     record, scenes, ranges = read_record(run), read_scenes(run), read_ranges(run)
     explanation = read_explanation(run)
     order = ranked(scenes)
-    replays, boxes = _replays(run, order)
+    kept = [row for row in order if row["selected"]]
+    beside = drive_beside(run, kept, followed=followed)
+    replays, boxes = _replays(run, order, beside)
     units = {row["parameter"]: row["unit"] for row in ranges}
     content = {
         "scenes": [_shown(row, replays[row["scene_id"]]) for row in order if row["scene_id"] in replays],
+        "files": pack_files(run.path, [row["scene_id"] for row in kept]),
+        "formats": FORMATS,
         "map": pack_drawing(read_drawing(run), boxes),
         "manners": {name: kind.row.manner for name, kind in BY_CLASS.items()},
         "ego": record.ego,
+        "beside": {"ego": beside.ego, "senses": beside.senses},
         "called": {actor["kind"]: _called(actor["kind"]) for drive in replays.values() for actor in drive["actors"]},
     }
-    script = asset("viewer.js")
+    script = _script()
     return fill(
         "viewer.html",
         title=record.title,
@@ -92,8 +103,12 @@ def _page(run: Workspace) -> str:
         script=script,
         content=_json(content),
         heading=sections.heading(record, explanation, _around(run, order)),
-        verdict=sections.verdict(scenes, egos_in_words(record)[0], read=bool(sections.facts_of(explanation))),
+        verdict=sections.verdict(scenes, read=bool(sections.facts_of(explanation))),
         left_out=fill_section("left_out", len(replays), len(order)) if len(replays) < len(order) else "",
+        senses=egos_in_words(record)[0],
+        beside=sections.beside(beside, kept),
+        tiles=sections.tiles(scenes),
+        outcomes=sections.outcomes(ranges, order),
         scenes=sections.scene_table(order, units, replays),
         understanding=sections.understanding(explanation),
         programs=sections.programs(read_programs(run)),
@@ -109,19 +124,42 @@ def _around(run: Workspace, order: Sequence[Mapping[str, Any]]) -> str:
     return surroundings_in_words(first.surroundings) if first else ""
 
 
-def _replays(run: Workspace, order: Sequence[Mapping[str, Any]]) -> tuple[dict[str, dict[str, Any]], list[Box]]:
+def _replays(
+    run: Workspace, order: Sequence[Mapping[str, Any]], beside: Beside
+) -> tuple[dict[str, dict[str, Any]], list[Box]]:
     """Packed drives, best scenes first, until the page is full; and the part of the map that they need."""
     packed: dict[str, dict[str, Any]] = {}
     boxes: list[Box] = []
     left = REPLAY_BYTES
     for episode in read_episodes(run, [row["scene_id"] for row in order]):
         drive = pack_episode(episode)
+        if (ghost := beside.drives.get(episode.scene_id)) is not None:
+            drive["ghost"] = pack_beside(ghost, episode) | {"came": _came(ghost)}
+        if (story := beside.stories.get(episode.scene_id)) is not None:
+            drive["story"] = {"said": story.said, "marks": [[mark.step, mark.said] for mark in story.marks]}
         left -= size_of(drive)
         if left < 0 and packed:
             break
         packed[episode.scene_id] = drive
         boxes.append(extent(episode))
     return packed, boxes
+
+
+def _came(episode: Episode) -> str:
+    """How a drive ended that is shown beside another."""
+    crash = episode.collision
+    if crash is None:
+        return "does not collide"
+    struck = met(episode)
+    return f"collides with the {_called(struck.kind) if struck else crash.other} at {crash.step * episode.dt:.1f} s"
+
+
+def _script() -> Markup:
+    """The scripts of the page as one, so that one digest allows it and nothing in it is seen from outside."""
+    from markupsafe import Markup
+
+    parts = Markup("\n").join(asset(f"page/{name}.js") for name in SCRIPTS)
+    return Markup('"use strict";\n(() => {{\n{}}})();\n').format(parts)
 
 
 def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
@@ -135,6 +173,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "impact": row["impact_speed"],
         "avoidable": row["avoidable"],
         "kept": row["selected"],
+        "distance": row.get("distance"),
         "metrics": in_words(metrics_of(row) | criticality_of(row)),
         "drive": drive,
     }

@@ -1,11 +1,12 @@
-"""What a run was made of, made again from its record: its map, its scenario and its program."""
+"""What a run was made of, made again from its record: its map, its scenario, its program, who drove and where."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import Diverged, RunError, SnippetError
 from chatscene.maps.network import resolve_map
 from chatscene.runs.blocks import read_ranges
@@ -13,7 +14,9 @@ from chatscene.runs.digests import digest_of
 from chatscene.runs.explanation import read_choice
 from chatscene.runs.record import MapRecord, Record, settings_of
 from chatscene.runs.workspace import Workspace, changed_versions, read_programs, read_record
+from chatscene.search.climb import simulator_of
 from chatscene.search.generator import load_generator
+from chatscene.simulate.simulator import Simulator
 from chatscene.terms.scenario import Scenario
 from chatscene.terms.scene import ScenicProgram
 
@@ -60,6 +63,33 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
             f"{_remedy(record)}"
         )
     return scenario, program
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Remade:
+    """What drives the scenes of a run again.
+
+    Attributes:
+        program: Of its scenario.
+        simulator: Where.
+        ego: Who.
+    """
+
+    program: ScenicProgram
+    simulator: Simulator
+    ego: EgoPolicy
+
+
+def remade(run: Workspace) -> Remade:
+    """What drives the scenes of a run again; what it names is loaded, so `chatscene.runs.trust.follow` comes first.
+
+    Raises:
+        ChatSceneError: As `rebuild`, or what it names cannot be loaded.
+    """
+    record = read_record(run)
+    _, program = rebuild(run)
+    simulator = simulator_of(load_generator(record.generator), map_of(record), settings_of(record))
+    return Remade(program=program, simulator=simulator, ego=load_ego(record.ego))
 
 
 def _remedy(record: Record) -> str:

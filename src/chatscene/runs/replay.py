@@ -9,16 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from chatscene.ego.policy import load_ego
 from chatscene.errors import SettingsError
 from chatscene.runs.blocks import read_episode, read_scenes
-from chatscene.runs.rebuild import map_of, rebuild, since
+from chatscene.runs.rebuild import remade, since
 from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import changed_versions, open_run, read_record
-from chatscene.search.climb import simulator_of
-from chatscene.search.generator import load_generator
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.episode import Episode, Track
 from chatscene.terms.scene import Rejected
@@ -94,18 +91,17 @@ def replay(
     kept = read_record(run)
     stored = read_episode(run, scene_id)
     row = next(row for row in read_scenes(run) if row["scene_id"] == scene_id)
-    settings = settings_of(kept)
-    _, program = rebuild(run)
-    scene = scene_of(row, program)
-    simulator = simulator_of(load_generator(kept.generator), map_of(kept), settings)
+    made = remade(run)
+    scene, simulator = scene_of(row, made.program), made.simulator
     if watch or record:
         if (show := getattr(simulator, "show", None)) is None:
-            raise SettingsError(f"the simulator {settings.simulation.simulator!r} has no window and no recorder")
+            name = settings_of(kept).simulation.simulator
+            raise SettingsError(f"the simulator {name!r} has no window and no recorder")
         recording = run.path.absolute() / RECORDINGS / f"{scene_id.replace('/', '-')}.log"
         if record:
             recording.parent.mkdir(exist_ok=True)
         show(watched=watch, recording=recording if record else None)
-    again = simulate(simulator, program, scene, load_ego(kept.ego))
+    again = simulate(simulator, made.program, scene, made.ego)
     exact = simulator.identity.exact
     return Replayed(
         scene_id=scene_id,

@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError
 from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
 from chatscene.measure.counterfactual import (
@@ -29,13 +28,11 @@ from chatscene.measure.counterfactual import (
 from chatscene.measure.criticality import fault, part_struck
 from chatscene.program.sample import scene_at
 from chatscene.runs.blocks import read_scenes
-from chatscene.runs.rebuild import map_of, rebuild
-from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.rebuild import Remade, remade
+from chatscene.runs.record import RunRecord
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
-from chatscene.runs.workspace import open_run, read_record
-from chatscene.search.climb import simulator_of
-from chatscene.search.generator import load_generator
+from chatscene.runs.workspace import open_run
 from chatscene.simulate.simulator import simulate
 from chatscene.terms.criticality import Fault
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -71,6 +68,23 @@ class Contact:
     ego_speed: float
     other_speed: float
     impact_speed: float
+
+    @classmethod
+    def of(cls, trial: Trial) -> Contact:
+        """How a scene crashed."""
+        episode, crash, struck, who = trial.episode, trial.crash, trial.struck, fault(trial.episode)
+        assert who is not None
+        return cls(
+            time=round(crash.step * episode.dt, 6),
+            other=struck.actor,
+            kind=struck.kind,
+            fault=who,
+            ego_part=crash.side,
+            other_part=part_struck(struck, episode.ego_track, crash.step),
+            ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
+            other_speed=float(struck.speed[max(crash.step - 1, 0)]),
+            impact_speed=crash.impact_speed,
+        )
 
     def in_words(self) -> str:
         """One sentence, without its end."""
@@ -187,11 +201,7 @@ class Why:
             seen = f"It could be seen coming from {self.risk:.1f} s on. "
             seen += f"A careful driver brakes at {self.careful_brakes:.1f} s"
             seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
-        if self.last_moment is None:
-            return f"{seen} At no moment does a careful driver's braking avoid it."
-        when = f"{self.last_moment:.1f} s, {self.contact.time - self.last_moment:.1f} s before the contact"
-        when += self._foreseen(self.last_moment)
-        return f"{seen} The last moment at which a careful driver's braking avoids it is {when}."
+        return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk)}"
 
     def _of_things(self) -> list[str]:
         lines: list[str] = []
@@ -240,18 +250,7 @@ class Why:
         return [self._of_braking(), self._of_slower()]
 
     def _of_braking(self) -> str:
-        if self.braking is None:
-            return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
-        begins, own = self._at(self.braking.step), self.braking.own
-        if own is None:
-            how = "it did not brake"
-        elif own > self.braking.step:
-            how = f"{self._earlier(self.braking):.1f} s earlier than it did"
-        else:
-            how = f"it braked from {self._at(own):.1f} s on, but less hard"
-        when = f"{begins:.1f} s on, {self._before(self.braking.step):.1f} s before the contact{self._foreseen(begins)}"
-        hard = f"as hard as it can ({self.braking.deceleration:g} m/s²)"
-        return f"The ego avoids it if it brakes {hard} from {when}; {how}."
+        return braking_in_words(self.braking, self.contact.time, self.risk, self.dt)
 
     def _of_slower(self) -> str:
         if self.slower is None:
@@ -262,9 +261,6 @@ class Why:
             "speed before the contact."
         )
 
-    def _foreseen(self, time: float) -> str:
-        return ", before it can be seen coming" if self.risk is not None and time < self.risk else ""
-
     def _at(self, step: int) -> float:
         return round(step * self.dt, 6)
 
@@ -273,6 +269,40 @@ class Why:
 
     def _earlier(self, braking: Braking) -> float:
         return (braking.own or 0) * self.dt - braking.step * self.dt
+
+
+def last_moment_in_words(moment: float | None, contact: float, risk: float | None) -> str:
+    """Until when a careful driver's braking avoids a crash; times in the scene [s]."""
+    if moment is None:
+        return "At no moment does a careful driver's braking avoid it."
+    when = f"{moment:.1f} s, {contact - moment:.1f} s before the contact{_foreseen(moment, risk)}"
+    return f"The last moment at which a careful driver's braking avoids it is {when}."
+
+
+def braking_in_words(braking: Braking | None, contact: float, risk: float | None, dt: float) -> str:
+    """From when on the ego's own braking avoids a crash.
+
+    Args:
+        braking: The latest that does.
+        contact: When it crashed [s].
+        risk: From when on it can be seen coming [s].
+        dt: Length of a step [s].
+    """
+    if braking is None:
+        return "The ego does not avoid it by braking as hard as it can, from whatever moment on."
+    begins, own = braking.step * dt, braking.own
+    if own is None:
+        how = "it did not brake"
+    elif own > braking.step:
+        how = f"{(own - braking.step) * dt:.1f} s earlier than it did"
+    else:
+        how = f"it braked from {own * dt:.1f} s on, but less hard"
+    when = f"{begins:.1f} s on, {contact - begins:.1f} s before the contact{_foreseen(begins, risk)}"
+    return f"The ego avoids it if it brakes as hard as it can ({braking.deceleration:g} m/s²) from {when}; {how}."
+
+
+def _foreseen(time: float, risk: float | None) -> str:
+    return ", before it can be seen coming" if risk is not None and time < risk - 1e-6 else ""
 
 
 def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why:
@@ -289,8 +319,6 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
     """
     trial, rows = trial_of(folder, scene_id, repeated=repeated)
     episode, dt, crash = trial.episode, trial.episode.dt, trial.crash
-    struck, who = trial.struck, fault(episode)
-    assert who is not None
     changeable = not trial.program.as_written
     risk = risk_step(episode, trial.route)
     careful = None if risk is None else braking_step(risk, dt)
@@ -310,17 +338,7 @@ def why(folder: Path, scene_id: str, *, repeated: Repeated | None = None) -> Why
         )
     return Why(
         scene_id=scene_id,
-        contact=Contact(
-            time=round(crash.step * dt, 6),
-            other=struck.actor,
-            kind=struck.kind,
-            fault=who,
-            ego_part=crash.side,
-            other_part=part_struck(struck, episode.ego_track, crash.step),
-            ego_speed=float(episode.ego_track.speed[max(crash.step - 1, 0)]),
-            other_speed=float(struck.speed[max(crash.step - 1, 0)]),
-            impact_speed=crash.impact_speed,
-        ),
+        contact=Contact.of(trial),
         risk=None if risk is None else round(risk * dt, 6),
         careful_brakes=None if careful is None else round(careful * dt, 6),
         avoidable=avoidable,
@@ -348,21 +366,28 @@ def trial_of(
     """
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
-    kept, rows = read_record(run), read_scenes(run)
+    rows = read_scenes(run)
     row = next((row for row in rows if row["scene_id"] == scene_id), None)
     if row is None or row["status"] != "ran":
         raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
     if not row["collision"]:
         raise RunError(f"scene {scene_id!r} ended without a collision, so that there is nothing to explain")
-    _, program = rebuild(run)
-    scene, ego = scene_of(row, program), load_ego(kept.ego)
-    simulator = simulator_of(load_generator(kept.generator), map_of(kept), settings_of(kept))
-    episode = simulate(simulator, program, scene, ego)
+    return trial_in(remade(run), row), rows
+
+
+def trial_in(made: Remade, row: Mapping[str, Any]) -> Trial:
+    """A scene that crashed, driven again with what its run was made of.
+
+    Raises:
+        RunError: It does not crash any more.
+    """
+    program, simulator = made.program, made.simulator
+    scene = scene_of(row, program)
+    episode = simulate(simulator, program, scene, made.ego)
     if isinstance(episode, Rejected) or episode.collision is None:
-        raise RunError(f"scene {scene_id!r} crashed when it was made and does not now; `chatscene replay` says more")
+        raise RunError(f"scene {scene.id!r} crashed when it was made and does not now; `chatscene replay` says more")
     route = simulator.route_in(program, scene).line
-    trial = Trial(program=program, scene=scene, ego=ego, simulator=simulator, episode=episode, route=route)
-    return trial, rows
+    return Trial(program=program, scene=scene, ego=made.ego, simulator=simulator, episode=episode, route=route)
 
 
 def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:

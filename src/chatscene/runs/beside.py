@@ -1,0 +1,136 @@
+"""The kept scenes of a run driven again, to be shown beside what happened: by another ego, and braking earlier.
+
+Only what repeats itself to the bit is driven again: a drive that is shown beside another must be of the same scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from chatscene.ego.policy import in_words, load_ego, senses_of
+from chatscene.errors import ChatSceneError, RunError
+from chatscene.measure.avoidability import risk_step
+from chatscene.measure.counterfactual import last_moment, latest_braking
+from chatscene.runs.rebuild import Remade, remade
+from chatscene.runs.record import RunRecord, settings_of
+from chatscene.runs.tables import scene_of
+from chatscene.runs.trust import Repeated, follow
+from chatscene.runs.why import Contact, braking_in_words, last_moment_in_words, trial_in
+from chatscene.runs.workspace import Workspace, read_record
+from chatscene.simulate.simulator import simulate
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Rejected
+
+OTHERS = ("idm", "planner")  # who drives beside: the first of them that did not drive itself
+TOLD = 4  # of how many crashes it is told when braking would have avoided them; some dozens of drives each
+REPEATING = ("native", "embedded")  # simulators that give the same drive again, bit for bit, at no cost to speak of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mark:
+    """A moment of a scene.
+
+    Attributes:
+        step: Which.
+        said: What could have been done then.
+    """
+
+    step: int
+    said: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Story:
+    """How a scene crashed, and until when braking would have avoided it.
+
+    Attributes:
+        said: Sentences.
+        marks: Its moments, in order.
+    """
+
+    said: tuple[str, ...]
+    marks: tuple[Mark, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Beside:
+    """What is shown beside the kept scenes of a run.
+
+    Attributes:
+        ego: Who drove them as well; empty if nobody did.
+        senses: What that ego sees, in words.
+        drives: Its drives, by scene.
+        stories: Of the first crashes, by scene.
+        why_not: Why nothing was driven again; empty if it was.
+    """
+
+    ego: str = ""
+    senses: str = ""
+    drives: Mapping[str, Episode] = field(default_factory=dict[str, Episode])
+    stories: Mapping[str, Story] = field(default_factory=dict[str, Story])
+    why_not: str = ""
+
+
+def drive_beside(run: Workspace, rows: Sequence[Mapping[str, Any]], *, followed: bool) -> Beside:
+    """Drive scenes of a run again: with another ego, and the first that crashed with the brake pressed earlier.
+
+    Args:
+        run: The run.
+        rows: The scenes, as rows of its table.
+        followed: Whether the user named what the run names, so that all of it may be run; else only what is packaged.
+    """
+    if not rows:
+        return Beside()
+    record = read_record(run, RunRecord)
+    if (where := settings_of(record).simulation.simulator) not in REPEATING:
+        return Beside(why_not=f"the simulator {where} is not asked twice")
+    if not followed:
+        try:
+            follow(Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
+        except RunError:
+            return Beside(why_not="the run names what is not packaged, and only who made it runs that")
+    try:
+        return _beside(remade(run), record.ego, rows)
+    except ChatSceneError as error:
+        return Beside(why_not=str(error).replace(str(run.path), "the run"))
+
+
+def _beside(made: Remade, drove: str, rows: Sequence[Mapping[str, Any]]) -> Beside:
+    if made.program.as_written:
+        return Beside(why_not="the program's own ego drives")
+    name = next(one for one in OTHERS if one != drove)
+    ego = load_ego(name)
+    driven = [simulate(made.simulator, made.program, scene_of(row, made.program), ego) for row in rows]
+    crashed = [row for row in rows if row["collision"]][:TOLD]
+    return Beside(
+        ego=name,
+        senses=in_words(senses_of(ego)),
+        drives={one.scene_id: one for one in driven if not isinstance(one, Rejected)},
+        stories={row["scene_id"]: _story(made, row) for row in crashed},
+    )
+
+
+def _story(made: Remade, row: Mapping[str, Any]) -> Story:
+    trial = trial_in(made, row)
+    dt = trial.episode.dt
+    contact, risk = Contact.of(trial), risk_step(trial.episode, trial.route)
+    seen = None if risk is None else risk * dt
+    last, braking = last_moment(trial), latest_braking(trial)
+    moments = {
+        "it can be seen coming": risk,
+        "last moment for a careful driver's brake": last,
+        "last moment for the ego's own brake": braking and braking.step,
+        "the ego brakes": braking and braking.own,
+    }
+    marks = [Mark(step=step, said=said) for said, step in moments.items() if step is not None]
+    how = contact.in_words()
+    return Story(
+        said=(
+            f"{how[0].upper()}{how[1:]}.",
+            braking_in_words(braking, contact.time, seen, dt),
+            last_moment_in_words(None if last is None else last * dt, contact.time, seen),
+        ),
+        marks=tuple(sorted(marks, key=lambda mark: mark.step)),
+    )
