@@ -51,7 +51,32 @@ def route_onward(
     line, used = line.between(begin, end), _used(way, begin, end)
     if line.length < SHORTEST:
         raise MapError(f"the ego's lane ends {line.length:.0f} m ahead of it; a route has at least {SHORTEST:.0f} m")
-    maneuver, turn, event = _first_turn(used, line)
+    return _route(map_name, line, used)
+
+
+def route_through(network: Any, map_name: str, points: Sequence[tuple[float, float]]) -> Route:
+    """The route along a line that is given.
+
+    Args:
+        network: Scenic's road network.
+        map_name: Goes into the route.
+        points: The line, in driving order [m], map frame.
+
+    Raises:
+        MapError: It is too short, or begins on no lane.
+    """
+    line = Polyline(points)
+    if line.length < SHORTEST:
+        raise MapError(f"the ego's way is {line.length:.0f} m long; a route has at least {SHORTEST:.0f} m")
+    found = [network.laneAt(point) for point in line.resampled(1.0).points.tolist()]
+    if found[0] is None:
+        x, y = line.point_at(0.0)
+        raise MapError(f"the ego's way begins on no lane, at ({x:.1f}, {y:.1f})")
+    return _route(map_name, line, list(dict.fromkeys(lane for lane in found if lane is not None)))
+
+
+def _route(map_name: str, line: Polyline, lanes: list[Any]) -> Route:
+    maneuver, turn, event = _first_turn(lanes, line)
     ends = (*line.point_at(0.0), *line.point_at(line.length))
     return Route(
         id=f"onward-{hashlib.blake2b(repr((map_name, ends)).encode(), digest_size=6).hexdigest()}",
@@ -60,7 +85,7 @@ def route_onward(
         place=Place.ROAD if maneuver is None else place_of(maneuver.intersection),
         control=Control.NONE if maneuver is None else junction_control(maneuver.intersection),
         line=line.resampled(1.0),
-        lane_ids=tuple(lane.uid for lane in used),
+        lane_ids=tuple(lane.uid for lane in lanes),
         event_at=event,
         junction=None if maneuver is None else str(maneuver.intersection.uid),
     )

@@ -18,8 +18,9 @@ from chatscene.world.actions import DriveAction, WalkAction
 from chatscene.world.actors import Driven, Lying, Placed, Walking
 from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
-    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, maximum, neighbourPath,
-    offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, shortOfJunction, straightOn, trafficFrom,
+    crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, lineThrough,
+    maximum, neighbourPath, offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, route_along as _route_along,
+    shortOfJunction, straightOn, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.order import Order
@@ -53,6 +54,10 @@ def selectRoute(maneuver, place=None, control=None, lanes=1, opposite=None, besi
     return _choose_route(network, globalParameters.map, int(globalParameters.route), maneuver=maneuver,
         place=place, control=control, lanes=lanes, opposite=opposite, beside=beside, crossed=crossed, site=site, lane=lane,
         at_line=globalParameters.egoStart == 'at-line')
+
+def routeThrough(*points):
+    """The ego's route along points [m], map frame, in driving order."""
+    return _route_along(network, globalParameters.map, points)
 
 def startOf(route):
     """The ego's start pose."""

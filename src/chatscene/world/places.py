@@ -20,6 +20,7 @@ from scenic.core.vectors import Vector
 from chatscene.errors import MapError
 from chatscene.maps.lane_runs import centre_line, lane_runs
 from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
+from chatscene.maps.onward import route_through
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
 from chatscene.terms.polyline import Polyline
@@ -139,6 +140,20 @@ def choose_route(network: Any, map_path: str, index: int, *, at_line: bool = Fal
         )
     route, before = from_line(network, routes[index]) if at_line else (routes[index], None)
     return EgoRoute(route, network, len(routes), before)
+
+
+def route_along(network: Any, map_path: str, points: Sequence[tuple[float, float]]) -> EgoRoute:
+    """The ego's route along points [m] in driving order.
+
+    Raises:
+        MapError: They begin on no lane, or are less than a route.
+    """
+    return EgoRoute(route_through(network, Path(map_path).stem, points), network, 1)
+
+
+def lineThrough(*points: tuple[float, float]) -> Polyline:  # noqa: N802
+    """A path through points [m], map frame, in driving order; as of lanes, its own lie a metre apart."""
+    return Polyline(points).resampled(1.0)
 
 
 def line_of(path: EgoRoute | CrossingPath | Polyline) -> Polyline:
