@@ -30,6 +30,7 @@ from chatscene.terms.scenario import BaseScenario
 if TYPE_CHECKING:
     from chatscene.ego.policy import EgoPolicy
     from chatscene.exports.export import Exported
+    from chatscene.imports.import_file import ImportedScenario
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
@@ -745,7 +746,8 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     Args:
         folder: Run folder.
         scenes: Ids of the scenes; none for those that the run keeps.
-        to: An exporter by name: ``openscenario``, ``osi``, ``csv``, ``scenic``, or ``package.module:factory``.
+        to: An exporter by name: ``openscenario``, ``openscenario-logical``, ``opendrive``, ``commonroad``, ``osi``,
+            ``csv``, ``scenic``, or ``package.module:factory``.
         out: Where to; a new folder, or an empty one.
 
     Raises:
@@ -757,6 +759,29 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     from chatscene.exports.export import export as export_scenes
 
     return export_scenes(Path(folder), _names(scenes), to=to, out=_folder(out))
+
+
+def import_scenario(
+    file: Name,
+    *,
+    out: Name | None = None,
+    map: Name | None = None,  # noqa: A002 - the word of the command line
+) -> ImportedScenario:
+    """Write a scenario of OpenSCENARIO XML as a Scenic program of one's own, which `run` takes; nothing of it is run.
+
+    Args:
+        file: An ``.xosc`` file.
+        out: The ``.scenic`` file, a new one; None for one beside it with its name.
+        map: A packaged map or an ``.xodr`` file; None for the one beside the file that it names.
+
+    Raises:
+        ScenarioError: It cannot be read, or says what cannot be said here; the message names each element and its line.
+        MapError: The map is not there, or is broken.
+        SettingsError: The program is there already.
+    """
+    from chatscene.imports.import_file import import_scenario as import_file
+
+    return import_file(Path(file), out=_folder(out), map_name=None if map is None else str(map))
 
 
 def sql(query: str, folder: Name = "runs") -> Table:

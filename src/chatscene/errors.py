@@ -21,6 +21,7 @@
     │  ├ ServerError           a simulator's server is not there, is another version, or was lost
     │  └ SandboxError          the confined process could not be made, was stopped, or answered nonsense
     ├ EgoError                 an ego cannot be loaded, or acts out of contract
+    ├ ScenarioError            a scenario of another format cannot be read, or says what cannot be said here
     ├ RunError                 a run folder cannot be written, read or continued
     ├ QueryError               a query over runs is no SQL, asks for what there is not, or is refused
     └ LanguageModelError       a language model gave no usable reply, or none within its budget
@@ -191,6 +192,10 @@ class SandboxError(SimulationError):
 
 class EgoError(ChatSceneError):
     """An ego could not be loaded, or returned something that is not an action."""
+
+
+class ScenarioError(ChatSceneError):
+    """A scenario in another tool's format cannot be read, or says what cannot be said here."""
 
 
 class RunError(ChatSceneError):

@@ -21,8 +21,10 @@ from chatscene.errors import MapError, MissingExtra, RunError, SettingsError
 from chatscene.exports.export import export, kept_scenes
 from chatscene.exports.exporter import EXPORTERS, KeptScene
 from chatscene.exports.filled_program import FilledProgram
+from chatscene.exports.opendrive import OpenDrive
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SearchSettings, Settings
+from chatscene.terms.episode import SignalTrack
 from chatscene.testing.exporters import awkward_scenes
 from chatscene.world.compilation import compile_program
 from fake_run import finished, resealed, started
@@ -180,3 +182,18 @@ def test_the_command_and_the_function_name_what_they_wrote(tmp_path: Path) -> No
     wrong = CliRunner().invoke(main, ["export", str(run.path), "--to", "csv", "--out", str(tmp_path / "a")])
     assert wrong.exit_code == 1
     assert "is not empty" in wrong.output
+
+
+def test_the_map_leaves_as_it_is_and_lights_say_when_they_change() -> None:
+    kept = awkward_scenes()[1]
+    assert OpenDrive().files(kept) == {kept.map.name: kept.map.content}
+    light = SignalTrack(x0=1.0, y0=2.0, x1=3.0, y1=4.0, state="rrgy", role="ego")
+    lit = replace(kept, episode=replace(kept.episode, signals=(light,)))
+    files = OpenDrive().files(lit)
+    rows = list(csv.DictReader(io.StringIO(files[f"{kept.stem}_signals.csv"].decode())))
+    told = [(float(row["time_s"]), row["state"], row["role"], float(row["y1_m"])) for row in rows]
+    assert told == [
+        (0.0, "red", "ego", 4.0),
+        (pytest.approx(0.2), "green", "ego", 4.0),
+        (pytest.approx(0.3), "yellow", "ego", 4.0),
+    ]

@@ -515,7 +515,7 @@ def replay(folder: Path, scene_id: str, watch: bool, record: bool, as_json: bool
 @main.command()
 @click.argument("folder", metavar="RUN", type=click.Path(path_type=Path))
 @click.argument("scenes", metavar="[SCENE]...", nargs=-1)
-@click.option("--to", required=True, help="The format: openscenario, osi, csv, scenic, or package.module:factory.")
+@click.option("--to", required=True, help="The format, as below, or package.module:factory.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
@@ -527,8 +527,10 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
     """Write each SCENE of RUN as a file that other tools read; without SCENE, the scenes that the run keeps.
 
     openscenario: OpenSCENARIO XML 1.2, everybody on a timed trajectory as driven, and the OpenDRIVE map beside it.
-    osi: a trace of ground truth of ASAM OSI, in MCAP; needs the extra 'osi'.
-    csv: the tracks. scenic: the program with the scene's values in it, and the map.
+    openscenario-logical: what the plans say, in events, with parameters and their ranges; or a refusal that says why.
+    opendrive: the map, and what its lights showed. commonroad: a planning problem among what was driven.
+    osi: a trace of ground truth of ASAM OSI, in MCAP; needs the extra 'osi'. csv: the tracks.
+    scenic: the program with the scene's values in it, and the map.
 
     \b
     chatscene export runs/cyclist --to openscenario --out exported/cyclist
@@ -538,6 +540,27 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
 
     done = api.export(folder, scenes, to=to, out=out)
     say(json.dumps({"folder": str(done.folder), "files": done.files}) if as_json else str(done))
+
+
+@main.command("import")
+@click.argument("file", metavar="FILE.xosc", type=click.Path(path_type=Path))
+@click.option("--out", type=click.Path(path_type=Path), help="The .scenic file; default: beside FILE, with its name.")
+@click.option("--map", "map_name", metavar="MAP", help="A packaged map or an .xodr file; default: the one FILE names.")
+@JSON
+def import_scenario(file: Path, out: Path | None, map_name: str | None, as_json: bool) -> None:
+    """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.
+
+    What cannot be said here is refused by its element and line, all of it at once. The map lies beside FILE.
+
+    \b
+    chatscene import cut-in.xosc
+    chatscene import cut-in.xosc --map Town04.xodr --out mine.scenic
+    """
+    from chatscene import api
+
+    done = api.import_scenario(file, out=out, map=map_name)
+    told = {"program": str(done.program), "map": str(done.map_path), "notes": done.notes, "command": done.command}
+    say(json.dumps(told) if as_json else str(done))
 
 
 @main.command()

@@ -21,8 +21,10 @@ from chatscene.runs import (
     require_done,
     route_index,
 )
-from chatscene.runs.rebuild import map_of
+from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.trust import Repeated, follow
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import ScenicProgram
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,6 +102,16 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
     programs = read_programs(run)
+
+    def joined() -> ScenicProgram:
+        if record.program is not None:
+            raise RunError(
+                f"{run.path} is of a program of your own, which an export does not execute; export what was driven: "
+                "--to openscenario or --to csv"
+            )
+        follow(Repeated(), joining_of=(run,))
+        return rebuild(run)[1]
+
     ways = read_drawing(run).get("routes", {})
     for episode in read_episodes(run, chosen):
         row = rows[episode.scene_id]
@@ -112,6 +124,7 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
             route=route_index(row["route_id"]),
             map=where,
             way=Polyline(way) if way else None,
+            joined=joined,
         )
 
 

@@ -6,14 +6,16 @@ scene gives the same bytes, and what cannot be exported leaves nothing behind.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 from urllib.parse import quote
 
+from chatscene.errors import RunError
 from chatscene.plugins import Kind, make
 from chatscene.terms.episode import Episode
 from chatscene.terms.polyline import Polyline
+from chatscene.terms.scene import ScenicProgram
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,6 +31,10 @@ class MapFile:
     content: bytes
 
 
+def _unknown() -> ScenicProgram:
+    raise RunError("the scene is of no program that can be joined again")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KeptScene:
     """All that a run kept of a scene that was driven.
@@ -41,6 +47,8 @@ class KeptScene:
         route: Which of the routes that the program's geometry asks for.
         map: Where it lies.
         way: The line of that route [m], map frame, as a run keeps it, to the centimetre; None where it keeps none.
+        joined: The program once more, joined again of packaged snippets, so that it may be executed; raises RunError
+            where there is none, as of a program of a user's own.
     """
 
     episode: Episode
@@ -50,6 +58,7 @@ class KeptScene:
     route: int
     map: MapFile
     way: Polyline | None = None
+    joined: Callable[[], ScenicProgram] = _unknown
 
     @property
     def stem(self) -> str:
@@ -64,7 +73,7 @@ class Exporter(Protocol):
         """What is to be written of a scene: content by the name of the file.
 
         A name has no folder in it. A file that several scenes need, such as the map, has one name and one content;
-        all others have names of their own, which begin with the scene's `stem`.
+        all others have names of their own, which begin with the scene's `stem`. There is at least one.
 
         Raises:
             RunError: The scene lacks what the format needs.
@@ -78,6 +87,8 @@ EXPORTERS: Kind[Exporter] = Kind(
     method="files",
     built_in={
         "openscenario": "chatscene.exports.openscenario:OpenScenario",
+        "openscenario-logical": "chatscene.exports.openscenario_logical:OpenScenarioLogical",
+        "opendrive": "chatscene.exports.opendrive:OpenDrive",
         "commonroad": "chatscene.exports.commonroad:CommonRoad",
         "csv": "chatscene.exports.tracks_csv:TracksCsv",
         "osi": "chatscene.exports.osi_trace:OsiTrace [osi]",

@@ -22,7 +22,7 @@ from chatscene.terms.episode import Array, Track
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 # A date that is asked for and that nobody kept; one of our own clock would make every export another file.
-_DATE = "1970-01-01T00:00:00"
+DATE = "1970-01-01T00:00:00"
 _OCLOCK = {Light.DAY: "2000-03-20T12:00:00", Light.DUSK: "2000-03-20T18:30:00", Light.NIGHT: "2000-03-20T00:00:00"}
 # Type and mm/h; drives know no intensity, so it is a common one: moderate rain, and snowfall as water.
 _FALLS = {Weather.RAIN: ("rain", 5.0), Weather.SNOW: ("snow", 2.0)}
@@ -43,7 +43,7 @@ class OpenScenario:
                 {
                     "revMajor": 1,
                     "revMinor": 2,
-                    "date": _DATE,
+                    "date": DATE,
                     "description": f"{scene.episode.scene_id}: {scene.text}",
                     "author": "chatscene",
                 },
@@ -59,10 +59,10 @@ class OpenScenario:
                 element(
                     "Init",
                     {},
-                    element("Actions", {}, _environment(scene.episode.surroundings), *map(_start, tracks)),
+                    element("Actions", {}, environment(scene.episode.surroundings), *map(_start, tracks)),
                 ),
                 _story([_follows(track, scene.episode.dt) for track in tracks if _moves(track)]),
-                element("StopTrigger", {}, _after(scene.episode.duration, "the drive is over", "greaterThan")),
+                element("StopTrigger", {}, after(scene.episode.duration, "the drive is over", "greaterThan")),
             ),
         )
         Xml.indent(root)
@@ -74,7 +74,8 @@ def _moves(track: Track) -> bool:
     return any(np.ptp(values) > 0 for values in (track.x, track.y, track.heading))
 
 
-def _environment(surroundings: Surroundings) -> Xml.Element:
+def environment(surroundings: Surroundings) -> Xml.Element:
+    """Light, weather and road, all through a scenario."""
     weather, surface = surroundings.weather, surroundings.surface
     falls, intensity = _FALLS.get(weather, ("dry", 0.0))
     sight, friction = weather.row.sight, surface.row.friction
@@ -140,13 +141,14 @@ def _story(groups: list[Xml.Element]) -> Xml.Element:
         element(
             "Act",
             {"name": "drive"},
-            *(groups or [element("ManeuverGroup", {"name": "nobody moves", "maximumExecutionCount": 1}, _actors())]),
-            element("StartTrigger", {}, _after(0.0, "the drive begins", "greaterOrEqual")),
+            *(groups or [element("ManeuverGroup", {"name": "nobody moves", "maximumExecutionCount": 1}, actors_of())]),
+            element("StartTrigger", {}, after(0.0, "the drive begins", "greaterOrEqual")),
         ),
     )
 
 
-def _actors(*names: str) -> Xml.Element:
+def actors_of(*names: str) -> Xml.Element:
+    """Of whom a group tells."""
     return element(
         "Actors", {"selectTriggeringEntities": False}, *(element("EntityRef", {"entityRef": name}) for name in names)
     )
@@ -180,17 +182,17 @@ def _follows(track: Track, dt: float) -> Xml.Element:
             {"name": f"{track.actor} follows"},
             element("PrivateAction", {}, element("RoutingAction", {}, action)),
         ),
-        element("StartTrigger", {}, _after(0.0, f"{track.actor} begins", "greaterOrEqual")),
+        element("StartTrigger", {}, after(0.0, f"{track.actor} begins", "greaterOrEqual")),
     )
     return element(
         "ManeuverGroup",
         {"name": f"{track.actor} drives", "maximumExecutionCount": 1},
-        _actors(track.actor),
+        actors_of(track.actor),
         element("Maneuver", {"name": f"{track.actor} as driven"}, event),
     )
 
 
-def _after(time: float, name: str, rule: str) -> Xml.Element:
+def after(time: float, name: str, rule: str) -> Xml.Element:
     """A trigger at a time [s] of the simulation."""
     at_time = element("SimulationTimeCondition", {"value": time, "rule": rule})
     return element(

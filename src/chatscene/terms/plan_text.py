@@ -331,6 +331,18 @@ def _same(pattern: object, node: object, found: list[ast.expr]) -> bool:
     return pattern == node
 
 
+def parse_expression(text: str, kind: Kind = Kind.NUMBER) -> Expression:
+    """Read an expression of a plan.
+
+    Raises:
+        SnippetError: It says something that no plan can.
+    """
+    try:
+        return _expression(_Line(1, 0, (text,)), (text,), kind)
+    except RecursionError as error:
+        raise SnippetError("brackets within brackets, too many to follow") from error
+
+
 # To text
 
 

@@ -1,0 +1,221 @@
+"""The conditions under which events of OpenSCENARIO begin, as the ends of the phases before them."""
+
+from __future__ import annotations
+
+from chatscene.imports.given import Given, Refused
+from chatscene.imports.player import AHEAD, STANDS, Player, State
+from chatscene.imports.stranger_xml import Element
+from chatscene.terms.plan import (
+    After,
+    Arithmetic,
+    Boolean,
+    Call,
+    Comparison,
+    Expression,
+    Kind,
+    Name,
+    Number,
+    Relation,
+    Until,
+)
+from chatscene.terms.storyboard import EGO_ROUTE, START
+from chatscene.terms.sums import Sum, sum_of
+
+_RULES: dict[str, Relation] = {
+    "lessThan": "<",
+    "lessOrEqual": "<=",
+    "greaterThan": ">",
+    "greaterOrEqual": ">=",
+    "equalTo": "==",
+    "notEqualTo": "!=",
+}
+
+
+class Conditions:
+    """Reads the triggers of an actor's events.
+
+    Args:
+        player: Whose.
+        given: The parameters of the file.
+        state: What it does after the events so far.
+    """
+
+    def __init__(self, player: Player, given: Given, state: State) -> None:
+        self._player, self._given, self._state = player, given, state
+
+    def ends(self, event: Element, index: int, first: list[Element]) -> list[After | Until] | None:
+        """When an event begins after the one before; None for at once."""
+        trigger = event.find("StartTrigger")
+        groups = trigger.all("ConditionGroup") if trigger else []
+        alternatives = [[*first, *group.all("Condition")] for group in groups] or [first]
+        read = [self._alternative(event, index, conditions) for conditions in alternatives]
+        if any(one is None for one in read):
+            return None
+        ends = [one for one in read if one is not None]
+        if len(ends) == 1:
+            return ends[0]
+        terms = [one.condition for end in ends for one in end if isinstance(one, Until)]
+        if any(len(end) > 1 for end in ends) or len(terms) < len(ends):
+            raise Refused(event, "it begins in one way or another, and one of them takes some time")
+        return [Until(Boolean("or", tuple(terms)))]
+
+    def _alternative(self, event: Element, index: int, conditions: list[Element]) -> list[After | Until] | None:
+        ends: list[After | Until] = []
+        terms: list[Expression] = []
+        delays: list[Sum] = []
+        for condition in conditions:
+            if condition.attributes.get("conditionEdge", "none") == "falling":
+                raise Refused(condition, "it looks for the moment in which something ceases; write what holds then")
+            delay = self._given.sum(condition, "delay", "0")
+            meant = self._condition(condition, index)
+            if isinstance(meant, list):
+                ends += meant
+            elif meant is not None:
+                terms.append(meant)
+            if delay.number != 0:
+                delays.append(delay)
+        if len(delays) > 1 or (delays and len(terms) + len(ends) > 1):
+            raise Refused(event, "several conditions, of which one has a delay; write an event between")
+        if terms:
+            ends.append(Until(terms[0] if len(terms) == 1 else Boolean("and", tuple(terms))))
+        ends += [After(delay.expression) for delay in delays]
+        if len(ends) > 1 and isinstance(ends[0], Until) and isinstance(ends[1], Until):
+            both = tuple(part for end in ends if isinstance(end, Until) for part in _terms(end.condition))
+            ends = [Until(Boolean("and", both)), *(end for end in ends if isinstance(end, After))]
+        return ends or None
+
+    def _condition(self, condition: Element, index: int) -> Expression | list[After | Until] | None:
+        """What a condition says: something that must hold, how the one before ends, or nothing."""
+        by_value, by_entity = condition.find("ByValueCondition"), condition.find("ByEntityCondition")
+        inner = (by_value or by_entity or condition).inside
+        if by_value is not None and len(inner) == 1:
+            return self._by_value(inner[0], index)
+        if by_entity is None:
+            raise Refused(condition, "it says no condition")
+        triggering, asked = by_entity.find("TriggeringEntities"), by_entity.find("EntityCondition")
+        entities = triggering.all("EntityRef") if triggering else []
+        if len(entities) != 1 or asked is None or len(asked.inside) != 1:
+            raise Refused(by_entity, "it is about several road users; name one in TriggeringEntities")
+        return self._by_entity(self._given.text(entities[0], "entityRef"), asked.inside[0])
+
+    def _by_value(self, one: Element, index: int) -> list[After | Until] | None:
+        match one.tag:
+            case "SimulationTimeCondition":
+                return self._at_time(one)
+            case "VariableCondition":
+                before = max(len(self._state.phases) - 1, 0)
+                if one.attributes.get("rule") != "equalTo" or self._given.text(one, "value") != str(before):
+                    raise Refused(one, f"a variable is read where it counts the phases of one actor, here {before}")
+                return None
+            case "StoryboardElementStateCondition":
+                state = self._given.text(one, "state")
+                if index == 0:
+                    raise Refused(one, "it waits for another actor's events; write the condition by which those begin")
+                if state in ("completeState", "endTransition"):
+                    return [self._state.done.end] if self._state.done.end is not None else None
+                if state in ("runningState", "startTransition"):
+                    return None
+                raise Refused(one, f"the state {state!r} is not waited for here; write completeState")
+            case _:
+                raise Refused(one, "it is not known here; write when by time, distance, speed or the event before")
+
+    def _at_time(self, one: Element) -> list[After | Until] | None:
+        value = self._given.sum(one, "value")
+        rule = self._given.text(one, "rule", "greaterThan")
+        if _RULES.get(rule) not in (">", ">=", "=="):
+            raise Refused(one, f"it holds {rule}, before a time and no longer")
+        for phase in self._state.phases:
+            if isinstance(phase.end, After):
+                value = value + _sum(phase.end.seconds).times(-1)
+            elif phase.end is not None:
+                raise Refused(one, "a time of the clock after what has no time; write a delay after the event before")
+        if value.number is not None and value.number <= 0:
+            return None
+        return [After(value.expression)]
+
+    def _by_entity(self, who: str, one: Element) -> Expression:  # noqa: C901, PLR0911, PLR0912
+        g, ego, own = self._given, Name("ego", Kind.ACTOR), Name("self", Kind.ACTOR)
+        actor = ego if who == self._player.ego else own if who == self._player.name else None
+        if actor is None:
+            raise Refused(one, f"it is about {who[:40]!r}; a plan asks about its own actor and the ego")
+        route = Name(EGO_ROUTE, Kind.PATH)
+        match one.tag:
+            case "TraveledDistanceCondition":
+                bound = g.sum(one, "value").expression
+                if actor is ego:
+                    return Comparison(Call("progress", (route, ego)), ((">=", bound),))
+                return Comparison(self._travelled(one), ((">=", bound),))
+            case "SpeedCondition":
+                if one.attributes.get("direction", "longitudinal") != "longitudinal":
+                    raise Refused(one, "it asks for a speed across or upward; nobody moves so here")
+                return Comparison(Call("speed", (actor,)), ((self._rule(one), g.sum(one, "value").expression),))
+            case "StandStillCondition":
+                if g.number(one, "duration", "0") > 1.0:
+                    raise Refused(one, "it waits for a long stand; write a SpeedCondition and a delay")
+                return Comparison(Call("speed", (actor,)), (("<", Number(STANDS)),))
+            case "RelativeDistanceCondition":
+                if self._other(one) not in (self._player.ego, self._player.name) or self._other(one) == who:
+                    raise Refused(one, "it asks for the distance to a third; a plan asks for that to the ego")
+                return Comparison(self._apart(one), ((self._rule(one), self._room(one)),))
+            case "TimeHeadwayCondition":
+                if actor is not ego or self._other(one) != self._player.name or g.text(one, "freespace") == "true":
+                    raise Refused(one, "it asks for another headway than that of the ego to this actor")
+                time = Arithmetic("*", g.sum(one, "value").expression, Call("speed", (ego,)))
+                return Comparison(Call("headway", (route, ego, own)), ((self._rule(one), time),))
+            case "DistanceCondition" | "ReachPositionCondition":
+                position = one.find("Position")
+                if position is None or actor is not ego:
+                    raise Refused(one, "it asks how far somebody is from a place; a plan asks that of the ego")
+                left = Call("distanceLeft", (route, ego, Number(round(self._player.ego_at(position), 2))))
+                far = g.sum(one, "tolerance" if one.tag.startswith("Reach") else "value").expression
+                rule = "<" if one.tag.startswith("Reach") else self._rule(one)
+                return Comparison(Call("abs", (left,)), ((rule, far),))
+            case _:
+                raise Refused(
+                    one, "it is not known here; write TraveledDistance, RelativeDistance, Speed or StandStill"
+                )
+
+    def _other(self, one: Element) -> str:
+        return self._given.text(one, "entityRef")
+
+    def _rule(self, one: Element) -> Relation:
+        rule = self._given.text(one, "rule")
+        if rule not in _RULES:
+            raise Refused(one, f"the rule {rule[:40]!r} is not known")
+        return _RULES[rule]
+
+    def _apart(self, one: Element) -> Expression:
+        ego, own, route = Name("ego", Kind.ACTOR), Name("self", Kind.ACTOR), Name(EGO_ROUTE, Kind.PATH)
+        kind = self._given.text(one, "relativeDistanceType")
+        if kind in ("cartesianDistance", "euclidianDistance"):
+            return Call("gap", (own, ego))
+        if kind == "longitudinal":
+            return Call("abs", (Call("headway", (route, ego, own)),))
+        return Call("abs", (Call("offsetFrom", (route, own)),))
+
+    def _room(self, one: Element) -> Expression:
+        """How far apart centres are; with `freespace`, that and half of both bodies."""
+        value = self._given.sum(one, "value").expression
+        if self._given.text(one, "freespace") != "true":
+            return value
+        if self._given.text(one, "relativeDistanceType") != "longitudinal":
+            raise Refused(one, 'it asks for free space that is no distance along the road; write freespace="false"')
+        lengths = (Call("length", (Name(name, Kind.ACTOR),)) for name in ("ego", "self"))
+        return Arithmetic("+", value, Arithmetic("/", Arithmetic("+", *lengths), Number(2)))
+
+    def _travelled(self, one: Element) -> Expression:
+        if self._state.way not in (AHEAD, self._player.way, None):
+            raise Refused(one, "it asks how far somebody has driven who has left his line")
+        self._state.measured = True
+        progress = Call("progress", (Name(self._player.measured_on, Kind.PATH), Name("self", Kind.ACTOR)))
+        return Arithmetic("-", progress, Name(START, Kind.NUMBER))
+
+
+def _terms(condition: Expression) -> tuple[Expression, ...]:
+    return condition.terms if isinstance(condition, Boolean) and condition.operator == "and" else (condition,)
+
+
+def _sum(expression: Expression) -> Sum:
+    found = sum_of(expression)
+    assert found is not None
+    return found

@@ -1,0 +1,77 @@
+"""An actor whose events are read: what is known of it, and what it does after the events so far."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from chatscene.imports.stranger_xml import Element
+from chatscene.terms.actors import Limits
+from chatscene.terms.plan import After, Phase, Until
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.sums import Sum, number
+
+AHEAD = "ahead"  # the way of somebody who goes straight on, and follows no line
+STANDS = 0.1  # [m/s]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Player:
+    """Whose events are read.
+
+    Attributes:
+        name: In the file.
+        ego: The ego's name in the file.
+        prefix: What its lines are called, with a number behind.
+        limits: What it can do.
+        walks: Whether it is on foot.
+        speed: At first [m/s].
+        way: The name of the line that it follows at first; None if it follows none.
+        start: Where on that line it is, of its centre [m].
+        lane: The line of a lane beside its own, by number.
+        lane_from: The number of the lane that somebody stands in at first.
+        left: 1 where a lane's offset to the left of the road's line is left of who drives in it, else -1.
+        ego_at: How far along the ego's route [m] a position is.
+        lines: All lines, by name; those of its own are added.
+        lanes: The lane of each line that somebody changes to.
+    """
+
+    name: str
+    ego: str
+    prefix: str
+    limits: Limits
+    walks: bool
+    speed: float
+    way: str | None
+    lane: Callable[[Element, int], Polyline]
+    lane_from: Callable[[Element, str], int]
+    left: int
+    ego_at: Callable[[Element], float]
+    line_of: Callable[[Element, str], tuple[str, Polyline]]
+    lines: dict[str, Polyline]
+    lanes: dict[str, int]
+
+    @property
+    def measured_on(self) -> str:
+        """The line along which it is told how far it has come."""
+        return self.way or f"{self.prefix}Way"
+
+
+@dataclass(slots=True)
+class Done:
+    """When an action is done: at once, after some time, or once something holds."""
+
+    end: After | Until | None = None
+
+
+@dataclass(slots=True)
+class State:
+    """What an actor does after the events so far."""
+
+    way: str | None
+    speed: Sum
+    left: Sum = field(default_factory=lambda: number(0.0))
+    turn: float = 0.0
+    phases: list[Phase] = field(default_factory=list[Phase])
+    done: Done = field(default_factory=Done)
+    measured: bool = False

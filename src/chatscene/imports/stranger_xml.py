@@ -1,0 +1,115 @@
+"""XML that a stranger wrote, within bounds: no document type, no entities, nothing that leads out of the file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.parsers import expat
+
+from chatscene.errors import ScenarioError
+
+LARGEST = 8 * 2**20  # [bytes]
+DEEPEST = 60
+MOST = 200_000  # elements
+LONGEST = 10_000  # characters of an attribute
+_BUILT_IN = "&lt; &gt; &amp; &quot; &apos;"
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """An element of XML.
+
+    Attributes:
+        tag: Its name.
+        attributes: As they are written.
+        line: Where it begins, from 1.
+        inside: The elements in it, in order.
+    """
+
+    tag: str
+    attributes: Mapping[str, str]
+    line: int
+    inside: list[Element] = field(default_factory=list["Element"])
+
+    def all(self, tag: str) -> list[Element]:
+        """The elements of a name directly in it."""
+        return [one for one in self.inside if one.tag == tag]
+
+    def find(self, *tags: str) -> Element | None:
+        """The first element on a path of names; None if there is none."""
+        one: Element | None = self
+        for tag in tags:
+            one = next((below for below in one.inside if below.tag == tag), None) if one else None
+        return one
+
+    def walk(self) -> Iterator[Element]:
+        """It and everything in it."""
+        waiting: list[Element] = [self]
+        while waiting:
+            yield (one := waiting.pop())
+            waiting.extend(reversed(one.inside))
+
+
+def read_xml(path: Path) -> Element:
+    """The root of a file of XML.
+
+    Raises:
+        ScenarioError: It cannot be read, is no XML, or is larger, deeper or more than an XML file of a scenario is.
+    """
+    try:
+        if not path.is_file():
+            raise ScenarioError(f"there is no file {path}; give an .xosc file")
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)
+    except OSError as error:
+        raise ScenarioError(f"{path} cannot be read: {error.strerror}") from error
+    if len(content) > LARGEST:
+        raise ScenarioError(f"{path} has more than {LARGEST // 2**20} MB, and a scenario has less; cut it down")
+    try:
+        return _Reader(path).root(content)
+    except expat.ExpatError as error:
+        raise ScenarioError(f"{path} is no complete XML: {error}; export it again") from error
+    except (ValueError, LookupError) as error:
+        raise ScenarioError(f"{path} is no XML in an encoding that is known: {error}; save it as UTF-8") from error
+
+
+class _Reader:
+    """Expat, told to stop at whatever is not plain elements."""
+
+    def __init__(self, path: Path) -> None:
+        self._path, self._count = path, 0
+        self._open: list[Element] = []
+        self._root: Element | None = None
+        self._parser = expat.ParserCreate()
+        self._parser.StartDoctypeDeclHandler = self._doctype
+        self._parser.EntityDeclHandler = self._doctype
+        self._parser.StartElementHandler = self._start
+        self._parser.EndElementHandler = lambda _: self._open.pop()
+
+    def root(self, content: bytes) -> Element:
+        """The root of a text."""
+        self._parser.Parse(content, True)
+        assert self._root is not None
+        return self._root
+
+    def _refuse(self, why: str) -> None:
+        raise ScenarioError(f"{self._path}, line {self._parser.CurrentLineNumber}: {why}")
+
+    def _doctype(self, *_: object) -> None:
+        self._refuse(f"it declares a document type, and with it entities; leave that away, {_BUILT_IN} need none")
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self._count += 1
+        if self._count > MOST:
+            self._refuse(f"it has more than {MOST} elements; a scenario has less")
+        if len(self._open) >= DEEPEST:
+            self._refuse(f"elements lie more than {DEEPEST} deep in one another; a scenario's do not")
+        if any(len(value) > LONGEST for value in attributes.values()):
+            self._refuse(f"an attribute of <{tag[:40]}> has more than {LONGEST} characters")
+        one = Element(tag.rpartition(":")[2], attributes, self._parser.CurrentLineNumber)
+        if self._open:
+            self._open[-1].inside.append(one)
+        else:
+            self._root = one
+        self._open.append(one)

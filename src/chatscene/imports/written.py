@@ -1,0 +1,91 @@
+"""A storyboard as a Scenic program for our own world model, which `chatscene run --program` runs as any of a user."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import asdict, replace
+
+from chatscene.errors import ScenarioError
+from chatscene.terms.actors import LIMITS
+from chatscene.terms.plan_text import BEHAVIOR, print_expression, print_plan
+from chatscene.terms.polyline import Polyline
+from chatscene.terms.storyboard import EGO_ROUTE, Actor, Storyboard
+
+_COLUMNS = 100
+
+
+def written(board: Storyboard, name: str, map_name: str = "") -> str:
+    """The program of a storyboard.
+
+    Args:
+        board: What it says.
+        name: Of what it was made, for its first line.
+        map_name: The map's file beside it; empty if it names none.
+
+    Raises:
+        ScenarioError: Nobody in it but the ego does anything.
+    """
+    acting = [actor for actor in board.actors if actor.plan is not None]
+    if not acting:
+        raise ScenarioError(f"{name}: nobody but the ego does anything, and a program needs somebody who does")
+    behaviors = {actor.name: BEHAVIOR if i == 0 else f"{BEHAVIOR}{i + 1}" for i, actor in enumerate(acting)}
+    around = ", ".join(f"{key} = '{value}'" for key, value in asdict(board.surroundings).items())
+    ego, *others = board.actors
+    blocks = [
+        f"# Made of {' '.join(''.join(c if c.isprintable() else ' ' for c in name).split())[:80]}.",
+        "\n".join(
+            (
+                "model chatscene.world.model",
+                *([f"param map = localPath('{map_name}')"] if map_name else []),
+                *([f"param {around}"] if str(board.surroundings) else []),
+                *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in board.parameters),
+            )
+        ),
+        *(_line(line, path) for line, path in board.lines.items()),
+        *(_behavior(actor, behaviors[actor.name]) for actor in acting),
+        f"ego = new {ego.kind} at pointOn({EGO_ROUTE}, 0), facing directionOn({EGO_ROUTE}, 0), with route {EGO_ROUTE}"
+        + _properties(ego),
+        *(_placed(actor, behaviors.get(actor.name, ""), i) for i, actor in enumerate(others)),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _line(name: str, line: Polyline) -> str:
+    made = "routeThrough" if name == EGO_ROUTE else "lineThrough"
+    points = ", ".join(f"({x:.3f}, {y:.3f})" for x, y in line.points.tolist())
+    return (
+        f"{name} = {made}(\n" + textwrap.fill(points, _COLUMNS, initial_indent="    ", subsequent_indent="    ") + ")"
+    )
+
+
+def _behavior(actor: Actor, name: str) -> str:
+    assert actor.plan is not None
+    text = print_plan(replace(actor.plan, parameters=(), constants=()))
+    return text.replace(f"behavior {BEHAVIOR}():", f"behavior {name}():", 1).rstrip()
+
+
+def _properties(actor: Actor) -> str:
+    usual = LIMITS.get(actor.kind)
+    own = (
+        []
+        if usual and (usual.length, usual.width) == (actor.length, actor.width)
+        else [
+            f"with length {actor.length:g}",
+            f"with width {actor.width:g}",
+        ]
+    )
+    speed = [f"with speed {actor.speed:g}"] if actor.speed else []
+    return "".join(f", {one}" for one in (*own, *speed))
+
+
+def _placed(actor: Actor, behavior: str, number: int) -> str:
+    start = actor.start
+    along, left = print_expression(start.along), print_expression(start.left)
+    name = "AdvAgent" if behavior == BEHAVIOR else f"Other{number + 1}"
+    label = "".join(c if c.isascii() and c.isalnum() else "-" for c in actor.name)[:40]
+    does = f", with behavior {behavior}()" if behavior else f", with label '{label}'"
+    turn = f", {start.turn:g}" if start.turn else ""
+    return (
+        f"{name} = new {actor.kind} at pointOn({start.line}, {along}, {left}),\n"
+        f"    facing directionOn({start.line}, {along}{turn}){does}{_properties(actor)}"
+    )

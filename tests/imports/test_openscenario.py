@@ -1,0 +1,167 @@
+# ruff: noqa: E501 - elements stand in one line each
+"""Scenarios of others become programs, or are refused by element and line; no file does anything else."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import chatscene
+from chatscene.commands.main import main
+from chatscene.errors import ScenarioError, SettingsError
+from chatscene.imports.openscenario import Imported, read_openscenario
+from chatscene.maps.network import resolve_map
+from chatscene.search.generators.foreign import read_foreign
+from chatscene.terms.plan_text import print_plan
+from red_team.scenario_files import ATTACKS, NEAR, SLOWS, WALKER, event, scenario
+
+AFTER = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="brakes" state="completeState"/></ByValueCondition>'
+
+
+@pytest.fixture
+def beside(tmp_path: Path) -> Path:
+    (tmp_path / "town.xodr").symlink_to(resolve_map("town"))
+    return tmp_path
+
+
+def read(folder: Path, text: str) -> Imported:
+    path = folder / "theirs.xosc"
+    path.write_text(text)
+    return read_openscenario(path)
+
+
+def plan(folder: Path, text: str) -> str:
+    (found,) = [actor.plan for actor in read(folder, text).board.actors if actor.plan is not None]
+    return print_plan(found)
+
+
+def speeds_to(value: str, shape: str = "linear", dimension: str = "rate", by: str = "2") -> str:
+    changed = SLOWS.replace('value="0"', f'value="{value}"').replace('value="4"', f'value="{by}"')
+    return changed.replace("linear", shape).replace("rate", dimension)
+
+
+def test_somebody_ahead_who_slows_down_when_the_ego_comes_near_becomes_a_plan(beside: Path) -> None:
+    said = plan(beside, scenario())
+    assert said.splitlines() == [
+        "param OPT_NEAR = Range(10.0, 30.0)",
+        "behavior AdvBehavior():",
+        "    do DrivePath(leadWay, 5.0) until abs(headway(egoRoute, ego, self)) < globalParameters.OPT_NEAR",
+        "    do BrakeOnPath(leadWay, 0.5)",
+    ]
+
+
+def test_what_comes_after_an_event_waits_for_its_end(beside: Path) -> None:
+    said = plan(beside, scenario(events=event() + event(speeds_to("7"), AFTER, "goes on")))
+    assert "do BrakeOnPath(leadWay, 0.5) until self.pose[3] < 0.1" in said
+    assert said.rstrip().endswith("do ThrottleOnPath(leadWay, 0.444444, 0, 7.0)")
+
+
+def test_a_step_that_has_a_length_lasts_as_scenario_runner_reads_it_and_that_is_noted(beside: Path) -> None:
+    text = scenario(events=event(speeds_to("8", "step", "time", "3")) + event(SLOWS, AFTER, "stops"))
+    assert "do DrivePath(leadWay, 8.0) for 3.0 seconds" in plan(beside, text)
+    assert any("ScenarioRunner" in note for note in read(beside, text).notes)
+
+
+def test_a_lane_change_leads_to_the_line_of_that_lane_and_its_time_is_noted(beside: Path) -> None:
+    change = '<LateralAction><LaneChangeAction><LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="3"/><LaneChangeTarget><RelativeTargetLane entityRef="lead" value="{}"/></LaneChangeTarget></LaneChangeAction></LateralAction>'
+    found = None
+    for lanes in (1, -1):
+        try:
+            found = read(beside, scenario(events=event(change.format(lanes))))
+        except ScenarioError as error:
+            assert "there is no lane" in str(error)  # a street has a lane on one side
+    assert found is not None
+    lead = found.board.lines["leadWay2"]
+    along, aside, _ = lead.project(136.75, -330.0)
+    assert 0 < along < lead.length
+    assert 2.5 < abs(aside) < 8
+    assert any("lane change" in note for note in found.notes)
+
+
+def test_somebody_on_foot_goes_where_he_faces(beside: Path) -> None:
+    at = '<WorldPosition x="143" y="-340" h="3.141592"/>'
+    said = plan(beside, scenario(body=WALKER, place=at, events=event(speeds_to("1.5"))))
+    assert "do MoveAhead(5.0) until" in said
+    assert said.rstrip().endswith("do MoveAhead(1.5)")
+
+
+def test_a_place_may_be_told_by_road_lane_or_beside_somebody(beside: Path) -> None:
+    there = read(beside, scenario()).board
+    relative = '<RelativeObjectPosition entityRef="ego" dx="29" dy="0"/>'
+    again = read(beside, scenario(place=relative)).board
+    assert again.actors[1].start == there.actors[1].start
+    ahead = read(beside, scenario(place='<RelativeLanePosition entityRef="ego" dLane="0" ds="29" offset="0"/>')).board
+    x, y = (board.lines["leadWay"].point_at(board.actors[1].start.along.value) for board in (there, ahead))  # type: ignore[union-attr]
+    assert x == pytest.approx(y, abs=0.3)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (scenario(events=event(NEAR)), r"line \d+: <ByEntityCondition>|nobody does this here"),
+        (scenario(events=event("<TeleportAction/>")), r"<TeleportAction>: nobody does this here"),
+        (scenario(events=event(condition=NEAR.replace("RelativeDistance", "TimeToCollision"))), "not known here"),
+        (scenario(events=event().replace("rising", "falling")), "ceases"),
+        (
+            scenario(events=event().replace('name="brakes" p', 'name="brakes" maximumExecutionCount="3" p')),
+            "more than once",
+        ),
+        (scenario(place='<GeoPosition latitude="1" longitude="2"/>'), "such a place is not read"),
+        (scenario(place='<LanePosition roadId="999" laneId="1" s="1"/>'), "has no road '999'"),
+        (scenario(events=event(SLOWS.replace("$near", "1"), NEAR.replace("$near", "$far"))), r"\$far.*not declare"),
+        (scenario().replace('revMinor="2"', 'revMinor="9"'), "version 1.9"),
+    ],
+)
+def test_what_cannot_be_said_here_is_refused_with_its_line(text: str, why: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=why):
+        read(beside, text)
+
+
+def test_all_that_is_refused_is_told_at_once(beside: Path) -> None:
+    bad = scenario(
+        place='<GeoPosition latitude="1" longitude="2"/>',
+        more="<ManeuverGroup><Maneuver><Event/></Maneuver></ManeuverGroup>",
+    )
+    with pytest.raises(ScenarioError) as refused:
+        read(beside, bad)
+    assert str(refused.value).count("\n  line ") == 2
+
+
+@pytest.mark.parametrize("attack", sorted(ATTACKS))
+def test_what_an_enemy_puts_into_a_file_is_refused(attack: str, beside: Path) -> None:
+    text, why = ATTACKS[attack]
+    with pytest.raises(ScenarioError, match=why):
+        read(beside, text)
+
+
+def test_a_file_that_is_larger_than_a_scenario_is_not_read_to_its_end(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match="more than 8 MB"):
+        read(beside, " " * (9 * 2**20))
+
+
+def test_names_of_a_stranger_become_no_code(beside: Path) -> None:
+    text = scenario(name="x')&#10;import os&#10;('").replace(
+        'entityRef="lead"', 'entityRef="x&apos;)&#10;import os&#10;(&apos;"'
+    )
+    (beside / "an odd\tname.xosc").write_text(text)
+    done = chatscene.import_scenario(beside / "an odd\tname.xosc")
+    source = done.program.read_text()
+    assert "import os" not in source.replace("aximport", "")
+    assert read_foreign(done.program).program.parameters[0].name == "OPT_NEAR"
+
+
+def test_the_command_writes_a_program_once_and_says_how_it_is_run(beside: Path) -> None:
+    (beside / "theirs.xosc").write_text(scenario())
+    told = CliRunner().invoke(main, ["import", str(beside / "theirs.xosc"), "--json"], catch_exceptions=False)
+    assert told.exit_code == 0, told.output
+    program = Path(json.loads(told.output)["program"])
+    assert json.loads(told.output)["command"].endswith(f"--program {program}")
+    assert read_foreign(program).map_path == (beside / "town.xodr").resolve()
+    with pytest.raises(SettingsError, match="there already"):
+        chatscene.import_scenario(beside / "theirs.xosc")
+    with pytest.raises(ScenarioError, match="does not lie beside it"):
+        (beside / "town.xodr").unlink()
+        chatscene.import_scenario(beside / "theirs.xosc", out=beside / "other.scenic")
