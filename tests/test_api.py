@@ -77,6 +77,7 @@ COMMANDS: dict[str, tuple[click.Command, dict[str, str]]] = {
     "replay": (cli.replay, {}),
     "evaluate": (cli.evaluate, {"out": "folder", "egos": "ego", "every_scene": "all"}),
     "export": (cli.export, {}),
+    "import_scenario": (cli.import_scenario, {"map_name": "map"}),
     "finetune": (finetune, {"out": "folder", "sources": "scenes"}),
     "train": (cli.train, {"out": "folder", "map_name": "map", "round_": "round"}),
 }

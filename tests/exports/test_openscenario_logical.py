@@ -108,7 +108,17 @@ def site_of(behavior: Snippet) -> Site:
 def track(name: str, kind: str) -> Track:
     limits, still = LIMITS[kind], np.zeros(1)
     role = Role.EGO if name == "ego" else Role.ADVERSARY
-    return Track(name, role, kind, limits.length, limits.width, still, still, still, still)
+    return Track(
+        actor=name,
+        role=role,
+        kind=kind,
+        length=limits.length,
+        width=limits.width,
+        x=still,
+        y=still,
+        heading=still,
+        speed=still,
+    )
 
 
 def board_of(behavior: Snippet, plain: Plain, site: Site) -> Storyboard:
@@ -177,7 +187,7 @@ def test_what_is_said_of_every_packaged_behavior_is_read_back_as_the_same_plan_f
     [
         ("WeaveOnPath(advTrajectory, 5, 1, 2)", "phase 1.*no action"),
         ("DrivePath(advTrajectory, 5) until gap(self, ego) < 9\n    do ReverseStraight(2)", "phase 2.*no action"),
-        ("DrivePath(advTrajectory, 5) until headway(leftLane, ego, self) > 3", "not its route"),
+        ("DrivePath(advTrajectory, 5) until headway(leftLane, ego, self) > 3", "does not follow"),
         ("DrivePath(advTrajectory, 5, 1)", "beside a line"),
         ("DrivePath(advTrajectory, 5) until gap(self, ego) < self.pose[3]", "several live quantities"),
         ("Halt() until egoMeeting > 100 and gap(self, ego) < 3", None),
@@ -229,7 +239,7 @@ def test_what_is_imported_again_runs_as_a_program_of_a_user_and_drives_as_the_sc
 ) -> None:
     done = import_scenario(written)
     program = read_foreign(done.program).program
-    assert done.command == f"chatscene run --program {done.program}"
+    assert done.command == f"chatscene run --program {done.program} --map {written.parent / kept.map.name}"
     simulator = load_simulator(resolve_map("town"), SimulationSettings())
     old = Scene(id="s", scenario_id="planned", route=0, block=0, seed=0, values=kept.values)
     new = replace(old, scenario_id=program.scenario_id)

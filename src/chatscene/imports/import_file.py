@@ -29,8 +29,7 @@ class ImportedScenario:
     @property
     def command(self) -> str:
         """How it is run."""
-        beside = self.map_path.parent.resolve() == self.program.parent.resolve()
-        return f"chatscene run --program {self.program}" + ("" if beside else f" --map {self.map_path}")
+        return f"chatscene run --program {self.program} --map {self.map_path}"
 
     def __str__(self) -> str:
         """A line per note, and how it is run."""
@@ -56,8 +55,7 @@ def import_scenario(path: Path, *, out: Path | None = None, map_name: str | None
     if out.exists():
         raise SettingsError(f"{out} is there already; delete it, or give another name with --out")
     found = read_openscenario(path, map_name)
-    beside = found.map_path.parent.resolve() == out.parent.resolve()
-    text = written(found.board, path.name, found.map_path.name if beside else "")
+    text = written(found.board, path.name)
     try:
         foreign_program(out.stem, text)
     except ForeignCodeRefused as error:

@@ -14,13 +14,12 @@ from chatscene.terms.storyboard import EGO_ROUTE, Actor, Storyboard
 _COLUMNS = 100
 
 
-def written(board: Storyboard, name: str, map_name: str = "") -> str:
+def written(board: Storyboard, name: str) -> str:
     """The program of a storyboard.
 
     Args:
         board: What it says.
         name: Of what it was made, for its first line.
-        map_name: The map's file beside it; empty if it names none.
 
     Raises:
         ScenarioError: Nobody in it but the ego does anything.
@@ -36,7 +35,6 @@ def written(board: Storyboard, name: str, map_name: str = "") -> str:
         "\n".join(
             (
                 "model chatscene.world.model",
-                *([f"param map = localPath('{map_name}')"] if map_name else []),
                 *([f"param {around}"] if str(board.surroundings) else []),
                 *(f"param {p.name} = Range({p.low!r}, {p.high!r})" for p in board.parameters),
             )

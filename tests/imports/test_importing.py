@@ -158,8 +158,8 @@ def test_the_command_writes_a_program_once_and_says_how_it_is_run(beside: Path) 
     told = CliRunner().invoke(main, ["import", str(beside / "theirs.xosc"), "--json"], catch_exceptions=False)
     assert told.exit_code == 0, told.output
     program = Path(json.loads(told.output)["program"])
-    assert json.loads(told.output)["command"].endswith(f"--program {program}")
-    assert read_foreign(program).map_path == (beside / "town.xodr").resolve()
+    assert json.loads(told.output)["command"].endswith(f"--program {program} --map {beside / 'town.xodr'}")
+    assert read_foreign(program).program.parameters
     with pytest.raises(SettingsError, match="there already"):
         chatscene.import_scenario(beside / "theirs.xosc")
     with pytest.raises(ScenarioError, match="does not lie beside it"):
