@@ -116,7 +116,8 @@ def plainly(plan: Plan, site: Site) -> Plain:
     read = {
         part.name for phase in phases for e in _expressions(phase) for part in walk(e) if isinstance(part, Parameter)
     }
-    parameters = tuple(Range(r.name, r.low, r.high) for r in site.ranges.values() if r.name in read)
+    ranges = sorted((r for r in site.ranges.values() if r.name in read), key=lambda r: r.name)
+    parameters = tuple(Range(r.name, r.low, r.high) for r in ranges)
     return Plain(plan=Plan(phases=tuple(phases), parameters=parameters), lines=teller.lines, lanes=teller.lanes)
 
 
