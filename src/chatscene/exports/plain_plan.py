@@ -213,6 +213,8 @@ class _Teller:
         elif name != self._way and not (known and self._way is None and self._stands):
             if self._way is None:
                 raise Unsayable("it comes to a line from where it walked")
+            if known is not None:
+                raise Unsayable("it comes back to a line that it left")
             self.lanes[name] = self._site.lane_of(line)
         self.lines.setdefault(name, line)
         self._stands, self._ahead, self._way = False, False, name
