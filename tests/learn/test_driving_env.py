@@ -185,7 +185,7 @@ def test_unknown_presets_are_named(what: str, name: str) -> None:
 
 def test_several_environments_run_in_processes_of_their_own() -> None:
     envs = vector_env(2, courses=[STRAIGHT])
-    seen, _ = envs.reset(seed=[1, 1])
+    seen, _ = envs.reset(seed=[1, 1])  # pyright: ignore[reportArgumentType]
     assert np.array_equal(seen[0], seen[1])
     actions = np.array([[1.0, 0.0], [0.0, 0.0]], np.float32)
     for _ in range(5):

@@ -55,7 +55,6 @@ class Reading(TypedDict):
     library: str
     embedder: str
     language_model: str
-    reader: str
 
 
 def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - a decorator, like those of click
@@ -67,19 +66,22 @@ def READING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 - 
     model = click.option(
         "--language-model", default="offline", show_default=True, help="openai:MODEL, gguf:FILE, or offline."
     )
-    reader = click.option(
-        "--reader",
-        type=click.Choice(READERS),
-        default=READERS[0],
-        show_default=True,
-        help="By typed facts, or by wording alone, as in the paper, where nothing is refused.",
-    )
-    return own(embedder(model(reader(command))))
+    return own(embedder(model(command)))
+
+
+READER = click.option(
+    "--reader",
+    type=click.Choice(READERS),
+    default=READERS[0],
+    show_default=True,
+    help="By typed facts, or by wording alone, as in the paper, where nothing is refused.",
+)
 
 
 class Chosen(Reading):
     """The options beside those that say which reading is meant; the names are those of `chatscene.run`."""
 
+    reader: str
     reading: int
     set: dict[str, str]
 
@@ -100,7 +102,7 @@ def CHOOSING(command: Callable[..., Any]) -> Callable[..., Any]:  # noqa: N802 -
         callback=_facts,
         help="A fact beside TEXT, which is sure: side=left; repeat.",
     )
-    return taken(stated(command))
+    return READER(taken(stated(command)))
 
 
 def _facts(_context: click.Context, _option: click.Parameter, said: tuple[str, ...]) -> dict[str, str]:
@@ -285,6 +287,7 @@ def lint(own: str, scenes: int, jobs: int, executor: str, as_json: bool) -> None
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=None, help="For tables and sentences.")
 @WORKERS
 @READING
+@READER
 def evaluate(
     sentences: str,
     ablation: bool,
@@ -292,6 +295,7 @@ def evaluate(
     out: Path | None,
     jobs: int,
     executor: str,
+    reader: str,
     **reading: Unpack[Reading],
 ) -> None:
     """Measure how well sentences are understood, against facts that people wrote down for them.
@@ -305,7 +309,7 @@ def evaluate(
     from chatscene.settings import RetrievalSettings
     from chatscene.studies import reading as understanding
 
-    settings = RetrievalSettings(**reading)
+    settings = RetrievalSettings(**reading, reader=reader)
     found = understanding.load_sentences(sentences)
     judged = understanding.measure(
         found, settings=settings, drive=not no_drive, workers=Workers(jobs, executor), progress=progress()

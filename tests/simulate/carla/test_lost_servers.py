@@ -20,6 +20,7 @@ from chatscene.commands.main import main
 from chatscene.errors import MapError, RunError, ServerError, SettingsError
 from chatscene.maps.network import resolve_map
 from chatscene.runs.progress import silent
+from chatscene.runs.executor import Workers
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
 from chatscene.search.climb import simulator_of
@@ -134,7 +135,7 @@ def test_more_processes_than_worlds_are_refused(tmp_path: Path) -> None:
     check_jobs(SimulationSettings(simulator="carla"), 1)
     check_jobs(SimulationSettings(), 2)
     with pytest.raises(SettingsError, match="use --jobs 1"):
-        drive(["idm"], simulation=SimulationSettings(simulator="carla"), jobs=2, progress=silent)
+        drive(["idm"], simulation=SimulationSettings(simulator="carla"), workers=Workers(2), progress=silent)
     done = CliRunner().invoke(
         main, ["benchmark", "--simulator", "carla", "--jobs", "2", "--out", str(tmp_path / "benchmark")]
     )
@@ -251,7 +252,7 @@ def test_an_address_in_a_record_is_called_only_if_the_user_names_it_too(finished
 def test_egos_are_measured_in_a_server(finished: tuple[str, Path, Path], tmp_path: Path) -> None:
     simulator, through, _ = finished
     with pytest.raises(SettingsError, match="use --jobs 1"):
-        evaluate([through], tmp_path / "two", egos=["idm"], simulator=simulator, jobs=2, progress=silent)
+        evaluate([through], tmp_path / "two", egos=["idm"], simulator=simulator, workers=Workers(2), progress=silent)
     done = evaluate([through], tmp_path / "one", egos=["idm"], simulator=simulator, progress=silent)
     assert not done.failures
     assert all(isinstance(table, ResultTable) for table in done.tables.values())
