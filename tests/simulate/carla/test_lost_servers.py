@@ -19,8 +19,8 @@ from chatscene import pipeline, runs
 from chatscene.commands.main import main
 from chatscene.errors import MapError, RunError, ServerError, SettingsError
 from chatscene.maps.network import resolve_map
-from chatscene.runs.progress import silent
 from chatscene.runs.executor import Workers
+from chatscene.runs.progress import silent
 from chatscene.runs.replay import replay
 from chatscene.runs.trust import Repeated
 from chatscene.search.climb import simulator_of
