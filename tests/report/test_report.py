@@ -50,6 +50,7 @@ from chatscene.runs import (
     Status,
     create,
     metrics_of,
+    read_episode,
     read_ranges,
     read_record,
     read_scenes,
@@ -62,6 +63,7 @@ from chatscene.terms.criticality import Criticality
 from chatscene.terms.episode import Episode, contact_point
 from fake_run import (
     DECLARED,
+    DT,
     PROGRAM,
     SCENARIO,
     TEXT,
@@ -592,13 +594,15 @@ def _text(document: str, ident: str) -> str:
 
 @needs_chromium
 def test_in_a_browser_the_replay_starts_by_itself_and_time_goes_on(tmp_path: Path) -> None:
-    page = write_report(finished(tmp_path / "run", count=1).path)
-    document = _opened(page, tmp_path / "profile")
+    run = finished(tmp_path / "run", count=1)
+    best = viewer.ranked(read_scenes(run))[0]["scene_id"]
+    steps = len(read_episode(run, best).ego_track.x)
+    document = _opened(write_report(run.path), tmp_path / "profile")
     assert re.search(r'id="trouble"[^>]*hidden', document)
-    assert _text(document, "clock") == "3.2 s of 3.2 s"
+    assert _text(document, "clock") == f"{(steps - 1) * DT:.1f} s of {(steps - 1) * DT:.1f} s"
     assert _text(document, "play") == "Replay"
     assert re.findall(r"<span>([^<]*) <b>", document)[:3] == ["ego: rule-based", "pedestrian", "gap"]
-    assert f'data-scene="{SCENARIO}/route-00/scene-006" aria-current="true"' in document
+    assert re.findall(r'<tr data-scene="([^"]*)"[^>]* aria-current="true"', document) == [best]
 
 
 @needs_chromium
