@@ -19,12 +19,16 @@ from chatscene.exports.exporter import EXPORTERS
 from chatscene.models.encoders.embedding import EMBEDDERS
 from chatscene.models.language.protocol import LANGUAGE_MODELS, load_language_model
 from chatscene.plugins import Kind, make, names
+from chatscene.runs.executor import EXECUTORS
 from chatscene.search.generator import GENERATORS
 from chatscene.search.sampler import SAMPLERS, load_sampler
 from chatscene.simulate.simulator import SIMULATORS
 from places import ROOT
 
-KINDS: tuple[Kind[Any], ...] = (EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS, EXPORTERS)
+KINDS: tuple[Kind[Any], ...] = (
+    *(EGOS, SAMPLERS, GENERATORS, LANGUAGE_MODELS, EMBEDDERS, SIMULATORS),
+    *(EXPORTERS, EXECUTORS),
+)
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.noun)
 
 PAGE = (ROOT / "docs" / "plugins.md").read_text()

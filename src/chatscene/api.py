@@ -781,7 +781,7 @@ def import_scenario(
     """
     from chatscene.imports.import_file import import_scenario as import_file
 
-    return import_file(Path(file), out=_folder(out), map_name=None if map is None else str(map))
+    return import_file(Path(file), out=None if out is None else Path(out), map_name=None if map is None else str(map))
 
 
 def sql(query: str, folder: Name = "runs") -> Table:

@@ -81,7 +81,8 @@ def test_a_program_that_lacks_a_value_or_draws_by_itself_is_refused() -> None:
         FilledProgram().files(replace(kept, program=drawing))
 
 
-@pytest.mark.parametrize("name", sorted(EXPORTERS.built_in))
+# A logical scenario is of packaged snippets, and this run's are made for tests: `test_openscenario_logical.py`.
+@pytest.mark.parametrize("name", sorted({*EXPORTERS.built_in} - {"openscenario-logical"}))
 def test_without_a_scene_those_are_exported_that_the_run_keeps(name: str, tmp_path: Path) -> None:
     run = finished(tmp_path / "run", count=1)
     try:

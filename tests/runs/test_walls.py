@@ -40,6 +40,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.assemble import assemble
 from chatscene.read.slot_classifier import load_classifier, save_classifier
 from chatscene.report.terminal import print_understanding, visible
+from chatscene.runs import rebuild as rebuilding
 from chatscene.runs import replay as replaying
 from chatscene.runs.atomic import sweep
 from chatscene.runs.digests import write_sealed
@@ -214,7 +215,7 @@ def test_who_read_the_sentence_need_not_be_named_where_it_is_not_read_again(
     def rebuild(_run: runs.Workspace) -> None:
         raise Seen
 
-    for module in (replaying, evaluation, scenes):
+    for module in (rebuilding, evaluation, scenes):
         monkeypatch.setattr(module, "rebuild", rebuild)
     if command == "replay":
         monkeypatch.setattr(replaying, "read_episode", Mock())

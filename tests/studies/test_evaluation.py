@@ -22,7 +22,7 @@ from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult, ordinary_t
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.runs.executor import ONE, Workers
 from chatscene.search.generator import load_generator
-from chatscene.settings import SearchSettings, Settings
+from chatscene.settings import PAPER, SearchSettings, Settings
 from chatscene.studies import benchmark as benchmarks
 from chatscene.studies.benchmark import Benchmarked, Budget, benchmark
 from chatscene.studies.driving import drive
@@ -193,7 +193,7 @@ def test_the_papers_generator_has_five_texts_for_every_base_scenario() -> None:
 @pytest.fixture
 def tiny(monkeypatch: pytest.MonkeyPatch) -> None:
     """A budget that takes seconds."""
-    budget = Budget(scenarios=1, search=SearchSettings(scenes=2, block=1, keep=1, routes=1))
+    budget = Budget(scenarios=1, search=replace(PAPER, scenes=2, block=1, keep=1, routes=1))
     monkeypatch.setitem(benchmarks.BUDGETS, "tiny", budget)
 
 

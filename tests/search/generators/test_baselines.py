@@ -19,7 +19,7 @@ from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
-from chatscene.settings import RetrievalSettings, SearchSettings, Settings
+from chatscene.settings import PAPER, RetrievalSettings, Settings
 from chatscene.terms.scenario import BaseScenario, Slots
 from chatscene.terms.scene import Scene, ScenicProgram
 from fake_run import block
@@ -60,7 +60,7 @@ def searched(
             0,
             simulator=SimpleNamespace(),  # type: ignore[arg-type]
             ego=RuleBased(),
-            settings=SearchSettings(scenes=10 * blocks, block=10, seed=seed),
+            settings=replace(PAPER, scenes=10 * blocks, block=10, seed=seed),
             done=(),
         )
     )
