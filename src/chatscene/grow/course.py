@@ -19,7 +19,7 @@ from chatscene.studies.reading import Sentence, essential, load_sentences
 from chatscene.terms.scenario import Component
 from chatscene.terms.slots import SLOTS
 
-MEMBERS = 2  # of the classifier
+MEMBERS = 1  # of the classifier
 OFTENER = 2  # times a sentence written by hand is seen for one composed
 FOLDS = 3  # of the sources
 FEWEST = 2000  # sentences of ours that a member is trained on with

@@ -58,9 +58,9 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
 # by several people, each of whom weighs the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": 0.08, "scope": 0.12, "beyond": -0.56, "outright": 0.25, "wording": 0.76, "meant": 0.20,
-    "same acts": 0.63, "same kind": 0.24, "same place": 0.56, "no account": 0.81, "touched": -0.05, "unused": -1.31,
-    "words": -0.39, "facts": 0.84, "acts": 0.32,
+    "base": 0.85, "scope": 0.12, "beyond": -0.39, "outright": 0.20, "wording": 0.61, "meant": 0.20,
+    "same acts": 0.45, "same kind": 0.02, "same place": 0.47, "no account": 0.62, "touched": 0.12, "unused": -0.14,
+    "words": -0.50, "facts": 0.88, "acts": 0.36,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more

@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 2.41, "unread": 0.13, "share": -5.15, "words": -1.13, "same acts": 0.09, "some acts": -0.17,
-    "same kind": 0.33, "same place": 0.49, "same way": -0.29, "placed": 2.48, "touched": 1.20, "acts": -0.10,
-    "quiet": 0.07, "others": 0.05, "behavior": 0.16, "facts": 0.41, "done": 0.59, "scope": 0.09,
+    "base": 2.37, "unread": 0.22, "share": -4.91, "words": -1.06, "same acts": -0.09, "some acts": -0.21,
+    "same kind": 0.21, "same place": 0.32, "same way": 0.24, "placed": 2.19, "touched": 1.04, "acts": -0.09,
+    "quiet": -0.12, "others": 0.10, "behavior": 0.31, "facts": 0.49, "done": 0.79, "scope": 0.09,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little
