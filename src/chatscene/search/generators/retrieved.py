@@ -18,7 +18,7 @@ from chatscene.program.orders import ORDERS
 from chatscene.search.generator import Choice, Written
 from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scenario import BaseScenario, Scenario, Site, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -68,6 +68,9 @@ class Retrieved:
             retrieval = replace(retrieval, notes=(*retrieval.notes, told))
         if (site := scenario.slots.site) is not None:
             told = f"it needs a map with the {site}: {map_with(site)!r} is taken where no map is named"
+            retrieval = replace(retrieval, notes=(*retrieval.notes, told))
+        if site is Site.CROSSWALK:
+            told = "the crosswalk lies on the ego's way; whoever crosses may do so before or behind it"
             retrieval = replace(retrieval, notes=(*retrieval.notes, told))
         return Written(program=assemble(scenario, triple, retrieval.adversary), retrieval=retrieval)
 
