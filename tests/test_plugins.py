@@ -184,5 +184,7 @@ class Model:
 def test_every_built_in_name_leads_somewhere() -> None:
     for kind in KINDS:
         for name in kind.built_in:
-            with pytest.raises(ChatSceneError, match=r"fails: TypeError|needs carla"):  # no wheel for every Python
+            with pytest.raises(
+                ChatSceneError, match=r"fails: TypeError|needs (carla|ray)"
+            ):  # not in every test environment
                 make(kind, name, *range(9), no_such_argument=0)
