@@ -24,6 +24,8 @@ _ACCELERATIONS = (-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0)  # [m/s²]
 _SHIFTS = (0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6)  # [m, positive = left of the route]
 ACCELERATION = np.repeat(_ACCELERATIONS, len(_SHIFTS))  # of each way
 SHIFT = np.tile(_SHIFTS, len(_ACCELERATIONS))
+_GAIN = ACCELERATION[:, None] * TIMES  # [m/s]
+_POINTS = np.array((0.0, *AHEAD))  # along the route [m]
 MOVING, WAITING = 0.5, 1.5  # [m/s]: from here on somebody may brake or speed up; up to here, step into the way
 BESIDE, NEAR = 1.6, 8.0  # [m] from the route: who stands between these may step into it
 REACTION = 0.3  # [s] before somebody who stands sets out
@@ -131,64 +133,62 @@ class Planner:
         c = self.caution
         speed, offset = float(observation[0]), float(observation[1])
         wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
-        wished = np.clip(speed + ACCELERATION[:, None] * TIMES, 0.0, max(wish, speed - 3.0 * DT))
-        speeds = np.asarray(wished, np.float64)
-        gone = np.cumsum(speeds, axis=1) * DT
-        reach = np.cumsum(np.minimum(c.drift, c.agility * speeds), axis=1) * DT
-        beside = offset + np.clip((SHIFT - offset)[:, None], -reach, reach)
+        speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))
+        gone = speeds.cumsum(axis=1) * DT
+        reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=1) * DT
+        beside = offset + np.minimum(np.maximum((SHIFT - offset)[:, None], -reach), reach)
         cost = c.jerk * ACCELERATION**2 - gone[:, -1] + c.resolve * np.abs(SHIFT - offset)
         cost += (c.offset * beside**2 + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)).sum(axis=1) * DT
         rows = observation[OWN:].reshape(-1, PER_ACTOR)
         if len(rows := rows[rows[:, 0] > 0.0]):
             cost += self._danger(self._others(observation, rows), offset, speeds, gone, beside)
-        best = int(np.argmin(cost))
+        best = int(cost.argmin())
         acceleration = float(ACCELERATION[best])
         if acceleration >= 0.0 and speed >= wish - 0.05:
             acceleration = max(-3.0, 2.0 * (wish - speed))
         pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
-        shift = offset + float(np.clip(SHIFT[best] - offset, -AT_ONCE, AT_ONCE))
+        shift = offset + max(-AT_ONCE, min(AT_ONCE, float(SHIFT[best]) - offset))
         return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
 
     def _others(self, observation: Observation, rows: Array) -> _Others:
         along, beside, _, _, vx, vy, turned, half_length, half_width, _ = rows[:, 1:].T
-        points = np.vstack([(0.0, 0.0), observation[4:OWN].reshape(-1, 2)])
-        legs = np.diff(points, axis=0)
-        at = np.clip(np.searchsorted((0.0, *AHEAD), along) - 1, 0, len(legs) - 1)
+        points = observation[4:OWN].reshape(-1, 2)
+        legs = points.copy()
+        legs[1:] -= points[:-1]
+        at = np.minimum(np.maximum(_POINTS.searchsorted(along) - 1, 0), len(legs) - 1)
         way = np.arctan2(legs[at, 1], legs[at, 0])  # where the route leads beside each of them
         ds, db = vx * np.cos(way) + vy * np.sin(way), vy * np.cos(way) - vx * np.sin(way)
         c, s = np.abs(np.cos(turned - way)), np.abs(np.sin(turned - way))
         speed = np.hypot(ds, db)
-        heading = np.array((ds, db)) / np.maximum(speed, 0.1)
-        caution, still = self.caution, np.zeros((len(rows), len(TIMES)))
+        caution, count = self.caution, len(rows)
         moving = speed > MOVING
         waiting = (speed < WAITING) & (np.abs(beside) > BESIDE) & (np.abs(beside) < NEAR) & (along > -2.0)
-        braking = np.maximum(speed[:, None] - caution.braking[0] * TIMES, 0.0)
-        starting = np.minimum(speed[:, None] + caution.starting[0] * TIMES, np.maximum(speed, FASTEST)[:, None])
-        expected = [
-            (heading, still + speed[:, None], np.ones(len(rows))),
-            (heading, braking, caution.braking[1] * moving),
-            (heading, starting, caution.starting[1] * moving),
-            (
-                np.array((0.0 * beside, -np.sign(beside))),
-                still + caution.stepping[0] * (TIMES > REACTION),
-                caution.stepping[1] * waiting,
-            ),
-        ]
-        belief = np.concatenate([believed for _, _, believed in expected])
-        held = belief > 0.0
-        speeds = [np.concatenate([h[i][:, None] * v for h, v, _ in expected])[held] for i in (0, 1)]
-        now = [np.tile(x, len(expected))[held] for x in (along, beside, moving)]
+        # Four expectations of everybody: to go on, to brake, to speed up, to step into the way.
+        belief = np.empty((4, count))
+        belief[0], belief[1] = 1.0, caution.braking[1] * moving
+        belief[2], belief[3] = caution.starting[1] * moving, caution.stepping[1] * waiting
+        fast = np.empty((4, count, len(TIMES)))
+        fast[0] = speed[:, None]
+        np.maximum(speed[:, None] - caution.braking[0] * TIMES, 0.0, out=fast[1])
+        np.minimum(speed[:, None] + caution.starting[0] * TIMES, np.maximum(speed, FASTEST)[:, None], out=fast[2])
+        fast[3] = caution.stepping[0] * (TIMES > REACTION)
+        heading = np.empty((2, 4, count))
+        heading[:, :3] = (np.array((ds, db)) / np.maximum(speed, 0.1))[:, None]
+        heading[0, 3], heading[1, 3] = 0.0, -np.sign(beside)
+        kind, who = (belief > 0.0).nonzero()
+        speed_along, speed_beside = heading[:, kind, who][:, :, None] * fast[kind, who]
+        now_along, now_beside = along[who], beside[who]
         return _Others(
-            along=now[0][:, None] + np.cumsum(speeds[0], axis=1) * DT,
-            beside=now[1][:, None] + np.cumsum(speeds[1], axis=1) * DT,
-            speed_along=speeds[0],
-            speed_beside=speeds[1],
-            half_along=np.tile(half_length * c + half_width * s, len(expected))[held],
-            half_beside=np.tile(half_length * s + half_width * c, len(expected))[held],
-            now_along=now[0],
-            now_beside=now[1],
-            moves=now[2],
-            belief=belief[held],
+            along=now_along[:, None] + speed_along.cumsum(axis=1) * DT,
+            beside=now_beside[:, None] + speed_beside.cumsum(axis=1) * DT,
+            speed_along=speed_along,
+            speed_beside=speed_beside,
+            half_along=(half_length * c + half_width * s)[who],
+            half_beside=(half_length * s + half_width * c)[who],
+            now_along=now_along,
+            now_beside=now_beside,
+            moves=moving[who],
+            belief=belief[kind, who],
         )
 
     def _danger(self, others: _Others, offset: float, speeds: Array, gone: Array, beside: Array) -> Array:
@@ -197,13 +197,13 @@ class Planner:
         along, across = _CAR.length / 2 + others.half_along, _CAR.width / 2 + others.half_beside
         # Who is nearer than we want already is not to stop us from moving away.
         apart, aside = np.abs(others.now_along) - along, np.abs(others.now_beside - offset) - across
-        room = np.where(aside < c.side + 0.2, np.clip(apart - 0.1, 0.05, c.room), c.room)
-        side = np.where(apart < c.room + 0.2, np.clip(aside - 0.05, 0.05, c.side), c.side)
+        room = np.where(aside < c.side + 0.2, np.minimum(np.maximum(apart - 0.1, 0.05), c.room), c.room)
+        side = np.where(apart < c.room + 0.2, np.minimum(np.maximum(aside - 0.05, 0.05), c.side), c.side)
         gap = np.abs(others.along - gone[:, None]) - along[:, None]  # (ways, H, T)
         berth = np.abs(others.beside - beside[:, None]) - across[:, None]
         hits = (gap < room[:, None]) & (berth < side[:, None] + c.widening * TIMES * others.moves[:, None])
         first = hits.argmax(axis=2)
-        way, one = np.ogrid[: len(speeds), : len(others.belief)]
+        way, one = np.arange(len(speeds))[:, None], np.arange(len(others.belief))
         impact = np.hypot(speeds[way, first] - others.speed_along[one, first], others.speed_beside[one, first])
         crash = hits.any(axis=2) * c.crash * np.exp(-TIMES[first] / c.patience) * (c.graze + impact)
         close = (gap < c.room + 0.5) & (berth < c.side + c.berth)
