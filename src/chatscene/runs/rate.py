@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -187,22 +187,24 @@ def rate(
         tally.add(points, [batch.route or 0] * len(came), came, batch)
     stored = tally.placed
     setup = _Setup(program, record.generator, CarriedMap.of(map_of(record)), settings, record.ego)
-    done = 0
-    for number, count in enumerate(rounds(scenes)):
-        rng = np.random.default_rng((scene_seed(seed, f"{scenario.id}/rate"), number))
-        proposal = tally.aim(rng)
-        points = proposal.draw(count, rng)
-        on = [routes[(done + i) % len(routes)] for i in range(count)]
-        tasks = [
-            (i, _scene(scenario.id, seed, done + i, on[i], exposure.cube.values(point)))
-            for i, point in enumerate(points)
-        ]
-        found: dict[int, Came | None] = {}
-        for i, came in spread(_Driver, setup, tasks, workers=workers):
-            found[i] = came
-            progress("scenes", done + len(found), scenes)
-        tally.add(points, on, [found[i] for i in range(count)], Batch(count=count, density=proposal))
-        done += count
+    series = _rounds(tally, exposure, scenario.id, routes, scenes, seed)
+    waiting = next(series, [])
+    found: dict[int, Came | None] = {}
+
+    def then(result: tuple[int, Came | None]) -> list[tuple[int, Scene]]:
+        found.update([result])
+        if len(found) < len(waiting):
+            return []
+        try:
+            waiting[:] = series.send(found)
+        except StopIteration:
+            waiting.clear()
+        found.clear()
+        return waiting
+
+    # One set of workers for all rounds: to begin with the program takes longer than to drive a round.
+    for done, _ in enumerate(spread(_Driver, setup, waiting, workers=workers, then=then), start=1):
+        progress("scenes", done, scenes)
     crash, careful = tally.shares()
     return Rate(
         text=record.text,
@@ -215,6 +217,22 @@ def rate(
         exposure=tuple(dict(row) for row in as_rows(exposure)),
         left=_not_counted(sampler),
     )
+
+
+def _rounds(
+    tally: Tally, exposure: Exposure, scenario: str, routes: Sequence[int], scenes: int, seed: int
+) -> Generator[list[tuple[int, Scene]], dict[int, Came | None], None]:
+    """The scenes of each round with their numbers in it, for what each came to; a round is aimed by those before."""
+    begun = 0
+    for number, count in enumerate(rounds(scenes)):
+        rng = np.random.default_rng((scene_seed(seed, f"{scenario}/rate"), number))
+        proposal = tally.aim(rng)
+        points = proposal.draw(count, rng)
+        on = [routes[(begun + i) % len(routes)] for i in range(count)]
+        values = [exposure.cube.values(point) for point in points]
+        found = yield [(i, _scene(scenario, seed, begun + i, on[i], values[i])) for i in range(count)]
+        tally.add(points, on, [found[i] for i in range(count)], Batch(count=count, density=proposal))
+        begun += count
 
 
 def _scene(scenario: str, seed: int, number: int, route: int, values: dict[str, float]) -> Scene:
