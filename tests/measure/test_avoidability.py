@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from blind import Blind
+from blind import STRAIGHT, Blind, car_ahead
 from chatscene.ego.observation import Observation
 from chatscene.errors import EgoError
 from chatscene.maps.network import resolve_map
@@ -23,7 +23,6 @@ from chatscene.measure.avoidability import (
     avoidable,
     risk_step,
 )
-from chatscene.program.ordinary import ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.embedded.dynamics import VehicleBody
 from chatscene.simulate.embedded.lagged import LaggedVehicle
@@ -31,7 +30,6 @@ from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.actors import LIMITS
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Track
 from chatscene.terms.polyline import Polyline
-from chatscene.terms.scene import Scene
 
 EAST = Polyline([(float(x), 0.0) for x in range(300)])
 DT = 0.1
@@ -154,9 +152,6 @@ def test_the_careful_driver_s_foot_leaves_to_a_brake_that_lags_what_that_does_of
     assert lost(LaggedVehicle(0.0, 0.0, 0.0, car, 20.0), 0.0) < 0.75 * at_once
 
 
-STRAIGHT = ordinary_program(ordinary_queries()[0])
-
-
 @pytest.fixture(scope="module")
 def simulator() -> Simulator:
     return load_simulator(resolve_map("town"), SimulationSettings())
@@ -166,14 +161,7 @@ def simulator() -> Simulator:
 def test_to_run_into_the_car_ahead_is_avoidable_and_not_to_is_no_question(
     simulator: Simulator, gap: float, expected: bool | None
 ) -> None:
-    values = {
-        "OPT_PARKED_Y": 40.0,
-        "OPT_AHEAD_Y": gap,
-        "OPT_AHEAD_SPEED": 5.0,
-        "OPT_BESIDE_Y": 0.0,
-        "OPT_BESIDE_SPEED": 4.0,
-    }
-    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    scene = car_ahead(gap)
     driven = simulate(simulator, STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
     assert avoidable(driven, STRAIGHT, scene, Blind(), simulator) is expected
@@ -189,9 +177,7 @@ def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(simulator
                 raise LookupError("no more")
             return super().act(observation)
 
-    values = {"OPT_PARKED_Y": 40.0, "OPT_AHEAD_Y": 15.0, "OPT_AHEAD_SPEED": 5.0}
-    values |= {"OPT_BESIDE_Y": 0.0, "OPT_BESIDE_SPEED": 4.0}
-    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    scene = car_ahead(15.0)
     driven = simulate(simulator, STRAIGHT, scene, Moody())
     assert isinstance(driven, Episode)
     Moody.calls = 200
@@ -201,14 +187,7 @@ def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(simulator
 
 
 def test_braking_needs_the_time_the_regulation_gives(simulator: Simulator) -> None:
-    values = {
-        "OPT_PARKED_Y": 40.0,
-        "OPT_AHEAD_Y": 15.0,
-        "OPT_AHEAD_SPEED": 5.0,
-        "OPT_BESIDE_Y": 0.0,
-        "OPT_BESIDE_SPEED": 4.0,
-    }
-    scene = Scene(id="s", scenario_id=STRAIGHT.scenario_id, route=0, block=0, seed=0, values=values)
+    scene = car_ahead(15.0)
     driven = simulate(simulator, STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
     crash = driven.collision

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from blind import Blind
+from blind import STRAIGHT, Blind, car_ahead
 from chatscene.maps.network import resolve_map
 from chatscene.measure.avoidability import FULL_BRAKE
 from chatscene.measure.reference_drivers import (
@@ -21,7 +21,6 @@ from chatscene.measure.reference_drivers import (
     Rule,
     meet,
 )
-from chatscene.program.ordinary import ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode, Role, Track
@@ -117,19 +116,9 @@ def simulator() -> Simulator:
     return load_simulator(resolve_map("town"), SimulationSettings(simulator="native"))
 
 
-PROGRAM = ordinary_program(ordinary_queries()[0])
-
-
 def crash_behind(gap: float, simulator: Simulator) -> tuple[Episode, Scene]:
-    values = {
-        "OPT_PARKED_Y": 40.0,
-        "OPT_AHEAD_Y": gap,
-        "OPT_AHEAD_SPEED": 5.0,
-        "OPT_BESIDE_Y": 0.0,
-        "OPT_BESIDE_SPEED": 4.0,
-    }
-    scene = Scene(id="s", scenario_id=PROGRAM.scenario_id, route=0, block=0, seed=0, values=values)
-    driven = simulate(simulator, PROGRAM, scene, Blind())
+    scene = car_ahead(gap)
+    driven = simulate(simulator, STRAIGHT, scene, Blind())
     assert isinstance(driven, Episode)
     return driven, scene
 
@@ -138,11 +127,11 @@ def crash_behind(gap: float, simulator: Simulator) -> tuple[Episode, Scene]:
 def test_every_reference_driver_keeps_off_the_car_ahead(name: str, simulator: Simulator) -> None:
     driven, scene = crash_behind(15.0, simulator)
     assert driven.collision is not None
-    assert REFERENCE_DRIVERS[name](driven, PROGRAM, scene, Blind(), simulator) is True
+    assert REFERENCE_DRIVERS[name](driven, STRAIGHT, scene, Blind(), simulator) is True
 
 
 @pytest.mark.parametrize("name", sorted(REFERENCE_DRIVERS))
 def test_no_reference_driver_is_asked_where_nothing_crashed(name: str, simulator: Simulator) -> None:
     driven, scene = crash_behind(80.0, simulator)
     assert driven.collision is None
-    assert REFERENCE_DRIVERS[name](driven, PROGRAM, scene, Blind(), simulator) is None
+    assert REFERENCE_DRIVERS[name](driven, STRAIGHT, scene, Blind(), simulator) is None

@@ -8,13 +8,11 @@ from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import RunError, SettingsError, SimulationError
 from chatscene.measure.branch import branch
 from chatscene.runs.blocks import read_scenes
-from chatscene.runs.rebuild import map_of, rebuild
+from chatscene.runs.rebuild import remade
 from chatscene.runs.record import RunRecord, settings_of
 from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import open_run, read_record
-from chatscene.search.climb import simulator_of
-from chatscene.search.generator import load_generator
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Rejected
 
@@ -41,16 +39,13 @@ def branch_scene(
         raise SettingsError(f"an ego cannot take over at {at:g} s; a scene begins at 0 s")
     run = open_run(folder, RunRecord)
     follow(repeated or Repeated(), egos_of=[run], simulators_of=[run], joining_of=[run])
-    kept = read_record(run)
     row = next((row for row in read_scenes(run) if row["scene_id"] == scene_id and row["status"] == "ran"), None)
     if row is None:
         raise RunError(f"{folder} has no scene {scene_id!r} that was driven")
-    _, program = rebuild(run)
-    settings = settings_of(kept)
-    simulator = simulator_of(load_generator(kept.generator), map_of(kept), settings)
+    again = remade(run)
     other = load_ego(ego) if isinstance(ego, str) else ego
-    step = round(at / settings.simulation.dt)
-    driven = branch(program, scene_of(row, program), load_ego(kept.ego), other, simulator, step=step)
+    step = round(at / settings_of(read_record(run)).simulation.dt)
+    driven = branch(again.program, scene_of(row, again.program), again.ego, other, again.simulator, step=step)
     if isinstance(driven, Rejected):
         raise SimulationError(f"scene {scene_id!r} ran once and is now rejected: {driven.reason}")
     return driven
