@@ -276,7 +276,7 @@ def test_the_page_says_what_was_read_and_how_many_scenes_show_it(tmp_path: Path)
     kept = [row for row in ran if row["selected"]]
     shown, shown_kept = (sum(row["meaning_ok"] for row in rows) for rows in (ran, kept))
     assert shown < len(ran)
-    assert f"Of 2 kept scenes {shown_kept} show all that was read; of all 20, {shown}" in page
+    assert f"{shown_kept} of 2 kept scenes and {shown} of all 20 that were driven show all that was read" in page
     assert "what the sentence says" not in page
 
 

@@ -142,8 +142,8 @@ def _shown(ran: Sequence[Row]) -> str:
     kept = [bool(row["meaning_ok"]) for row in ran if row["selected"]]
     every = [bool(row["meaning_ok"]) for row in ran]
     return (
-        f"Of {_scenes(len(kept), 'kept scene')} {sum(kept)} show all that was read; of all {len(every)}, "
-        f"{sum(every)}, each as far as its drive went."
+        f"{sum(kept)} of {_scenes(len(kept), 'kept scene')} and {sum(every)} of all {len(every)} that were driven show "
+        "all that was read; a drive that ended early is judged as far as it went."
     )
 
 
