@@ -14,7 +14,7 @@ demo: .venv/core
 	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
 
 test: .venv/test check
-	$(PY) -m pytest -n auto --dist worksteal
+	$(PY) -m pytest -n auto --dist loadscope
 
 check: .venv/test
 	$(PY) -m ruff format --check .

@@ -19,4 +19,6 @@ for _found in pkgutil.walk_packages(chatscene.__path__, "chatscene."):
     except ModuleNotFoundError:  # an extra that is not installed, or a module of Scenic's
         continue
 
-gc.set_threshold(20_000, 20, 20)  # maps and libraries, which stay, are looked through by the collector less often
+gc.collect()
+gc.freeze()  # what is loaded stays
+gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from itertools import product
 
+import numpy as np
 import pytest
 
-from chatscene.library.compatibility import incompatibility
+from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.compose import Asked, compose
 from chatscene.library.load import load_library
 from chatscene.terms.actors import AdversaryKind
@@ -119,11 +119,23 @@ def test_every_action_occluder_position_side_and_manoeuvre_has_a_snippet() -> No
 
 
 def test_every_snippet_fits_at_least_one_triple() -> None:
-    parts = [LIBRARY.of(component) for component in Component]
-    used = {s.id for t in product(*parts) if incompatibility(*t) is None for s in t}
+    joined = compatibility(LIBRARY)
+    shelves = ((joined.behaviors, (1, 2)), (joined.geometries, (0, 2)), (joined.spawns, (0, 1)))
+    used = {shelf[i].id for shelf, others in shelves for i in joined.mask.any(axis=others).nonzero()[0]}
     used |= {"spawn/on-foot-ahead"}  # of those alone who walk there, who are composed, as are all who stand:
     used |= {s.id for s in LIBRARY.of(Component.SPAWN) if "advStill" in s.requires}
     assert used == {s.id for s in LIBRARY}
+
+
+def test_what_can_be_joined_is_the_same_one_by_one_and_all_at_once() -> None:
+    joined = compatibility(LIBRARY)
+    rng = np.random.default_rng(0)
+    drawn = np.concatenate(
+        [rng.integers(0, joined.mask.shape, (3000, 3)), rng.permutation(np.argwhere(joined.mask))[:1000]]
+    )
+    for b, g, s in drawn.tolist():
+        why = incompatibility(joined.behaviors[b], joined.geometries[g], joined.spawns[s])
+        assert (why is None) == joined.mask[b, g, s]
 
 
 def test_no_text_stands_for_two_snippets_of_a_component() -> None:

@@ -11,7 +11,7 @@ import ast
 import gc
 import hashlib
 import marshal
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from importlib.metadata import version
@@ -21,7 +21,9 @@ from types import CodeType
 from typing import Any
 
 import scenic
+from scenic.core import object_types
 from scenic.core.errors import ScenicError
+from scenic.core.specifiers import PropertyDefault
 from scenic.syntax import translator, veneer
 
 from chatscene.errors import ChatSceneError, DoesNotCompile
@@ -118,6 +120,32 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     return translator.compileTranslatedTree(tree, filename), requirements, digest
 
 
+def _resolve_once(default: Any, name: str, overridden: Sequence[Any]) -> Any:
+    """`PropertyDefault.resolveFor`, which gives the same for every class that inherits a default, once for all of them.
+
+    A class of the world model has some fifty properties and states four. To resolve all of them anew for each of its
+    classes was most of the time that a program took once it was parsed, and more to free again.
+    """
+    if default.isAdditive or any(one.isFinal for one in overridden):
+        return _resolve(default, name, overridden)
+    known = vars(default).setdefault("_chatscene_resolved", {})
+    if name not in known:
+        known[name] = _resolve(default, name, ())
+    return known[name]
+
+
+_resolve: Any = PropertyDefault.resolveFor
+
+
+def _extend_scenic() -> None:
+    translator.compileStream = _compile_stream
+    PropertyDefault.resolveFor = _resolve_once
+    for each in vars(object_types).values():
+        stated: dict[str, Any] = vars(each).get("_scenic_properties", {}) if isinstance(each, type) else {}
+        stated.update({name: PropertyDefault.forValue(value) for name, value in stated.items()})
+    install_network_memo()
+
+
 @contextmanager
 def _without_collecting() -> Generator[None]:
     """Let the garbage collector rest.
@@ -153,8 +181,7 @@ def compile_program(
         MapError: The map has no such route.
     """
     free_process()  # else Scenic stops half-way, and counts a compilation ever after that none can go beside
-    translator.compileStream = _compile_stream
-    install_network_memo()
+    _extend_scenic()
     parameters: Mapping[str, Any] = {"map": str(map_path), "route": route}
     try:
         with _without_collecting():
