@@ -56,6 +56,23 @@ def test_a_snippet_that_does_it_is_preferred(text: str) -> None:
     assert not retrieval.behavior.snippet.id.startswith(COMPOSED)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A speeding car runs the red light from the left.",  # the calm one is likelier to be meant, but for one word
+        "A car runs the red light from the left at high speed.",
+        "A car speeds through the red light from the left.",
+        "A motorcycle shoots through the red light from the right at full speed.",
+    ],
+)
+def test_haste_is_done_wherever_it_is_said(text: str, simulator: Simulator) -> None:
+    scenario = scenario_of(text, SETTINGS)
+    written = Retrieved().write(scenario, SETTINGS)
+    assert written.retrieval is not None
+    assert written.retrieval.behavior.snippet.id == "behavior/run-light-fast"
+    assert any(not failures for failures in check(written.program, scenario.slots, simulator, RuleBased()).meaning)
+
+
 def test_a_composed_behavior_that_was_tried_gives_way_to_the_nearest_snippet() -> None:
     scenario = scenario_of("A motorcycle from behind overtakes us and brakes.", SETTINGS)
     first, _ = choose(scenario, SETTINGS)

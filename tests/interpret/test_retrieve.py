@@ -221,7 +221,7 @@ def test_a_sentence_the_library_would_have_to_contradict_is_refused() -> None:
 
 
 @pytest.mark.skipif(not PAPER.exists(), reason="the paper's descriptions are not beside this checkout")
-def test_all_sentences_of_the_paper_but_six_find_a_triple_that_contradicts_nothing() -> None:
+def test_all_sentences_of_the_paper_but_five_find_a_triple_that_contradicts_nothing() -> None:
     refused: list[str] = []
     for texts in json.loads(PAPER.read_text("utf-8"))["descriptions"].values():
         for text in texts:
@@ -233,7 +233,7 @@ def test_all_sentences_of_the_paper_but_six_find_a_triple_that_contradicts_nothi
                 continue
             assert [c for m in (chosen.behavior, chosen.geometry, chosen.spawn) for c in m.conflicts] == [], text
             assert set(understood.slots.actions) & set(chosen.behavior.snippet.slots.actions), text
-    assert len(refused) == 6, refused
+    assert len(refused) == 5, refused
 
 
 # What was believed is handed on

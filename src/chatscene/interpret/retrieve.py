@@ -336,14 +336,16 @@ class _Shelf:
     def said(self, beliefs: Beliefs, actions: tuple[Action, ...]) -> Scores:
         """(N,) how likely each behavior is to be meant where words say all that is done.
 
-        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for.
+        Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for. Where
+        there is one who does just that, whoever leaves out what was said is not meant.
         """
         more = [_more(s, actions) for s in self.snippets]
         p = self._told(beliefs)
+        less = FAINTEST if frozenset() in more else 1.0
         lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
         return np.array(
             [
-                one if extra is None else one * UNASKED ** len(extra) if extra else one + lent
+                one * less if extra is None else one * UNASKED ** len(extra) if extra else one + lent
                 for one, extra in zip(p.tolist(), more, strict=True)
             ]
         )

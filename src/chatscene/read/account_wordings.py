@@ -53,7 +53,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(?:stand-up |electric |e-)scooterist", "e-scooter"),
         (r"\bscooterist", "motorcyclist"),
         (r"\belectric scooter", "e-scooter"),
-        (r"\b(?:passenger|motor) (?=vehicle|cars?\b)", ""),
+        (r"\b(?:passenger|motor) (?=vehicle)", ""),
         (r"\b(?:and|then) (?:was|were) (?=stopped|struck)", "and we were "),
         (r"\b(the|a|an) ((?:[\w-]+ )?)(?:the )(other vehicle|ego)\b", r"\1 \2\3"),
         (r"\b((?:stationary|slow-moving|oncoming|stopped|slow|leading|lead|following|overtaking|crossing|parked)) the other vehicle\b", r"\1 car"),

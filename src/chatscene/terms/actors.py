@@ -153,7 +153,8 @@ class AdversaryKind(StrEnum):
             commonroad="car",
             osi="CAR",
             words=(
-                r"station wagons?|(?:family|sports|small|rental|company) cars?|cars?|vehicles?|sedans?|suvs?|taxis?|"
+                r"station wagons?|(?:family|sports|small|rental|company|passenger|motor) cars?|cars?|vehicles?|sedans?|"
+                r"suvs?|taxis?|"
                 r"cabs?|vans?|hatchbacks?|drivers?|automobiles?|jeeps?|limousines?|traffic|motorists?|coup[eé]s?|"
                 r"hatchback|estate(?: car)?|minivans?|people carriers?|saloons?|crossovers?|convertible|"
                 r"pick-?ups?(?: trucks?)?|"

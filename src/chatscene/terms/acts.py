@@ -99,7 +99,9 @@ class Action(StrEnum):
                 [take] {egos} right of way | [cross] the street that we turn into | [cross] the road that we turn into |
                 [cross] | [cross] the road | [cross] the street | [cross] {egos} lane | [cross] {egos} way
                 [step] out | [run] across the street | [run] across the road | [walk] across | [run] across
-                [ride] across | [drive] across | [run] into the road | [run] into the street
+                [ride] across | [drive] across | [race] across | [race] across the road | [race] across the street
+                [speed] across | [speed] across the road | [speed] across the street
+                [run] into the road | [run] into the street
                 [walk] into the road | [step] into the road | [walk] into {egos} path
                 [step] into {egos} path | [step] into {egos} lane | [ride] across the street
                 [ride] across {egos} lane | [step] onto the street | [step] off the kerb | [step] off the curb
@@ -753,7 +755,7 @@ class Action(StrEnum):
                 "at (?:breakneck|high|top) speed|breakneck|race[sd]? along|flat out|at full (?:tilt|throttle|pelt)|"
                 "speeding|at (?:high|full|great|top|excessive) speed|(?:very |too |so )fast|rac(?:es|ing)|"
                 "over the speed limit|flat out|high-speed|excessive speed|tear(?:s|ing) (?:along|through|down)|"
-                r"hurtl\w*|bomb(?:s|ing) (?:along|down|through)"
+                r"hurtl\w*|bomb(?:s|ing) (?:along|down|through)|(?:speeds|sped)(?= through\b)"
             ),
             walks="""
                 [run] flat out | [sprint] along | [run] at full tilt | [tear] along | [race] along | [run] at top speed
