@@ -363,7 +363,9 @@ class DrivenScene:
         from chatscene.report.animation import animate
         from chatscene.report.notebook import picture
 
-        return picture(animate(self.episode, runs.read_drawing(self._workspace)), said=self.id)
+        record = runs.read_record(self._workspace)
+        moving = animate(self.episode, runs.read_drawing(self._workspace), said=record.text, ego=record.ego)
+        return picture(moving, said=self.id)
 
 
 def run(

@@ -22,7 +22,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageChops, ImageColor
 
 from chatscene import runs
 from chatscene.commands import main as cli
@@ -32,7 +32,7 @@ from chatscene.errors import RunError
 from chatscene.exports.export import kept_scenes
 from chatscene.exports.exporter import load_exporter
 from chatscene.maps import picture
-from chatscene.report import animation, viewer
+from chatscene.report import animation, caption, viewer
 from chatscene.report import files as report_files
 from chatscene.report.animation import write_gif
 from chatscene.report.egos import egos_in_words
@@ -60,7 +60,7 @@ from chatscene.runs import (
 from chatscene.search.generators.own_program import generator_for
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.terms.criticality import Criticality
-from chatscene.terms.episode import Episode, contact_point
+from chatscene.terms.episode import Episode, Role, contact_point
 from fake_run import (
     DECLARED,
     DT,
@@ -516,6 +516,23 @@ def test_a_gif_of_the_best_scene_is_small_and_moves(tmp_path: Path) -> None:
         picture.seek(frames - 1)
         assert frames > 10
         assert picture.convert("RGB").tobytes() != first
+
+
+def test_a_gif_of_a_run_says_what_was_asked_for_who_is_who_and_how_long_a_metre_is(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", text="A pedestrian steps out.", count=1)
+    with Image.open(write_gif(run.path)) as shown:
+        whole = shown.convert("RGB")
+    top, bottom = caption.above("A pedestrian steps out."), whole.height - caption.LINE - caption.EDGE
+    assert whole.size == (picture.WIDTH, top.height + picture.HEIGHT + caption.LINE + caption.EDGE)
+    apart = np.asarray(ImageChops.difference(whole.crop((0, 0, *top.size)), top))
+    assert apart.max() < 60  # but for the palette's colours
+    blue = whole.getpixel((caption.EDGE + 6, bottom + caption.EDGE // 2 + 9))
+    assert blue == pytest.approx(ImageColor.getrgb(picture.ROLES[Role.EGO]), abs=12)
+
+
+def test_a_long_text_above_a_gif_is_cut_and_a_short_one_is_not() -> None:
+    assert caption.above("word " * 500).height == caption.LINES * caption.LINE + caption.EDGE
+    assert caption.above("A car brakes.").height == caption.LINE + caption.EDGE
 
 
 def test_a_gif_needs_a_scene_that_was_driven(tmp_path: Path) -> None:

@@ -14,8 +14,9 @@ from PIL import Image
 
 from chatscene.errors import RunError
 from chatscene.maps.picture import HEIGHT, WIDEST, WIDTH, Camera, draw_frame, draw_ground
+from chatscene.report.caption import above, below, between
 from chatscene.report.viewer import ranked
-from chatscene.runs import note, open_run, read_drawing, read_episode, read_scenes
+from chatscene.runs import note, open_run, read_drawing, read_episode, read_record, read_scenes
 from chatscene.runs.atomic import write_bytes
 from chatscene.terms.episode import Episode
 
@@ -48,7 +49,8 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
         if not order:
             raise RunError(f"{folder} has no scene that was driven, so there is nothing to animate")
         scene_id = str(order[0]["scene_id"])
-    content = animate(read_episode(run, scene_id), read_drawing(run))
+    record = read_record(run)
+    content = animate(read_episode(run, scene_id), read_drawing(run), said=record.text, ego=record.ego)
     path = run.file(f"{quote(scene_id.replace('/', '-'), safe='')}.gif")
     write_bytes(path, content)
     note(run, path)
@@ -99,12 +101,22 @@ def _settled(episode: Episode) -> int:
     return max(nearest + round(AFTER / episode.dt), int(open_steps.max(initial=0)))
 
 
-def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAMES, widest: float = WIDEST) -> bytes:
+def animate(
+    episode: Episode,
+    drawing: Mapping[str, Any],
+    *,
+    said: str = "",
+    ego: str = "",
+    frames: int = FRAMES,
+    widest: float = WIDEST,
+) -> bytes:
     """A drive as an animated GIF.
 
     Args:
         episode: The drive.
         drawing: The map around it, as `chatscene.maps.drawing.map_drawing` makes it.
+        said: What stands above, with who is who and a scale below; without it the picture stands by itself.
+        ego: Who drives, for that.
         frames: At most; of a longer drive those up to its collision are shown, or till the two have come to terms.
         widest: Width of the picture [m] at most; a longer way is shown to its end.
     """
@@ -116,6 +128,9 @@ def animate(episode: Episode, drawing: Mapping[str, Any], *, frames: int = FRAME
     camera = Camera.on(episode, shown, widest)
     ground = draw_ground(camera, drawing)
     drawn = [draw_frame(camera, ground, episode, step) for step in shown]
+    if said:
+        top, bottom = above(said), below(episode, camera, ego)
+        drawn = [between(top, frame, bottom) for frame in drawn]
     # One palette for all frames: colours do not flicker, and what does not move costs nothing.
     palette = drawn[-1].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
     indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in drawn]

@@ -92,7 +92,7 @@ def _page(run: Workspace, *, followed: bool) -> str:
         "manners": {name: kind.row.manner for name, kind in BY_CLASS.items()},
         "ego": record.ego,
         "beside": {"ego": beside.ego, "senses": beside.senses},
-        "called": {actor["kind"]: _called(actor["kind"]) for drive in replays.values() for actor in drive["actors"]},
+        "called": {actor["kind"]: called(actor["kind"]) for drive in replays.values() for actor in drive["actors"]},
     }
     script = _script()
     return fill(
@@ -151,7 +151,7 @@ def _came(episode: Episode) -> str:
     if crash is None:
         return "does not collide"
     struck = met(episode)
-    return f"collides with the {_called(struck.kind) if struck else crash.other} at {crash.step * episode.dt:.1f} s"
+    return f"collides with the {called(struck.kind) if struck else crash.other} at {crash.step * episode.dt:.1f} s"
 
 
 def _script() -> Markup:
@@ -179,7 +179,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _called(kind: str) -> str:
+def called(kind: str) -> str:
     """What a road user or a thing is called, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
     return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
 

@@ -278,7 +278,8 @@ def gif_of(found: Found, driven: Driven) -> bytes:
 
     route = found.simulator.route_in(driven.solvable.program, driven.scene)
     drawing = routes_drawing(load_network(found.map_path), {route.id: route})
-    return animate(driven.twin if driven.episode.collision is None else driven.episode, drawing)
+    shown = driven.twin if driven.episode.collision is None else driven.episode
+    return animate(shown, drawing, said=driven.text, ego=driven.ego)
 
 
 def _drive(simulator: Simulator, program: ScenicProgram, one: Scene, ego: EgoPolicy) -> Episode:

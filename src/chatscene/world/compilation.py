@@ -134,12 +134,13 @@ def _resolve_once(default: Any, name: str, overridden: Sequence[Any]) -> Any:
     return known[name]
 
 
+_default: Any = PropertyDefault
 _resolve: Any = PropertyDefault.resolveFor
 
 
 def _extend_scenic() -> None:
     translator.compileStream = _compile_stream
-    PropertyDefault.resolveFor = _resolve_once
+    _default.resolveFor = _resolve_once
     for each in vars(object_types).values():
         stated: dict[str, Any] = vars(each).get("_scenic_properties", {}) if isinstance(each, type) else {}
         stated.update({name: PropertyDefault.forValue(value) for name, value in stated.items()})
