@@ -1,4 +1,4 @@
-"""What ASAM's checker of OpenSCENARIO XML says, for tests of several exporters."""
+"""What ASAM's checkers of OpenSCENARIO XML and OpenDRIVE say, for tests of several writers of these."""
 
 from __future__ import annotations
 
@@ -8,12 +8,18 @@ from pathlib import Path
 import pytest
 
 
-def assert_nothing_wrong(path: Path, caplog: pytest.LogCaptureFixture) -> tuple[int, int]:
-    """Nothing in a file; how many checks came to their end, of how many. Skips the test where there is no checker."""
-    missing = "asam-qc-openscenarioxml is not installed"
+def assert_nothing_wrong(path: Path, caplog: pytest.LogCaptureFixture, checker: str) -> tuple[int, int]:
+    """Nothing in a file; how many checks came to their end, of how many. Skips the test where there is no checker.
+
+    Args:
+        path: The file.
+        caplog: Of the test, for the checker says much.
+        checker: Which: ``openscenario`` or ``opendrive``.
+    """
+    missing = f"ASAM's checker of {checker} is not installed, or has no wheel for this Python"
     baselib = pytest.importorskip("qc_baselib", reason=missing)
-    constants = pytest.importorskip("qc_openscenario.constants", reason=missing)
-    run_checks = pytest.importorskip("qc_openscenario.main", reason=missing).run_checks
+    constants = pytest.importorskip(f"qc_{checker}.constants", reason=missing)
+    run_checks = pytest.importorskip(f"qc_{checker}.main", reason=missing).run_checks
     caplog.set_level(logging.ERROR)
     configuration, result = baselib.Configuration(), baselib.Result()
     configuration.set_config_param("InputFile", str(path))
@@ -21,7 +27,8 @@ def assert_nothing_wrong(path: Path, caplog: pytest.LogCaptureFixture) -> tuple[
     result.set_result_version("1")
     run_checks(configuration, result)
     checkers = result.get_checker_bundle_result(constants.BUNDLE_NAME).checkers
-    assert [issue.description for checker in checkers for issue in checker.issues] == []
-    done = [checker.checker_id for checker in checkers if checker.status is baselib.StatusType.COMPLETED]
-    assert "check_asam_xosc_xml_valid_schema" in done
+    assert [issue.description for one in checkers for issue in one.issues] == []
+    done = [one.checker_id for one in checkers if one.status is baselib.StatusType.COMPLETED]
+    assert [one.checker_id for one in checkers if one.status is baselib.StatusType.ERROR] == []
+    assert any(name.endswith("valid_schema") for name in done)
     return len(done), len(checkers)

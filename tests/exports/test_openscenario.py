@@ -107,5 +107,5 @@ def test_the_asam_checker_finds_nothing_wrong(
 ) -> None:
     for name, content in OpenScenario().files(scene).items():
         (tmp_path / name).write_bytes(content)
-    done, checks = assert_nothing_wrong(tmp_path / f"{scene.stem}.xosc", caplog)
+    done, checks = assert_nothing_wrong(tmp_path / f"{scene.stem}.xosc", caplog, "openscenario")
     assert done == checks > 15

@@ -264,4 +264,4 @@ def test_a_scene_whose_program_may_not_be_executed_is_refused(kept: KeptScene) -
 
 def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture, written: Path) -> None:
     for path in sorted(written.parent.glob("*.xosc")):
-        assert_nothing_wrong(path, caplog)
+        assert_nothing_wrong(path, caplog, "openscenario")

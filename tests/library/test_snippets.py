@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 
-import numpy as np
 import pytest
 
 from chatscene.library.compatibility import compatibility, incompatibility
@@ -125,17 +124,6 @@ def test_every_snippet_fits_at_least_one_triple() -> None:
     used |= {"spawn/on-foot-ahead"}  # of those alone who walk there, who are composed, as are all who stand:
     used |= {s.id for s in LIBRARY.of(Component.SPAWN) if "advStill" in s.requires}
     assert used == {s.id for s in LIBRARY}
-
-
-def test_what_can_be_joined_is_the_same_one_by_one_and_all_at_once() -> None:
-    joined = compatibility(LIBRARY)
-    rng = np.random.default_rng(0)
-    drawn = np.concatenate(
-        [rng.integers(0, joined.mask.shape, (3000, 3)), rng.permutation(np.argwhere(joined.mask))[:1000]]
-    )
-    for b, g, s in drawn.tolist():
-        why = incompatibility(joined.behaviors[b], joined.geometries[g], joined.spawns[s])
-        assert (why is None) == joined.mask[b, g, s]
 
 
 def test_no_text_stands_for_two_snippets_of_a_component() -> None:

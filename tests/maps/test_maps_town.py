@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import math
 import xml.etree.ElementTree as ET
 from collections import Counter
@@ -14,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from asam_checker import assert_nothing_wrong
 from chatscene.maps.junctions import junction_control
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.maps.opendrive import Node, Street, write_opendrive
@@ -103,20 +103,8 @@ def test_carla_reads_the_packaged_map() -> None:
 
 @pytest.mark.parametrize("name", ["town", "outskirts"])
 def test_the_asam_checker_finds_nothing_wrong(caplog: pytest.LogCaptureFixture, name: str) -> None:
-    missing = "asam-qc-opendrive is not installed, or has no wheel for this Python"
-    baselib = pytest.importorskip("qc_baselib", reason=missing)
-    constants = pytest.importorskip("qc_opendrive.constants", reason=missing)
-    run_checks = pytest.importorskip("qc_opendrive.main", reason=missing).run_checks
-    caplog.set_level(logging.ERROR)
-    configuration, result = baselib.Configuration(), baselib.Result()
-    configuration.set_config_param("InputFile", str(resolve_map(name)))
-    result.register_checker_bundle(name=constants.BUNDLE_NAME, description="", version="1", summary="")
-    result.set_result_version("1")
-    run_checks(configuration, result)
-    checkers = result.get_checker_bundle_result(constants.BUNDLE_NAME).checkers
-    assert len(checkers) > 15
-    assert [issue.description for checker in checkers for issue in checker.issues] == []
-    assert [checker.checker_id for checker in checkers if checker.status is baselib.StatusType.ERROR] == []
+    _, checks = assert_nothing_wrong(resolve_map(name), caplog, "opendrive")
+    assert checks > 15
 
 
 # Three or four streets, in twelfths of a turn, with at least a quarter between neighbours.

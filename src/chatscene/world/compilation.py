@@ -140,11 +140,13 @@ _resolve: Any = PropertyDefault.resolveFor
 
 def _extend_scenic() -> None:
     translator.compileStream = _compile_stream
+    install_network_memo()
+    if _default.resolveFor is _resolve_once:
+        return
     _default.resolveFor = _resolve_once
-    for each in vars(object_types).values():
+    for each in vars(object_types).values():  # values that Scenic states become defaults, which can be known again
         stated: dict[str, Any] = vars(each).get("_scenic_properties", {}) if isinstance(each, type) else {}
         stated.update({name: PropertyDefault.forValue(value) for name, value in stated.items()})
-    install_network_memo()
 
 
 @contextmanager
