@@ -25,7 +25,6 @@ from chatscene.runs.executor import Workers
 from chatscene.settings import SearchSettings, Settings
 from chatscene.testing import check_executor
 
-LOOPBACK = "127.0.0.1"
 TEXT = "A cyclist rides out from the left and stops in front of us."
 
 
@@ -60,13 +59,16 @@ def main(scenes: int, routes: int) -> None:
 
 
 def _node() -> dict[str, Any]:
-    """A node with a core on loopback; with ports of its own it need not wait for its agents to find theirs."""
+    """A node with a core; with ports of its own it need not wait for its agents to find theirs.
+
+    Its address is this machine's own: Ray takes a driver's 127.0.0.1 for that, and would not find a node on loopback.
+    """
     names = ("metrics_agent_port", "metrics_export_port", "dashboard_agent_listen_port", "runtime_env_agent_port")
-    held = [socket.create_server((LOOPBACK, 0)) for _ in names]
+    held = [socket.create_server(("", 0)) for _ in names]
     ports = {name: one.getsockname()[1] for name, one in zip(names, held, strict=True)}
     for one in held:
         one.close()
-    return {"num_cpus": 1, "node_ip_address": LOOPBACK, **ports}
+    return {"num_cpus": 1, **ports}
 
 
 def _run(folder: Path, asked: runs.RunRecord, workers: Workers) -> None:

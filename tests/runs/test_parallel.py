@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -37,10 +39,22 @@ def _counted(folder: str) -> Callable[[int], int]:
 
 def test_a_task_that_kills_every_worker_is_given_up_in_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chatscene.runs.parallel.LOST", 1)
-    with pytest.raises(RunError, match=r"workers were killed 2 times in a row, .* chatscene resume DIR"):
+    with pytest.raises(RunError, match=r"workers ended 2 times in a row, .* chatscene resume DIR"):
         list(spread(_counted, str(tmp_path), [1, 2], workers=Workers(2)))
     assert LOST > 1
     assert len(list(tmp_path.iterdir())) >= 2
+
+
+def test_a_script_that_lacks_its_guard_ends_with_what_to_do(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(
+        "from chatscene.runs.executor import Workers\n"
+        "from chatscene.runs.parallel import spread\n"
+        "print(list(spread(bytes.strip, b' ' * 200_000, [1, 2], workers=Workers(2))))\n"  # more than a pipe holds
+    )
+    ended = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
+    assert ended.returncode == 1
+    assert 'lacks if __name__ == "__main__"' in ended.stderr.splitlines()[-1]
 
 
 def test_an_executor_that_is_not_there_is_told_of() -> None:

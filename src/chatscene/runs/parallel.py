@@ -74,8 +74,9 @@ def spread(
             lost += 1
             if lost > LOST:
                 raise RunError(
-                    f"workers were killed {lost} times in a row, perhaps for want of memory; nothing finished is lost: "
-                    "continue with chatscene resume DIR, perhaps with --jobs 1"
+                    f"workers ended {lost} times in a row, perhaps for want of memory; nothing finished is lost: "
+                    "continue with chatscene resume DIR, perhaps with --jobs 1; or a script that calls chatscene lacks "
+                    'if __name__ == "__main__": before what it does'
                 ) from error
             left.extendleft(pending.values())
         finally:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import pickle
 import threading
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import connection, get_context, parent_process
+from multiprocessing.shared_memory import ShareableList
 from typing import Any
 
 _SAFE_PATH = "PYTHONSAFEPATH"
@@ -26,22 +28,29 @@ class Processes(ProcessPoolExecutor):
     def __init__(self, max_workers: int, *, initializer: Callable[..., object], initargs: tuple[Any, ...]) -> None:
         self._before = os.environ.get(_SAFE_PATH)
         os.environ[_SAFE_PATH] = "1"
+        # Not by the pipe: it holds less, and this process would wait for ever for a child that died before it read it.
+        self._setup = ShareableList([pickle.dumps((initializer, initargs))])
         super().__init__(
-            max_workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(initializer, *initargs)
+            max_workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(self._setup.shm.name,)
         )
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Take no more; see `chatscene.runs.executor.Executor`."""
         super().shutdown(wait, cancel_futures=cancel_futures)
+        self._setup.shm.close()
+        self._setup.shm.unlink()
         if self._before is None:
             os.environ.pop(_SAFE_PATH, None)
         else:
             os.environ[_SAFE_PATH] = self._before
 
 
-def _begin(initializer: Callable[..., object], *setup: Any) -> None:
+def _begin(setup: str) -> None:
     threading.Thread(target=_die_with_parent, daemon=True).start()
-    initializer(*setup)
+    shared: ShareableList[bytes] = ShareableList(name=setup)
+    initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own
+    shared.shm.close()
+    initializer(*initargs)
 
 
 def _die_with_parent() -> None:
