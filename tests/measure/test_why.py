@@ -29,9 +29,10 @@ from chatscene.measure.counterfactual import (
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import placings, without
 from chatscene.runs import read_scenes
-from chatscene.runs.why import MIDDLE, back_of
+from chatscene.runs.why import MIDDLE, Contact, back_of
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.terms.criticality import Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -274,3 +275,27 @@ def test_of_a_scene_without_a_crash_and_of_none_there_is_nothing_to_explain(tmp_
         chatscene.why(run.path, calm)
     with pytest.raises(RunError, match="has no scene 'no-such' that was driven"):
         chatscene.why(run.path, "no-such")
+
+
+@pytest.mark.parametrize(
+    ("other", "kind", "said"),
+    [
+        ("adversary", "EmergencyVehicle", "the adversary (ambulance)"),
+        ("bus-stop", "BusStop", "the bus-stop"),
+    ],
+)
+def test_whom_the_ego_struck_is_told_in_words(other: str, kind: str, said: str) -> None:
+    contact = Contact(
+        time=2.0,
+        other=other,
+        kind=kind,
+        fault=Fault.EGO_INTO_STATIC,
+        ego_part="front",
+        other_part="",
+        ego_speed=6.0,
+        other_speed=0.0,
+        impact_speed=6.0,
+    )
+    words = contact.in_words()
+    assert f"ran into {said} with its front" in words
+    assert kind not in words

@@ -43,7 +43,7 @@ from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.outcomes import BOTTOM, LINE, plot_outcomes
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, tiles, verdict
-from chatscene.report.tracks import NEVER, extent, pack_beside, pack_drawing, pack_episode
+from chatscene.report.tracks import NEVER, called, extent, pack_beside, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
     ProgramRecord,
@@ -528,6 +528,20 @@ def test_a_gif_of_a_run_says_what_was_asked_for_who_is_who_and_how_long_a_metre_
     assert apart.max() < 60  # but for the palette's colours
     blue = whole.getpixel((caption.EDGE + 6, bottom + caption.EDGE // 2 + 9))
     assert blue == pytest.approx(ImageColor.getrgb(picture.ROLES[Role.EGO]), abs=12)
+
+
+@pytest.mark.parametrize(
+    ("role", "kind", "name"),
+    [
+        (Role.OCCLUDER, "Car", "parked car"),
+        (Role.OCCLUDER, "BusStop", "bus stop"),
+        (Role.OCCLUDER, "Box", "box"),
+        (Role.ADVERSARY, "Car", "car"),
+        (Role.ADVERSARY, "Pedestrian", "pedestrian"),
+    ],
+)
+def test_a_vehicle_that_hides_others_is_called_parked(role: Role, kind: str, name: str) -> None:
+    assert called(role, kind) == name
 
 
 def test_a_long_text_above_a_gif_is_cut_and_a_short_one_is_not() -> None:

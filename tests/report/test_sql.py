@@ -189,7 +189,7 @@ def test_runs_with_different_columns_share_the_tables(one_run: Path, tmp_path: P
     copied(one_run, tmp_path / "a")
     other = copied(one_run, tmp_path / "b")
     scenes = read_table(other.file("scenes.parquet"), SCENES)
-    older = scenes.drop_columns(["light", "weather", "surface", "OPT_GEO_Y"])
+    older = scenes.drop_columns(["crash_type", "light", "weather", "surface", "OPT_GEO_Y"])
     count = older.num_rows
     changed_scenes(
         other,
@@ -209,6 +209,12 @@ def test_runs_with_different_columns_share_the_tables(one_run: Path, tmp_path: P
         {"run": "a", "calm": None, "light": "day"},
         {"run": "b", "calm": 0.5, "light": "day"},
     ]
+
+
+def test_a_crash_has_a_kind_and_nothing_else_has(one_run: Path) -> None:
+    wrong = "(crash_type IS NULL) = (status = 'ran' AND collision)"
+    assert column(f"SELECT count(*) FROM scenes WHERE {wrong}", one_run) == [0]
+    assert column("SELECT count(DISTINCT crash_type) > 1 FROM scenes", one_run) == [True]
 
 
 def test_a_parameter_has_the_range_that_its_block_drew_from(one_run: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PIL import Image, ImageDraw, ImageFont
 
 from chatscene.maps.picture import GROUND, INK, OVERSAMPLE, PAINT, ROLES, WIDTH, Camera
-from chatscene.report.viewer import called
+from chatscene.report.tracks import called
 from chatscene.terms.episode import Episode, Role
 
 FONT, LINE, EDGE = 13, 18, 10  # [px]
@@ -60,7 +60,9 @@ def between(top: Image.Image, frame: Image.Image, bottom: Image.Image) -> Image.
 
 
 def _who(episode: Episode, ego: str) -> list[tuple[Role, str]]:
-    kinds = dict.fromkeys((track.role, called(track.kind)) for track in episode.tracks if track.role is not Role.EGO)
+    kinds = dict.fromkeys(
+        (track.role, called(track.role, track.kind)) for track in episode.tracks if track.role is not Role.EGO
+    )
     return [(Role.EGO, f"ego: {ego}" if ego else "ego"), *kinds]
 
 

@@ -143,6 +143,7 @@ _OF_SCENES: dict[str, tuple[str, str]] = {
     "fault": (_one_of("who struck whom; null without a collision", Fault), ""),
     "impact_speed": ("speed of approach at the first collision; null without one", "m/s"),
     "severity": (_one_of("class of ISO 26262 that follows from it; null without a collision", Severity), ""),
+    "crash_type": ("which kind of crash it is: who struck whom with what and where; null without a collision", ""),
     "meaning_ok": ("whether the drive shows all that was read in the sentence", ""),
     "meaning_failures": ("what it does not show", ""),
     "ego": ("who drove", ""),

@@ -11,6 +11,7 @@ import numpy as np
 import shapely
 
 from chatscene.measure.criticality import gaps, times_to_collision
+from chatscene.terms.actors import Manner, manner_of, noun_of
 from chatscene.terms.episode import Array, Episode, Event, EventKind, Role, SignalTrack, Track, contact_point
 
 MARGIN = 70.0  # [m] of map around a drive
@@ -50,6 +51,12 @@ def met(episode: Episode) -> Track | None:
     crash = episode.collision
     others = [track for track in episode.tracks if crash is not None and track.actor == crash.other]
     return next(iter((*others, *episode.adversaries)), None)
+
+
+def called(role: Role, kind: str) -> str:
+    """What somebody or something is called: by its class, and a vehicle that hides others is parked."""
+    parked = role is Role.OCCLUDER and manner_of(kind) in (Manner.DRIVES, Manner.RIDES)
+    return f"parked {noun_of(kind)}" if parked else noun_of(kind)
 
 
 def _pack_nearness(episode: Episode) -> dict[str, Any]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +15,7 @@ from chatscene.report.files import FORMATS, pack_files
 from chatscene.report.measures import in_words
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section
-from chatscene.report.tracks import Box, extent, met, pack_beside, pack_drawing, pack_episode, size_of
+from chatscene.report.tracks import Box, called, extent, met, pack_beside, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     RunRecord,
     Workspace,
@@ -35,7 +34,7 @@ from chatscene.runs import (
 from chatscene.runs.atomic import write_bytes
 from chatscene.runs.beside import Beside, drive_beside
 from chatscene.terms.actors import BY_CLASS
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Episode, Role
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -92,7 +91,7 @@ def _page(run: Workspace, *, followed: bool) -> str:
         "manners": {name: kind.row.manner for name, kind in BY_CLASS.items()},
         "ego": record.ego,
         "beside": {"ego": beside.ego, "senses": beside.senses},
-        "called": {actor["kind"]: called(actor["kind"]) for drive in replays.values() for actor in drive["actors"]},
+        "called": _called(replays.values()),
     }
     script = _script()
     return fill(
@@ -151,7 +150,16 @@ def _came(episode: Episode) -> str:
     if crash is None:
         return "does not collide"
     struck = met(episode)
-    return f"collides with the {called(struck.kind) if struck else crash.other} at {crash.step * episode.dt:.1f} s"
+    name = called(struck.role, struck.kind) if struck else crash.other
+    return f"collides with the {name} at {crash.step * episode.dt:.1f} s"
+
+
+def _called(drives: Iterable[Mapping[str, Any]]) -> dict[str, dict[str, str]]:
+    """What everybody in some drives is called, by role and kind."""
+    told: dict[str, dict[str, str]] = {}
+    for actor in (actor for drive in drives for actor in drive["actors"]):
+        told.setdefault(actor["role"], {})[actor["kind"]] = called(Role(actor["role"]), actor["kind"])
+    return told
 
 
 def _script() -> Markup:
@@ -177,11 +185,6 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "metrics": in_words(metrics_of(row) | criticality_of(row)),
         "drive": drive,
     }
-
-
-def called(kind: str) -> str:
-    """What a road user or a thing is called, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
-    return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
 
 
 def _json(content: object) -> Markup:

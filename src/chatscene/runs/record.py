@@ -432,8 +432,8 @@ class SceneRow(_Frozen):
     severity: str | None = None
     fault: str | None = None
     avoidable: bool | None = None
-    crash_type: str = ""  # this and the next for the search and the selection alone
-    waits: bool = False
+    crash_type: str = ""
+    waits: bool = False  # for the search and the selection alone
     stepped: str = ""  # by which simulator
     instead: str = ""  # why not by the one that was asked for
 

@@ -108,6 +108,7 @@ _SCENE_OUTCOME = pa.schema(
         ("severity", pa.string()),
         ("fault", pa.string()),
         ("avoidable", pa.bool_()),
+        ("crash_type", pa.string()),
         ("ego", pa.string()),
         ("ending", pa.string()),
         ("route_completion", pa.float64()),
@@ -132,11 +133,24 @@ SCENES = pa.schema([*_SCENE_HEAD, *_SCENE_OUTCOME, *_NUMBERS, *_SCENE_TAIL])  # 
 _FIXED = frozenset(SCENES.names) - {"overall_score"}
 # What a scene that was driven may lack. The last two are of the ego only.
 _OPTIONAL = frozenset(
-    {"reason", "impact_speed", "severity", "fault", "avoidable", f"{RAW}time", "distance_to_route", "off_road"}
+    {
+        "reason",
+        "impact_speed",
+        "severity",
+        "fault",
+        "avoidable",
+        "crash_type",
+        f"{RAW}time",
+        "distance_to_route",
+        "off_road",
+    }
     | set(_CRITICALITY)
 )
 # What folders lack that were written before there was such a column, and what every scene that was driven had then.
-_LATER: dict[str, str] = {name: str(value) for name, value in asdict(Surroundings()).items()}
+_LATER: dict[str, str | None] = {
+    **{name: str(value) for name, value in asdict(Surroundings()).items()},
+    "crash_type": None,  # which was not kept
+}
 
 
 def write_table(path: Path, table: Table) -> str:
@@ -284,7 +298,7 @@ def measurements_of(row: Mapping[str, Any]) -> Measurements:
     return Measurements(**numbers | {"collided": bool(numbers["collided"])})
 
 
-_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "crash_type", "waits", "stepped", "instead"}
+_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "waits", "stepped", "instead"}
 
 
 def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:
@@ -298,6 +312,7 @@ def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dic
         "scenario_id": part.scenario_id,
         "route_id": route_id(part.route),
         "block": part.block,
+        "crash_type": scene.crash_type or None,
         "status": "ran" if driven else "rejected",
         "meaning_ok": not scene.meaning_failures if driven else None,
         "meaning_failures": scene.meaning_failures if driven else None,

@@ -34,6 +34,7 @@ from chatscene.runs.tables import scene_of
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.workspace import open_run
 from chatscene.simulate.simulator import simulate
+from chatscene.terms.actors import noun_of
 from chatscene.terms.criticality import Fault
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
@@ -93,7 +94,7 @@ class Contact:
         where = f", {with_its} to {on_its}" if with_its and on_its else f" with its {with_its}" if with_its else ""
         return (
             f"at {self.time:.1f} s {striker} ran into {struck}{where}: ego at {self.ego_speed:.1f} m/s, "
-            f"{self.kind} at {self.other_speed:.1f} m/s, closing at {self.impact_speed:.1f} m/s"
+            f"{noun_of(self.kind)} at {self.other_speed:.1f} m/s, closing at {self.impact_speed:.1f} m/s"
         )
 
 
@@ -423,5 +424,5 @@ def _all_named(thing: Thing) -> str:
 
 
 def _named(actor: str, kind: str) -> str:
-    role = "the " + actor
-    return role if actor.lower().startswith(kind.lower()) else f"{role} ({kind})"
+    role, noun = "the " + actor, noun_of(kind)
+    return role if actor.lower().replace("-", " ").startswith(noun) else f"{role} ({noun})"

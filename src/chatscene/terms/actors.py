@@ -13,6 +13,7 @@ speak.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -593,6 +594,11 @@ LIMITS: dict[str, Limits] = {name: kind.row.limits for name, kind in BY_CLASS.it
 def manner_of(kind: str) -> Manner | None:
     """How what a track is of moves, by its class; None for a thing."""
     return BY_CLASS[kind].row.manner if kind in BY_CLASS else None
+
+
+def noun_of(kind: str) -> str:
+    """What a track is of in words, by its class: ``Pedestrian`` a pedestrian, ``BusStop`` a bus stop."""
+    return BY_CLASS[kind].noun if kind in BY_CLASS else re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
 
 
 def has_lamps(kind: str) -> bool:

@@ -20,14 +20,14 @@ function drawChart() {
   const near = drive.near.gap.length ? Math.min(FAR, Math.max(2, ...drive.near.gap)) : 0;
   plot(x, 0, height * 0.5, top, "speed, to " + top.toFixed(0) + " m/s", lines);
   plot(x, height * 0.5, height * 0.25, near, "gap, to " + near.toFixed(0) + " m", [[drive.near.gap, colours.ink, []]]);
-  plot(x, height * 0.75, height * 0.25, SOON, "time to collision, to " + SOON + " s, where they would touch", [[drive.near.time, colours.ink, []]]);
+  plot(x, height * 0.75, height * 0.25, SOON, "time to collision, to " + SOON + " s", [[drive.near.time, colours.ink, []]]);
   chart.strokeStyle = colours.ink; chart.lineWidth = 1;
   chart.beginPath(); chart.moveTo(x(step), 0); chart.lineTo(x(step), height); chart.stroke();
 }
 
 /** One band of the chart; a line breaks where its value is negative. */
 function plot(x, above, tall, top, title, lines) {
-  const y = (v) => above + tall - 4 - Math.min(v / top, 1) * (tall - 18);
+  const y = (v) => above + tall - 4 - Math.min(v / top, 1) * (tall - 22); // below the title
   chart.setLineDash([]);
   chart.strokeStyle = colours.line; chart.lineWidth = 1;
   chart.beginPath(); chart.moveTo(INSET, y(0)); chart.lineTo(x(drive.shown - 1), y(0)); chart.stroke();

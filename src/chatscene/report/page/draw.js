@@ -31,7 +31,7 @@ const LEAD = 4; // [s] before a contact that a replay starts at
 const met = () => drive.actors.find((a) => a.name === crash()?.other) || adversaries()[0];
 
 /** What an actor is called: by what it is, and the ego by who drives. */
-const called = (actor) => (actor.role === "ego" ? "ego: " + content.ego : content.called[actor.kind]);
+const called = (actor) => (actor.role === "ego" ? "ego: " + content.ego : content.called[actor.role][actor.kind]);
 
 // --- drawing -------------------------------------------------------------------------------------------------------
 

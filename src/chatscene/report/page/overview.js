@@ -23,13 +23,21 @@ function decisive() {
   return hit ? hit.step : gap.reduce((best, g, i) => (g < gap[best] ? i : best), 0);
 }
 
+const COMING = 5, GONE = 2; // [s] before and after the decisive moment that a way is drawn
+
+/** Where somebody was around the decisive moment. */
+function wayOf(actor) {
+  const from = Math.max(Math.round(decisive() - COMING / drive.dt), 0);
+  return pointsOf(actor).slice(from, Math.round(decisive() + GONE / drive.dt) + 1);
+}
+
 /** The ways of all scenes of the route that is shown, the shown one on top. */
 function drawWays() {
   const ways = $("ways"), route = scenes[shown].route, mine = shown;
   const indices = scenes.map((scene, i) => i).filter((i) => scenes[i].route === route && i !== mine);
   const from = { x: 0, y: 0, zoom: 1, turn: turnFor(ways.clientWidth, ways.clientHeight), ghost: false };
   const points = [], order = [...indices.reverse(), mine];
-  for (const i of order) asIf(i, () => points.push(...[ego(), met() || ego()].flatMap(pointsOf)));
+  for (const i of order) asIf(i, () => points.push(...[ego(), met() || ego()].flatMap(wayOf)));
   const main = camera;
   camera = from;
   hold(points, ways.clientWidth, ways.clientHeight, 8);
@@ -43,7 +51,7 @@ function drawWays() {
       for (const actor of [ego(), met()].filter(Boolean)) {
         canvas.lineWidth = (i === mine ? 3 : 1.2) / camera.zoom;
         canvas.setLineDash(actor === ego() ? [] : [4 / camera.zoom, 3 / camera.zoom]);
-        path(pointsOf(actor)); canvas.stroke();
+        path(wayOf(actor)); canvas.stroke();
       }
       canvas.setLineDash([]);
       if (hit && hit.at) { canvas.beginPath(); canvas.arc(...hit.at, (i === mine ? 6 : 3.5) / camera.zoom, 0, 7); canvas.fill(); }
