@@ -701,7 +701,8 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
     from chatscene.report.tables import as_text
 
     if as_json:
-        say(json.dumps({"folder": str(evaluated.folder), "seconds": evaluated.seconds, "failures": evaluated.failures}))
+        told = {"folder": str(evaluated.folder), "page": str(evaluated.page)}
+        say(json.dumps(told | {"seconds": evaluated.seconds, "failures": evaluated.failures}))
     else:
         for name in ("generation", "collision-rate-by-ego", "avoidability", "fault"):
             say(as_text(evaluated.tables[name]))
@@ -709,6 +710,7 @@ def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
         say(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
         if evaluated.stepped:
             say(evaluated.stepped)
+        say(f"egos side by side: {evaluated.page}")
     for reason in evaluated.failures.values():
         say(f"EgoError: {reason}; the other egos' results stand", err=True)
     if evaluated.failures:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 from functools import lru_cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
@@ -36,6 +38,23 @@ def asset(name: str) -> Markup:
     from markupsafe import Markup
 
     return Markup(_text(name))
+
+
+def scripts(*names: str) -> Markup:
+    """Scripts of ``page/`` as one, so that one digest allows it and nothing in it is seen from outside."""
+    from markupsafe import Markup
+
+    parts = Markup("\n").join(asset(f"page/{name}.js") for name in names)
+    return Markup('"use strict";\n(() => {{\n{}}})();\n').format(parts)
+
+
+def policy(script: str) -> Markup:
+    """Content security policy: this one script, inline styles, nothing from anywhere else."""
+    from markupsafe import Markup
+
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    words = f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:"
+    return Markup(words)
 
 
 def _text(name: str) -> str:

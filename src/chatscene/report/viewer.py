@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -14,7 +12,7 @@ from chatscene.report.egos import egos_in_words
 from chatscene.report.files import FORMATS, pack_files
 from chatscene.report.measures import in_words
 from chatscene.report.surroundings import surroundings_in_words
-from chatscene.report.templates import asset, fill, fill_section
+from chatscene.report.templates import asset, fill, fill_section, policy, scripts
 from chatscene.report.tracks import Box, called, extent, met, pack_beside, pack_drawing, pack_episode, size_of
 from chatscene.runs import (
     RunRecord,
@@ -40,7 +38,19 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 REPLAY_BYTES = 1_600_000  # of tracks on one page; the page stays under 3 MB with its map and files
-SCRIPTS = ("unpack", "draw", "labels", "chart", "camera", "words", "overview", "table", "files", "hands")  # of page/
+SCRIPTS = (
+    "unpack",
+    "draw",
+    "labels",
+    "chart",
+    "camera",
+    "words",
+    "overview",
+    "sort",
+    "table",
+    "files",
+    "hands",
+)  # of page/
 
 
 def write_report(folder: Path, *, followed: bool = False) -> Path:
@@ -93,11 +103,11 @@ def _page(run: Workspace, *, followed: bool) -> str:
         "beside": {"ego": beside.ego, "senses": beside.senses},
         "called": _called(replays.values()),
     }
-    script = _script()
+    script = scripts(*SCRIPTS)
     return fill(
         "viewer.html",
         title=record.title,
-        policy=_policy(script),
+        policy=policy(script),
         style=asset("viewer.css"),
         script=script,
         content=_json(content),
@@ -162,14 +172,6 @@ def _called(drives: Iterable[Mapping[str, Any]]) -> dict[str, dict[str, str]]:
     return told
 
 
-def _script() -> Markup:
-    """The scripts of the page as one, so that one digest allows it and nothing in it is seen from outside."""
-    from markupsafe import Markup
-
-    parts = Markup("\n").join(asset(f"page/{name}.js") for name in SCRIPTS)
-    return Markup('"use strict";\n(() => {{\n{}}})();\n').format(parts)
-
-
 def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
     """What the replay shows of a scene beside its drive."""
     return {
@@ -193,12 +195,3 @@ def _json(content: object) -> Markup:
 
     text = json.dumps(content, separators=(",", ":"), ensure_ascii=False)
     return Markup(text.replace("<", "\\u003c"))
-
-
-def _policy(script: str) -> Markup:
-    """Content security policy: this one script, inline styles, nothing from anywhere else."""
-    from markupsafe import Markup
-
-    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    words = f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:"
-    return Markup(words)

@@ -26,6 +26,7 @@ from chatscene.measure.tables import (
     generation_table,
 )
 from chatscene.report.egos import egos_in_words
+from chatscene.report.evaluation import write_evaluation
 from chatscene.report.summary import stepped_in_words
 from chatscene.report.tables import write_tables
 from chatscene.runs.executor import ONE, Workers
@@ -53,6 +54,7 @@ class Evaluated:
 
     Attributes:
         folder: Where it is.
+        page: Its report, egos side by side.
         tables: By name; also written to ``tables/``.
         failures: Why egos were given up, by ego.
         stepped: Who stepped the drives, in a line.
@@ -60,6 +62,7 @@ class Evaluated:
     """
 
     folder: Path
+    page: Path
     tables: dict[str, ResultTable]
     failures: dict[str, str]
     stepped: str
@@ -208,8 +211,10 @@ def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeate
         tables = tabulate(run)
         write_tables(run.file("tables"), tables)
         runs.note(run, *run.file("tables").iterdir())
+        page = write_evaluation(run)
     return Evaluated(
         folder=run.path,
+        page=page,
         tables=tables,
         failures=failures,
         stepped=stepped_in_words(runs.read_record(run, runs.EvaluationRecord)),

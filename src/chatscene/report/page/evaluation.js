@@ -1,0 +1,5 @@
+// --- the page of an evaluation -------------------------------------------------------------------------------------
+
+const $ = (id) => document.getElementById(id);
+document.querySelectorAll(".sortable").forEach(makeSortable);
+listenToTable();

@@ -1,0 +1,128 @@
+"""The page of an evaluation: egos side by side. The drives are made by hand; no simulator."""
+
+from __future__ import annotations
+
+import html
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from browser import CHROMIUM, Browser
+from chatscene import runs
+from chatscene.report.evaluation import write_evaluation
+from chatscene.report.tables import DASH
+from chatscene.report.viewer import write_report
+from chatscene.runs.record import SourceRecord
+from chatscene.settings import Settings
+from fake_run import SCENARIO, TEXT, block, finished
+
+NASTY = "<script>document.title='owned'</script> & <b>bold</b>"
+
+
+def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported: bool = True) -> runs.Workspace:
+    """Ten scenes, driven by an ego that collides in some, and by one that comes too late to collide in any."""
+    source = finished(folder / "run", text=text, count=1)
+    if reported:
+        write_report(source.path)
+    told = SourceRecord(
+        folder=str(source.path),
+        scenario_id=SCENARIO,
+        base="straight-obstacle",
+        generator="chatscene",
+        kept_for=kept_for,
+    )
+    asked = runs.asked_evaluation(
+        [told], scenes=runs.Driven.EVERY, egos=["idm", "planner"], settings=Settings(), map_name="town"
+    )
+    run = runs.create(folder / "compared", asked)
+    for number, steps in enumerate((100, 20)):
+        runs.write_block(run, replace(block(0, steps=steps), number=number))
+    runs.finish(run, selected={}, expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
+    return run
+
+
+def rows_of(page: str, caption: str) -> list[list[str]]:
+    """The texts of the cells of a table's body, by the name of its region."""
+    body = page.partition(f'aria-label="{caption}"')[2].partition("<tbody>")[2].partition("</tbody>")[0]
+    found = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in body.split("</tr>")[:-1]]
+    return [[" ".join(html.unescape(re.sub("<[^>]*>", " ", cell)).split()) for cell in row] for row in found]
+
+
+def test_each_ego_has_a_row_with_its_counts_and_an_interval_where_it_estimates_something(tmp_path: Path) -> None:
+    run = evaluated(tmp_path)
+    rows = [row for row in runs.read_scenes(run) if row["status"] == "ran"]
+    hits = [row for row in rows if row["collision"]]
+    assert {row["block"] for row in hits} == {0}
+    idm, planner = rows_of(write_evaluation(run).read_text(), "How each ego fared")
+    assert idm[:3] == ["idm by selection", f"{len(hits)} of 10", f"{10 * len(hits)}"]
+    assert idm[3] == f"{sum(row['avoidable'] for row in hits)} of {len(hits)}"
+    assert idm[5] == str(len({row["crash_type"] for row in hits}))
+    assert planner[:4] == ["planner", "0 of 10", "0 0 to 28", ""]
+
+
+def test_an_ego_that_nothing_was_kept_for_has_an_interval(tmp_path: Path) -> None:
+    page = write_evaluation(evaluated(tmp_path, kept_for="")).read_text()
+    assert " to " in rows_of(page, "How each ego fared")[0][2]
+    assert "by selection" not in page
+
+
+def test_every_scene_says_what_became_of_it_under_each_ego_and_links_its_replay(tmp_path: Path) -> None:
+    run = evaluated(tmp_path)
+    path = write_evaluation(run)
+    page = path.read_text()
+    rows = {(row["scene_id"], row["block"]): row for row in runs.read_scenes(run) if row["status"] == "ran"}
+    links = re.findall(r'<a href="([^"#]*)#([^"]*)"', page)
+    assert sorted(scene for _, scene in links) == sorted({scene for scene, _ in rows})
+    for to, scene in links:
+        assert f'data-scene="{scene}"' in (path.parent / to).read_text()
+    cells = rows_of(page, "Scenes")
+    for line, (_, scene) in zip(cells, links, strict=True):
+        mine, other = rows[scene, 0], rows[scene, 1]
+        assert line[2] == str(int(mine["collision"]))
+        assert line[3].startswith(
+            f"{mine['impact_speed']:.1f} m/s" if mine["collision"] else f"{mine['distance']:.1f} m"
+        )
+        assert line[4] == f"{other['distance']:.1f} m"
+
+
+def test_who_fails_where_another_does_not_is_counted(tmp_path: Path) -> None:
+    run = evaluated(tmp_path)
+    hits = sum(bool(row["collision"]) for row in runs.read_scenes(run))
+    pairs = rows_of(write_evaluation(run).read_text(), "Who fails where another does not")
+    assert pairs == [["idm", DASH, f"{hits} of 10"], ["planner", "0 of 10", DASH]]
+
+
+def test_the_page_links_no_report_that_is_not_there_and_asks_for_nothing(tmp_path: Path) -> None:
+    page = write_evaluation(evaluated(tmp_path, reported=False)).read_text()
+    assert not re.search(r"""\b(src|href)\s*=|url\(|@import|://|fetch\(|XMLHttpRequest""", page)
+    assert "default-src 'none'" in page
+
+
+def test_a_failed_ego_and_what_strangers_wrote_are_text(tmp_path: Path) -> None:
+    run = evaluated(tmp_path, text=NASTY)
+    runs.update(run, failures={NASTY: NASTY})
+    page = write_evaluation(run).read_text()
+    assert html.unescape(page).count(NASTY) >= 3
+    assert page.count("<script") == 1
+    assert "<b>bold" not in page
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's script")
+def test_in_a_browser_the_tables_sort_and_scenes_where_egos_differ_are_found(tmp_path: Path) -> None:
+    run = evaluated(tmp_path)
+    hits = sum(bool(row["collision"]) for row in runs.read_scenes(run))
+    with Browser(tmp_path / "profile", 400, 800) as browser:
+        browser.open(write_evaluation(run).as_uri())
+        browser.wait("document.querySelector('#found')?.textContent")
+        assert browser.run("document.documentElement.scrollWidth <= innerWidth")
+        first = "document.querySelector('.egos tbody th').textContent"
+        browser.run("document.querySelectorAll('.egos .sort')[1].click()")
+        assert browser.run(first) == "planner"
+        browser.run("document.querySelectorAll('.egos .sort')[1].click()")
+        assert browser.run(first).startswith("idm")
+        browser.run("document.querySelector('#only').value = 'differ'")
+        browser.run("document.querySelector('#only').dispatchEvent(new Event('input'))")
+        assert browser.run("document.querySelector('#found').textContent") == f"{hits} of 10 scenes"
+        assert not browser.errors
