@@ -13,7 +13,7 @@ from urllib.parse import quote
 from chatscene.ego.policy import in_words
 from chatscene.errors import RunError
 from chatscene.measure.score import score, wilson
-from chatscene.report.sections import scene_label
+from chatscene.report.measures import scene_label
 from chatscene.report.templates import asset, fill, policy, scripts
 from chatscene.runs import EvaluationRecord, RunRecord, Workspace, measurements_of, note, read_record, read_scenes
 from chatscene.runs.atomic import write_bytes

@@ -1,4 +1,4 @@
-"""The numbers of a scene in words: what each is, its unit, and whether more of it is better or worse for the ego."""
+"""A scene in words: its name, and each of its numbers with its unit and whether more of it is better for the ego."""
 
 from __future__ import annotations
 
@@ -48,6 +48,11 @@ MEASURES: dict[str, Measure] = {
     "deceleration_required": Measure("deceleration required", "worse", "m/s²"),
     "distance": Measure("least distance", "better", "m"),
 }
+
+
+def scene_label(scene_id: str) -> str:
+    """A scene's name without its scenario: ``route 00 · scene 017``."""
+    return " · ".join(part.replace("-", " ") for part in scene_id.split("/")[-2:])
 
 
 def in_words(values: Mapping[str, float]) -> list[dict[str, str]]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from chatscene.report.measures import scene_label
 from chatscene.report.ranges import at, axis
 
 Row = Mapping[str, Any]
@@ -99,5 +100,5 @@ def _point(row: Row, parameter: str, low: float, high: float, hardest: float) ->
         kind=("hit" if row["collision"] else "miss") + (" kept" if row["selected"] else ""),
         x=at(row[parameter], low, high),
         y=round(y, 1),
-        title=f"{row['scene_id']}: {row[parameter]:.4g}, {said}",
+        title=f"{scene_label(row['scene_id'])}: {row[parameter]:.4g}, {said}",
     )

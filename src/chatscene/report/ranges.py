@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from chatscene.report.measures import scene_label
+
 Row = Mapping[str, Any]
 
 WIDTH, LEFT, RIGHT, TOP, PITCH = 360, 22, 12, 8, 26
@@ -123,5 +125,5 @@ def _dot(scene: Row, parameter: str, low: float, high: float) -> Dot:
     return Dot(
         kind=("hit" if scene["collision"] else "miss") + (" kept" if scene["selected"] else ""),
         x=at(scene[parameter], low, high),
-        title=f"{scene['scene_id']}: {scene[parameter]:.4g}, {scene['ending']}",
+        title=f"{scene_label(scene['scene_id'])}: {scene[parameter]:.4g}, {scene['ending']}",
     )

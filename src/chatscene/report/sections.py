@@ -14,6 +14,7 @@ from urllib.parse import quote
 from chatscene.measure.score import wilson
 from chatscene.report.accounting import parts_of
 from chatscene.report.highlight import highlight
+from chatscene.report.measures import scene_label
 from chatscene.report.outcomes import Outcomes, plot_outcomes
 from chatscene.report.ranges import Plot, plot_ranges
 from chatscene.report.templates import fill_section
@@ -173,11 +174,6 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
 def short(parameter: str) -> str:
     """A parameter's name for a heading."""
     return parameter.removeprefix("OPT_").replace("_", " ").lower()
-
-
-def scene_label(scene_id: str) -> str:
-    """A scene's name without its scenario: ``route 00 · scene 017``."""
-    return " · ".join(part.replace("-", " ") for part in scene_id.split("/")[-2:])
 
 
 def _scene_line(row: Row, parameters: Sequence[str], replayable: bool) -> Row:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from chatscene.report import sections
 from chatscene.report.egos import egos_in_words
 from chatscene.report.files import FORMATS, pack_files
-from chatscene.report.measures import in_words
+from chatscene.report.measures import in_words, scene_label
 from chatscene.report.surroundings import surroundings_in_words
 from chatscene.report.templates import asset, fill, fill_section, policy, scripts
 from chatscene.report.tracks import Box, called, extent, met, pack_beside, pack_drawing, pack_episode, size_of
@@ -92,9 +92,12 @@ def _page(run: Workspace, *, followed: bool) -> str:
     kept = [row for row in order if row["selected"]]
     beside = drive_beside(run, kept, followed=followed)
     replays, boxes = _replays(run, order, beside)
+    shown = [row for row in order if row["scene_id"] in replays]
+    numbers, measures = _numbers(shown)
     units = {row["parameter"]: row["unit"] for row in ranges}
     content = {
-        "scenes": [_shown(row, replays[row["scene_id"]]) for row in order if row["scene_id"] in replays],
+        "scenes": [_shown(row, own, replays[row["scene_id"]]) for row, own in zip(shown, numbers, strict=True)],
+        "measures": measures,
         "files": pack_files(run.path, [row["scene_id"] for row in kept]),
         "formats": FORMATS,
         "map": pack_drawing(read_drawing(run), boxes),
@@ -172,11 +175,21 @@ def _called(drives: Iterable[Mapping[str, Any]]) -> dict[str, dict[str, str]]:
     return told
 
 
-def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
+def _numbers(rows: Sequence[Mapping[str, Any]]) -> tuple[list[list[tuple[int, str]]], list[tuple[str, str]]]:
+    """The numbers of each scene: which of the measures, and its value; and the measures, with what they say of it."""
+    measures: dict[tuple[str, str], int] = {}
+    numbers = [
+        [(measures.setdefault((one["name"], one["note"]), len(measures)), one["value"]) for one in in_words(told)]
+        for told in (metrics_of(row) | criticality_of(row) for row in rows)
+    ]
+    return numbers, list(measures)
+
+
+def _shown(row: Mapping[str, Any], numbers: list[tuple[int, str]], drive: dict[str, Any]) -> dict[str, Any]:
     """What the replay shows of a scene beside its drive."""
     return {
         "id": row["scene_id"],
-        "label": sections.scene_label(row["scene_id"]),
+        "label": scene_label(row["scene_id"]),
         "route": f"{row['scenario_id']}/{row['route_id']}",
         "ending": row["ending"],
         "collision": row["collision"],
@@ -184,7 +197,7 @@ def _shown(row: Mapping[str, Any], drive: dict[str, Any]) -> dict[str, Any]:
         "avoidable": row["avoidable"],
         "kept": row["selected"],
         "distance": row.get("distance"),
-        "metrics": in_words(metrics_of(row) | criticality_of(row)),
+        "numbers": numbers,
         "drive": drive,
     }
 

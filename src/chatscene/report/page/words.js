@@ -72,9 +72,9 @@ function introduce(scene) {
   offerFiles(scene);
   for (const id of ["ghost", "ghost-key"]) $(id).hidden = !drive.ghost;
   if (drive.ghost) $("ghost").textContent = $("ghost-key").lastChild.textContent = "with " + content.beside.ego;
-  $("metrics").replaceChildren(...scene.metrics.map((metric) => {
-    const entry = document.createElement("div");
-    entry.append(element("dt", metric.name), element("dd", metric.value), element("dd", metric.note, "note"));
+  $("metrics").replaceChildren(...scene.numbers.map(([which, value]) => {
+    const entry = document.createElement("div"), [name, note] = content.measures[which];
+    entry.append(element("dt", name), element("dd", value), element("dd", note, "note"));
     return entry;
   }));
   for (const row of document.querySelectorAll("tr[data-scene]")) {
