@@ -17,6 +17,15 @@ CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shuti
 _QUIET = "--disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update"
 _PATIENCE = 300.0  # [s] for what is waited for
 
+_CONTROLS = """
+var left = new Set([...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex='0']")]
+  .filter((one) => !one.disabled && one.checkVisibility()));
+var seen = () => {
+  const style = getComputedStyle(document.activeElement);
+  if (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) > 0) left.delete(document.activeElement);
+};
+"""
+
 
 def _moved(file: int) -> int:
     high = fcntl.fcntl(file, fcntl.F_DUPFD, 10)
@@ -103,6 +112,14 @@ class Browser:
         text = {"Enter": "\r", " ": " "}.get(key, "")
         self._ask("Input.dispatchKeyEvent", type="keyDown", key=key, code=key, windowsVirtualKeyCode=code, text=text)
         self._ask("Input.dispatchKeyEvent", type="keyUp", key=key, code=key, windowsVirtualKeyCode=code)
+
+    def passed_over(self) -> list[str]:
+        """The controls of the page, as markup, that the Tab key does not come to, or that do not show that it did."""
+        self.run(_CONTROLS)
+        for _ in range(self.run("left.size") + 1):
+            self.press("Tab")
+            self.run("seen()")
+        return self.run("[...left].map((one) => one.outerHTML.slice(0, 120))")
 
     def picture(self, path: Path, *, whole: bool = False) -> None:
         """Keep what is seen, or the whole page."""

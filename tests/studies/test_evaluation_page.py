@@ -55,7 +55,7 @@ def test_each_ego_has_a_row_with_its_counts_and_an_interval_where_it_estimates_s
     rows = [row for row in runs.read_scenes(run) if row["status"] == "ran"]
     hits = [row for row in rows if row["collision"]]
     assert {row["block"] for row in hits} == {0}
-    idm, planner = rows_of(write_evaluation(run).read_text(), "How each ego fared")
+    idm, planner = rows_of(write_evaluation(run).read_text(), "Table of egos")
     assert idm[:3] == ["idm by selection", f"{len(hits)} of 10", f"{10 * len(hits)}"]
     assert idm[3] == f"{sum(row['avoidable'] for row in hits)} of {len(hits)}"
     assert idm[5] == str(len({row["crash_type"] for row in hits}))
@@ -64,7 +64,7 @@ def test_each_ego_has_a_row_with_its_counts_and_an_interval_where_it_estimates_s
 
 def test_an_ego_that_nothing_was_kept_for_has_an_interval(tmp_path: Path) -> None:
     page = write_evaluation(evaluated(tmp_path, kept_for="")).read_text()
-    assert " to " in rows_of(page, "How each ego fared")[0][2]
+    assert " to " in rows_of(page, "Table of egos")[0][2]
     assert "by selection" not in page
 
 
@@ -77,7 +77,7 @@ def test_every_scene_says_what_became_of_it_under_each_ego_and_links_its_replay(
     assert sorted(scene for _, scene in links) == sorted({scene for scene, _ in rows})
     for to, scene in links:
         assert f'data-scene="{scene}"' in (path.parent / to).read_text()
-    cells = rows_of(page, "Scenes")
+    cells = rows_of(page, "Table of scenes")
     for line, (_, scene) in zip(cells, links, strict=True):
         mine, other = rows[scene, 0], rows[scene, 1]
         assert line[2] == str(int(mine["collision"]))
@@ -90,7 +90,7 @@ def test_every_scene_says_what_became_of_it_under_each_ego_and_links_its_replay(
 def test_who_fails_where_another_does_not_is_counted(tmp_path: Path) -> None:
     run = evaluated(tmp_path)
     hits = sum(bool(row["collision"]) for row in runs.read_scenes(run))
-    pairs = rows_of(write_evaluation(run).read_text(), "Who fails where another does not")
+    pairs = rows_of(write_evaluation(run).read_text(), "Table of pairs")
     assert pairs == [["idm", DASH, f"{hits} of 10"], ["planner", "0 of 10", DASH]]
 
 
@@ -125,4 +125,5 @@ def test_in_a_browser_the_tables_sort_and_scenes_where_egos_differ_are_found(tmp
         browser.run("document.querySelector('#only').value = 'differ'")
         browser.run("document.querySelector('#only').dispatchEvent(new Event('input'))")
         assert browser.run("document.querySelector('#found').textContent") == f"{hits} of 10 scenes"
+        assert browser.passed_over() == []
         assert not browser.errors

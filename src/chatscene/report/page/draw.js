@@ -10,7 +10,7 @@ let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ["ego", "adversary", "background", "occluder", "ground", "sidewalk", "shoulder", "road", "paint", "centre",
-    "stop", "miss", "route", "label", "green", "yellow", "red", "card", "ink", "soft", "line", "hit"]) {
+    "stop", "miss", "route", "label", "green", "yellow", "red", "edge", "card", "ink", "soft", "line", "hit"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
 }
@@ -92,11 +92,14 @@ function drawSignals() {
   const names = { r: "red", y: "yellow", g: "green" };
   for (const signal of drive.signals) {
     const [x0, y0, x1, y1] = signal.line;
-    canvas.strokeStyle = canvas.fillStyle = colours[names[signal.states[Math.min(Math.floor(step), signal.states.length - 1)]]] || colours.soft;
-    canvas.lineWidth = Math.max(0.6, 3 / camera.zoom);
-    path([[x0, y0], [x1, y1]]); canvas.stroke();
-    if (signal.role !== "ego") continue;
-    canvas.beginPath(); canvas.arc(x0, y0, Math.max(0.7, 5 / camera.zoom), 0, 7); canvas.fill();
+    const colour = colours[names[signal.states[Math.min(Math.floor(step), signal.states.length - 1)]]] || colours.soft;
+    for (const [paint, wider] of [[colours.edge, 1.5 / camera.zoom], [colour, 0]]) { // yellow is seen by its edge alone
+      canvas.strokeStyle = canvas.fillStyle = paint;
+      canvas.lineWidth = Math.max(0.6, 3 / camera.zoom) + 2 * wider;
+      path([[x0, y0], [x1, y1]]); canvas.stroke();
+      if (signal.role !== "ego") continue;
+      canvas.beginPath(); canvas.arc(x0, y0, Math.max(0.7, 5 / camera.zoom) + wider, 0, 7); canvas.fill();
+    }
   }
 }
 
