@@ -118,7 +118,7 @@ def figure(sentence: str, out: Path) -> str:
     drawing = read_drawing(open_run(folder))
     picture.write_bytes(still(episode, drawing))
     if sentence == ANIMATED:
-        (PAGES / "crash.gif").write_bytes(animate(episode, drawing))
+        (PAGES / "crash.gif").write_bytes(animate(episode, drawing, said=sentence, ego="sac"))
     crash = episode.collision
     what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
     print(f"{sentence}  {what}", flush=True)

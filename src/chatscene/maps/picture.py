@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from chatscene.terms.actors import Manner, manner_of
-from chatscene.terms.episode import Episode, Role, Track, contact_point
+from chatscene.terms.episode import Array, Episode, Role, Track, contact_point
 
 WIDTH, HEIGHT = 640, 360  # [px]
 OVERSAMPLE = 2  # drawn larger and scaled down, for smooth edges
@@ -25,9 +25,9 @@ AREAS = {"sidewalks": "#d9d7cf", "shoulders": "#cfd1cf", "roads": "#c4c8cc", "ju
 INK, STAR, STAR_EDGE = "#1c2024", "#ffd23f", "#c23a12"
 ROLES = {
     Role.EGO: "#2a66e0",
-    Role.ADVERSARY: "#d9481c",
-    Role.BACKGROUND: "#7a858f",
-    Role.OCCLUDER: "#a38a63",
+    Role.ADVERSARY: "#c23c12",
+    Role.BACKGROUND: "#646e77",
+    Role.OCCLUDER: "#7e6843",
 }
 SIGNALS = {"r": "#d3282f", "y": "#e0a100", "g": "#1b9e50"}
 
@@ -36,27 +36,35 @@ Points = Sequence[Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """A fixed view from above: its centre [m] and its scale [px/m] in the large picture."""
+    """A fixed view from above: its turn [rad], then its centre [m], and its scale [px/m] in the large picture."""
 
     x: float
     y: float
     scale: float
+    turn: float = 0.0
 
     @classmethod
     def on(cls, episode: Episode, shown: Sequence[int], largest: float) -> Camera:
-        """Hold the ego and its adversaries over the steps shown, or the end of it if they go too far."""
-        actors = (episode.ego_track, *episode.adversaries)
-        x = np.concatenate([track.x[shown] for track in actors])
-        y = np.concatenate([track.y[shown] for track in actors])
+        """Hold the ego and its adversaries over the steps shown, or the end of it if they go too far.
+
+        The ego sets out to the right, along the longer side of the picture.
+        """
+        ego, turn = episode.ego_track, -float(episode.ego_track.heading[shown[0]])
+        actors = (ego, *episode.adversaries)
+        x, y = _turned(
+            np.concatenate([track.x[shown] for track in actors]),
+            np.concatenate([track.y[shown] for track in actors]),
+            turn,
+        )
         width = max(np.ptp(x), np.ptp(y) * WIDTH / HEIGHT) + 2 * SIDE
-        end_x, end_y = float(episode.ego_track.x[-1]), float(episode.ego_track.y[-1])
+        (end_x,), (end_y,) = (end.tolist() for end in _turned(ego.x[-1:], ego.y[-1:], turn))
         middle_x, middle_y = float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2
         if width > largest:  # then the ego's last position is kept inside
             reach = largest / 2 - 4 * SIDE
             middle_x = end_x + min(max(middle_x - end_x, -reach), reach)
             reach *= HEIGHT / WIDTH
             middle_y = end_y + min(max(middle_y - end_y, -reach), reach)
-        return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / float(min(max(width, 40.0), largest)))
+        return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / float(min(max(width, 40.0), largest)), turn)
 
     @classmethod
     def around(cls, x: float, y: float) -> Camera:
@@ -66,11 +74,18 @@ class Camera:
     def points(self, line: Points) -> list[tuple[float, float]]:
         """Points of the map [m] as pixels of the large picture."""
         left, top = WIDTH * OVERSAMPLE / 2, HEIGHT * OVERSAMPLE / 2
-        return [(left + (p[0] - self.x) * self.scale, top - (p[1] - self.y) * self.scale) for p in line]
+        cos, sin = math.cos(self.turn), math.sin(self.turn)
+        seen = [(p[0] * cos - p[1] * sin - self.x, p[0] * sin + p[1] * cos - self.y) for p in line]
+        return [(left + u * self.scale, top - v * self.scale) for u, v in seen]
 
     def pixels(self, metres: float) -> int:
         """A width [m] in pixels of the large picture, at least one of the small one."""
         return max(round(metres * self.scale), OVERSAMPLE)
+
+
+def _turned(x: Array, y: Array, turn: float) -> tuple[Array, Array]:
+    """Points of the map [m], turned about its origin."""
+    return x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
 
 
 def draw_ground(camera: Camera, drawing: Mapping[str, Any]) -> Image.Image:
@@ -169,16 +184,11 @@ def _draw_actor(camera: Camera, brush: ImageDraw.ImageDraw, track: Track, step: 
     if manner_of(track.kind) is Manner.WALKS:
         radius = max(0.45, 5 * OVERSAMPLE / camera.scale)
         brush.polygon(placed([(2 * radius, 0), (0, radius), (0, -radius)]), fill=ROLES[track.role])
-        brush.ellipse([*_circle(camera, x, y, radius)], fill=ROLES[track.role], outline=PAINT)
+        ((u, v),), wide = camera.points([(x, y)]), radius * camera.scale
+        brush.ellipse([u - wide, v - wide, u + wide, v + wide], fill=ROLES[track.role], outline=PAINT)
         return
     corners = placed([(half, side), (-half, side), (-half, -side), (half, -side)])
     brush.polygon(corners, fill=ROLES[track.role], outline=PAINT, width=OVERSAMPLE)
     if track.role is not Role.OCCLUDER and manner_of(track.kind) is not Manner.LIES:
         tip, base = 0.75 * half, 0.75 * half - 0.8 * side
         brush.polygon(placed([(tip, 0), (base, 0.6 * side), (base, -0.6 * side)]), fill=PAINT)
-
-
-def _circle(camera: Camera, x: float, y: float, radius: float) -> tuple[float, float, float, float]:
-    """Left, top, right, bottom [px] of a circle on the map [m]."""
-    (left, top), (right, bottom) = camera.points([(x - radius, y + radius), (x + radius, y - radius)])
-    return left, top, right, bottom
