@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -29,9 +30,27 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     made = {place: moved((ROOT / name).read_text()) for name, place in OF_THE_REPOSITORY.items()}
     made["decisions/index.md"] = decisions()
     made["reference/commands.md"] = commands()
+    made |= {
+        f"tutorials/{path.stem}.md": notebook(path) for path in sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))
+    }
     for place, text in made.items():
         files.append(File.generated(config, place, content=text))
     return files
+
+
+def on_page_markdown(markdown: str, **_: object) -> str:
+    """Lead to the page of a tutorial, not to its notebook."""
+    return re.sub(r"(tutorials/[\w-]+)\.ipynb\)", r"\1.md)", markdown)
+
+
+def notebook(path: Path) -> str:
+    """A notebook as a page: its words, its code, and what it holds that its cells printed, which a test runs again."""
+    parts: list[str] = []
+    for cell in json.loads(path.read_text())["cells"]:
+        text = "".join(cell["source"])
+        parts.append(text if cell["cell_type"] == "markdown" else f"```python\n{text}\n```")
+        parts += [f"```text\n{''.join(output['text'])}```" for output in cell.get("outputs", [])]
+    return "\n\n".join(parts) + "\n"
 
 
 def moved(text: str) -> str:

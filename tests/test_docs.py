@@ -22,6 +22,7 @@ from chatscene.search.generators.baselines.scenario_runner import AROUND, EARLIE
 from chatscene.simulate.confined.words import world_words
 from chatscene.terms.scenario import BaseScenario, Component
 from fake_run import finished
+from notebooks import TUTORIALS, held, printed
 from places import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -141,6 +142,13 @@ def test_the_notebook_goes_from_a_sentence_to_a_step_in_ten_lines(tmp_path: Path
     # A notebook shows what the last line of a cell gives.
     shown = ["\n".join([*cell.splitlines()[:-1], f"({cell.splitlines()[-1]})._repr_html_()"]) for cell in lines[:-1]]
     ran("\n".join([*shown, lines[-1]]), tmp_path)
+
+
+@pytest.mark.parametrize("path", TUTORIALS, ids=lambda path: path.stem)
+def test_a_tutorial_holds_what_its_cells_print(path: Path, tmp_path: Path) -> None:
+    pytest.importorskip("gymnasium", reason="the extra 'gym' is not installed")
+    notebook = json.loads(path.read_text())
+    assert printed(notebook, tmp_path) == held(notebook)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))

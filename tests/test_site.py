@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import json
 import os
 import re
 import subprocess
@@ -16,6 +18,7 @@ import yaml
 import chatscene
 from chatscene import pipeline
 from chatscene.commands.main import main
+from notebooks import TUTORIALS, held
 from places import ROOT
 
 DOCS = ROOT / "docs"
@@ -55,6 +58,7 @@ def test_the_navigation_names_every_page_once() -> None:
     pages = {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md") if page.parent.name != "decisions"}
     made = {"index.md", "contributing.md", "changelog.md", "security-policy.md"}
     made |= {"decisions/index.md", "reference/commands.md"}
+    made |= {f"tutorials/{path.stem}.md" for path in TUTORIALS}
     assert sorted(named) == sorted(pages | made)
 
 
@@ -86,6 +90,14 @@ def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_pa
             assert not re.match(r"(?:\w+:)?//", address), f"{page} loads {address}"
     for sheet in site.rglob("*.css"):
         assert not re.search(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//", sheet.read_text()), sheet
+
+    for path in TUTORIALS:
+        page = (site / "tutorials" / f"{path.stem}.html").read_text()
+        assert all(
+            html.escape(text.splitlines()[0], quote=False) in page
+            for text in held(json.loads(path.read_text()))
+            if text
+        )
 
     commands = (site / "reference" / "commands.html").read_text()
     assert all(f'id="chatscene-{verb}"' in commands for verb in main.commands)

@@ -425,4 +425,4 @@ def _all_named(thing: Thing) -> str:
 
 def _named(actor: str, kind: str) -> str:
     role, noun = "the " + actor, noun_of(kind)
-    return role if actor.lower().replace("-", " ").startswith(noun) else f"{role} ({noun})"
+    return role if noun in actor.lower().replace("-", " ") else f"{role} ({noun})"
