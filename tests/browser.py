@@ -121,6 +121,13 @@ class Browser:
             self.run("seen()")
         return self.run("[...left].map((one) => one.outerHTML.slice(0, 120))")
 
+    def cost(self) -> tuple[float, float]:
+        """Processor time that the page took so far [s], and the memory of what its scripts hold [MB]."""
+        self._ask("Performance.enable")
+        self._ask("HeapProfiler.collectGarbage")
+        told = {one["name"]: one["value"] for one in self._ask("Performance.getMetrics")["metrics"]}
+        return told["TaskDuration"], told["JSHeapUsedSize"] / 1e6
+
     def picture(self, path: Path, *, whole: bool = False) -> None:
         """Keep what is seen, or the whole page."""
         told = self._ask("Page.captureScreenshot", format="png", captureBeyondViewport=whole)

@@ -18,7 +18,7 @@ from chatscene.runs.progress import Progress, silent
 from chatscene.settings import SearchSettings, Settings
 from chatscene.studies.catalogue import PACKAGED, load_catalogue, slug
 from chatscene.studies.coverage import Asked, as_json, cover, write
-from chatscene.terms.coverage import Answer, Catalogue, Entry, Tally
+from chatscene.terms.coverage import Answer, Catalogue, Entry, Fared, Tally
 from places import SHARED
 
 NAMES = {
@@ -234,6 +234,16 @@ def test_filling_goes_on_where_it_was_killed(tmp_path: Path, monkeypatch: pytest
 def test_nothing_is_filled_without_a_folder() -> None:
     with pytest.raises(SettingsError, match="--out"):
         cover([HERE], Asked(fill=True), progress=silent)
+
+
+def test_the_page_names_and_links_what_asks_for_a_look(tmp_path: Path) -> None:
+    brakes, lands, skids = cover([HERE], Asked(), progress=silent)
+    fared = (Fared(ego="idm", scenes=10, shown=8, collisions=0, avoidable=0),)
+    rows = [replace(brakes, fared=fared), lands, skids]
+    page = write(tmp_path, [HERE], Asked(), rows).read_text(encoding="utf-8")
+    assert '<b>Not served:</b> <a href="#0-1">lands</a>.' in page
+    assert '<b>Shown in less than 90 % of the drives:</b> <a href="#0-0">brakes</a>.' in page
+    assert page.count('id="0-1"') == page.count('id="0-0"') == 1
 
 
 def test_the_page_runs_nothing_that_a_catalogue_says(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 from urllib.parse import quote
 
 from chatscene.report.templates import asset, fill
-from chatscene.terms.coverage import Answer, Catalogue, Covered, Tally
+from chatscene.terms.coverage import SHOWN, Answer, Catalogue, Covered, Tally
 
 
 def coverage_page(found: Sequence[tuple[Catalogue, Sequence[Covered]]]) -> str:
@@ -27,9 +27,9 @@ def coverage_page(found: Sequence[tuple[Catalogue, Sequence[Covered]]]) -> str:
                 "title": catalogue.title,
                 "tally": Tally.of(rows),
                 "in_words": Tally.of(rows).in_words(),
-                "cards": [_card(row) for row in rows],
+                "cards": [{**_card(row), "id": f"{number}-{place}"} for place, row in enumerate(rows)],
             }
-            for catalogue, rows in found
+            for number, (catalogue, rows) in enumerate(found)
         ],
     )
 
@@ -41,6 +41,7 @@ def _card(row: Covered) -> Mapping[str, Any]:
         "answer": row.answer.value,
         "served": row.answer is Answer.SERVED,
         "beyond": row.answer is Answer.OUT_OF_REACH,
+        "weak": row.shown < SHOWN * row.scenes,
         "reasons": row.reasons,
         "parts": [
             (component, name.partition("/")[2], name in row.composed)
