@@ -81,7 +81,7 @@ Some of what can be said, each run once: ten scenes on one route, driven by `sac
 It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)); shown is the first scene of the report.
 The ego is blue, adversaries are orange, what hides or blocks is brown.
 Lines are the ways that they came, a star is the contact.
-`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `ac0db9b`).
+`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `ff9d3cf`).
 [Coverage](coverage.md) has longer lists."""
 ANIMATED = "A pedestrian steps out from behind a parked car on the right and stops in front of us."
 FIGURE = """<figure>
