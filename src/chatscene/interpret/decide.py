@@ -211,7 +211,7 @@ def _in_order(
 def _with_own_behaviors(frame: Frame, settings: RetrievalSettings) -> Frame:
     """How likely those behaviors are that the classifier has not heard of, such as a user's own, by their wordings."""
     behaviors = library_with(settings.library).of(Component.BEHAVIOR)
-    unknown = [s for s in behaviors if s.id not in frame.beliefs.behaviors]
+    unknown = tuple(s for s in behaviors if s.id not in frame.beliefs.behaviors)
     if not unknown:
         return frame
     said = frame.clauses.adversary or frame.clauses.whole

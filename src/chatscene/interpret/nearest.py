@@ -6,7 +6,6 @@ classifier was not trained on, such as a user's own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from chatscene.interpret.vector_index import VectorIndex, build_cached
 from chatscene.interpret.wording_index import WordingIndex, best_of_each
 from chatscene.library.load import Library
-from chatscene.models.encoders.embedding import Embedder, encode_cached
+from chatscene.models.encoders.embedding import Embedder, Vectors, encode_cached
 from chatscene.terms.scenario import Component
 from chatscene.terms.snippet import Snippet
 
@@ -49,15 +48,22 @@ def cosines(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> NDA
     return _descriptions(snippets, embedder).cosines(embedder.encode([text])).astype(np.float64)
 
 
-def likely_by_wording(text: str, snippets: Sequence[Snippet], embedder: Embedder) -> dict[str, float]:
+def likely_by_wording(text: str, snippets: tuple[Snippet, ...], embedder: Embedder) -> dict[str, float]:
     """How likely snippets are to be meant, each by the cosine of its nearest wording, in [0, 1]."""
     if not snippets:
         return {}
-    owners = np.array([i for i, s in enumerate(snippets) for _ in (s.description, *s.rephrasings)])
-    rows = encode_cached(embedder, [wording for s in snippets for wording in (s.description, *s.rephrasings)])
+    rows, owners = _wordings(snippets, embedder)
     cosines, _ = best_of_each(np.einsum("nd,d->n", rows, embedder.encode([text])[0]), owners)
     likely = np.clip((cosines.astype(float) - UNLIKE) / (1 - UNLIKE), 0.0, 1.0) ** 2
     return {s.id: p for s, p in zip(snippets, likely.tolist(), strict=True)}
+
+
+@lru_cache(maxsize=4)
+def _wordings(snippets: tuple[Snippet, ...], embedder: Embedder) -> tuple[Vectors, NDArray[np.intp]]:
+    """(R, D) all that snippets are described by, and (R,) whose each row is."""
+    texts = [(s.description, *s.rephrasings) for s in snippets]
+    owners = np.repeat(np.arange(len(texts)), [len(each) for each in texts])
+    return encode_cached(embedder, [text for each in texts for text in each]), owners
 
 
 @lru_cache(maxsize=16)

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.decide import understood
+from chatscene.interpret.joint_choice import highest
 from chatscene.interpret.nearest import cosines
-from chatscene.interpret.retrieve import highest
 from chatscene.interpret.wording import parts_of
 from chatscene.library.bind import does
 from chatscene.library.compatibility import compatibility
@@ -66,10 +66,7 @@ def nearest_triple(
     library, embedder = library_with(settings.library), load_embedder(settings.embedder)
     scores = {c: cosines(parts[c], library.of(c), embedder) for c in Component}
     joint = compatibility(library)
-    mask = joint.mask
-    for one in tried:
-        mask = mask & ~joint.with_all(one.snippet_ids)
-    at = highest(mask, [scores[c] for c in Component], joint.able(kind))
+    at = highest(joint, [scores[c] for c in Component], joint.able(kind), tried)
     if at is None:
         raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
     behavior, geometry, spawn = (_match(library, c, scores[c], i) for c, i in zip(Component, at, strict=True))

@@ -8,7 +8,7 @@ an embedding hardly tells left from right (decisions 0006 and 0017).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.errors import NothingFits
+from chatscene.interpret.joint_choice import highest
 from chatscene.interpret.trust import FEW, log_odds, with_stated_sure
 from chatscene.interpret.wording import parts_of
 from chatscene.interpret.wording_index import WordingIndex
@@ -179,7 +180,7 @@ def _likeliest(frame: Frame, slots: Slots, library: Library) -> tuple[AdversaryK
     kinds = [kind for kind in AdversaryKind if kind is who or frame.beliefs.of("adversary", kind) >= POSSIBLE]
     best, found = -math.inf, None
     for kind in kinds if who else [None]:
-        at = highest(joint.mask, scores, joint.able(kind))
+        at = highest(joint, scores, joint.able(kind))
         if at is not None:
             chosen = [(ranked[component], i) for component, i in zip(Component, at, strict=True)]
             doubt = math.log(frame.beliefs.of("adversary", kind) + UNLIKELY)
@@ -201,37 +202,12 @@ def _best(
     """
     joint = compatibility(library)
     allowed = joint.able(kind)
-    mask = joint.mask
-    for one in tried:
-        mask = mask & ~joint.with_all(one.snippet_ids)
     scores = [ranked[component].score for component in Component]
     free = tuple(ok & (ranked[component].conflicts == 0) for ok, component in zip(allowed, Component, strict=True))
-    found = highest(mask, scores, free) or highest(mask, scores, allowed)
+    found = highest(joint, scores, free, tried) or highest(joint, scores, allowed, tried)
     if found is None:
         raise NothingFits(f"nothing {'else ' if tried else ''}in the library has a {kind} as adversary")
     return tuple(ranked[component].match(i) for component, i in zip(Component, found, strict=True))
-
-
-def highest(
-    mask: NDArray[np.bool_], scores: Sequence[Scores], allowed: Sequence[NDArray[np.bool_]]
-) -> tuple[int, int, int] | None:
-    """The triple of a (B, G, S) mask, of allowed parts only, with the highest sum of scores; None if there is none.
-
-    Behaviors are looked at from the best down, until the best partners of all could not lift the next one any more.
-    """
-    places = np.where(allowed[1][:, None] & allowed[2], scores[1][:, None] + scores[2], -np.inf)
-    ceiling = float(places.max(initial=-np.inf))
-    best, found = -np.inf, None
-    for b in np.argsort(-scores[0], kind="stable").tolist():
-        if scores[0][b] + ceiling <= best:
-            break
-        if allowed[0][b]:
-            joined = np.where(mask[b], places, -np.inf)
-            at = int(np.argmax(joined))
-            if scores[0][b] + joined.flat[at] > best:
-                best = float(scores[0][b] + joined.flat[at])
-                found = b, *divmod(at, joined.shape[1])
-    return found
 
 
 # One component
@@ -285,7 +261,7 @@ def _rank(asked: _Asked, shelf: _Shelf) -> _Ranking:
     if shelf.component is Component.BEHAVIOR:
         p = shelf.said(frame.beliefs, slots.actions) if frame.whole else shelf.meant(frame.beliefs)
         if frame.whole:
-            conflicts = conflicts + [reordered(s.slots.actions, slots.actions) for s in shelf.snippets]
+            conflicts = conflicts + shelf.of_each(lambda does: reordered(does, slots.actions))
         score = similarity + MEANT * np.log(p + FAINTEST) + AGREEMENT * agreement - CONFLICT * conflicts
     else:
         score = PLACE_WORDING * similarity - PARAMETER * shelf.parameters
@@ -310,17 +286,20 @@ class _Shelf:
             tuple(text for each in texts for text in each), tuple(i for i, each in enumerate(texts) for _ in each)
         )
         self.parameters = np.array([len(snippet.parameters) for snippet in snippets], float)
-        self.actions = np.array([[action in s.slots.actions for action in Action] for s in snippets], float)
-        does = [frozenset(s.slots.actions) for s in snippets]
-        hasty = {action for action in Action if action.row.hasty}
-        # (N, N) whether the second does what the first does, and that in haste.
-        self.hastier = np.array([[bool(b > a) and b - a <= hasty for b in does] for a in does], bool)
+        self.does = list(dict.fromkeys(s.slots.actions for s in snippets))  # many do the same
+        number = {does: i for i, does in enumerate(self.does)}
+        self.doing = np.array([number[s.slots.actions] for s in snippets], np.intp)
+        self.actions = np.array([[action in does for action in Action] for does in self.does], float)[self.doing]
         self.values: dict[str, list[Any]] = {}
         self.codes: dict[str, NDArray[np.intp]] = {}
         for name in sorted(name for name, slot in SLOTS.items() if slot.of):
             values = list(dict.fromkeys(_does(s, name) for s in snippets))
             self.values[name] = values
             self.codes[name] = np.array([values.index(_does(s, name)) for s in snippets])
+
+    def of_each(self, told: Callable[[tuple[Action, ...]], float]) -> Scores:
+        """(N,) a number for what each snippet does."""
+        return np.array([told(does) for does in self.does], float)[self.doing]
 
     def meant(self, beliefs: Beliefs) -> Scores:
         """(N,) how likely each behavior is to be meant.
@@ -331,7 +310,9 @@ class _Shelf:
         p = self._told(beliefs)
         heard = self.actions @ np.array([beliefs.heard(action) >= HEARD for action in Action])
         best = int(np.argmax(p))
-        return p + p[best] * (self.hastier[:, best] & (heard == heard[best]))
+        hasty = frozenset(self.does[self.doing[best]])
+        calmer = self.of_each(lambda does: _hastier(hasty, frozenset(does)))
+        return p + p[best] * calmer * (heard == heard[best])
 
     def said(self, beliefs: Beliefs, actions: tuple[Action, ...]) -> Scores:
         """(N,) how likely each behavior is to be meant where words say all that is done.
@@ -339,16 +320,12 @@ class _Shelf:
         Whoever does just that is meant wherever one who does more was heard; what more is done was not asked for. Where
         there is one who does just that, whoever leaves out what was said is not meant.
         """
-        more = [_more(s, actions) for s in self.snippets]
+        more = [_more(does, actions) for does in self.does]
         p = self._told(beliefs)
         less = FAINTEST if frozenset() in more else 1.0
-        lent = sum(one for one, extra in zip(p.tolist(), more, strict=True) if extra)
-        return np.array(
-            [
-                one * less if extra is None else one * UNASKED ** len(extra) if extra else one + lent
-                for one, extra in zip(p.tolist(), more, strict=True)
-            ]
-        )
+        share = np.array([less if extra is None else UNASKED ** len(extra) for extra in more])
+        beyond, just = (np.array([test(extra) for extra in more])[self.doing] for test in (bool, _nothing))
+        return p * share[self.doing] + sum(p[beyond].tolist()) * just
 
     def _told(self, beliefs: Beliefs) -> Scores:
         return np.array([beliefs.meant(s.id) for s in self.snippets])
@@ -410,19 +387,28 @@ class _Shelf:
 
 def does_just(behavior: Snippet, said: tuple[Action, ...], unsaid: frozenset[Action]) -> bool:
     """Whether a behavior does what was said, in order, and else only what need not be said."""
-    more = _more(behavior, said)
+    more = _more(behavior.slots.actions, said)
     return more is not None and more <= unsaid
 
 
 def does_all(behavior: Snippet, said: tuple[Action, ...]) -> bool:
     """Whether a behavior does what was said, in order, whatever else it does."""
-    return _more(behavior, said) is not None
+    return _more(behavior.slots.actions, said) is not None
 
 
-def _more(behavior: Snippet, said: tuple[Action, ...]) -> frozenset[Action] | None:
-    """What a behavior does beyond what was said and what that brings along; None if it does not do that, in order."""
-    does = set(behavior.slots.actions)
-    if reordered(behavior.slots.actions, said):
+def _nothing(extra: frozenset[Action] | None) -> bool:
+    return extra is not None and not extra
+
+
+def _hastier(one: frozenset[Action], other: frozenset[Action]) -> bool:
+    """Whether somebody does what another does, and that in haste."""
+    return one > other and all(action.row.hasty for action in one - other)
+
+
+def _more(acts: tuple[Action, ...], said: tuple[Action, ...]) -> frozenset[Action] | None:
+    """What is done beyond what was said and what that brings along; None if that is not done, in order."""
+    does = set(acts)
+    if reordered(acts, said):
         return None
     if not set(said) <= does.union(*(BRINGS[action] for action in does)):
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TypeVar
 
 import numpy as np
@@ -30,6 +30,7 @@ ARMS = {
 }
 _SHARED = tuple(name for name, row in SLOTS.items() if row.shared)
 Mask = NDArray[np.bool_]
+Numbers = NDArray[np.intp]
 
 
 def agree(one: object, other: object) -> bool:
@@ -115,21 +116,61 @@ def _mismatch(behavior: Snippet, geometry: Snippet, spawn: Snippet) -> str | Non
     return None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Compatibility:
-    """All triples of a library at once.
+    """What the snippets of a library can be joined with.
+
+    Snippets of one *sort* can be joined with the same ones. What fits a sort of behaviors is worked out when it is
+    asked for: all triples of 10,000 snippets would be some 30 billion.
 
     Attributes:
-        behaviors: In the order of axis 0.
-        geometries: In the order of axis 1.
-        spawns: In the order of axis 2.
-        mask: (B, G, S), True where a triple can be joined.
+        behaviors: In the order of the library.
+        geometries: The same.
+        spawns: The same.
+        sorts: Of each behavior, geometry and spawn the number of its sort.
     """
 
     behaviors: tuple[Snippet, ...]
     geometries: tuple[Snippet, ...]
     spawns: tuple[Snippet, ...]
-    mask: Mask
+    sorts: tuple[Numbers, Numbers, Numbers]
+    _fit: tuple[Mask, Mask, Mask]  # (b, g), (b, s) and (g, s), sorts each: whether nothing speaks against the two
+    _goes_on: Mask  # (g, s): whether who starts there can go straight on …
+    _straight: Mask  # (b,): … and who does
+    _names: tuple[_Names, _Names, _Names]
+
+    def partners(self, sort: int) -> Mask:
+        """The sorts of geometries and spawns, (g, s), that a sort of behaviors can be joined with."""
+        geometries, spawns, both = self._fit
+        behavior, geometry, spawn = self._names
+        found = geometries[sort][:, None] & spawns[sort] & both
+        if self._straight[sort]:
+            found &= self._goes_on
+        for name in np.flatnonzero(behavior.required[sort]):
+            found &= geometry.provided[:, name][:, None] | spawn.provided[:, name]
+        lacking = self._lacking.copy()
+        for name in np.flatnonzero(behavior.provided[sort]):
+            lacking -= np.outer(geometry.required[:, name], ~spawn.provided[:, name])
+            lacking -= np.outer(~geometry.provided[:, name], spawn.required[:, name])
+        return found & (lacking == 0)
+
+    @cached_property
+    def _lacking(self) -> NDArray[np.int16]:
+        """How many names, (g, s), geometries and spawns require and do not find with each other."""
+        (_, geometry, spawn), count = self._names, np.int16
+        return geometry.required.astype(count) @ ~spawn.provided.T + ~geometry.provided @ spawn.required.T.astype(count)
+
+    def places(self, behavior: int) -> Mask:
+        """(G, S): the geometries and spawns that a behavior can be joined with."""
+        b, g, s = self.sorts
+        return self.partners(int(b[behavior]))[np.ix_(g, s)]
+
+    @cached_property
+    def mask(self) -> Mask:
+        """(B, G, S): every triple, True where it can be joined; some MB for hundreds of snippets."""
+        b, g, s = self.sorts
+        sorts = [self.partners(sort) for sort in range(len(self._straight))]
+        return np.array(sorts, bool).reshape(len(sorts), *self._goes_on.shape)[np.ix_(b, g, s)]
 
     def able(self, kind: AdversaryKind | None) -> tuple[Mask, Mask, Mask]:
         """(B,), (G,) and (S,): the parts whose adversary can be of a kind; all of them for None."""
@@ -142,25 +183,20 @@ class Compatibility:
         acts, _, fits = self.able(kind)
         return self.mask & acts[:, None, None] & fits[None, None, :]
 
-    def with_all(self, ids: Sequence[str]) -> Mask:
-        """(B, G, S): triples that have all of some snippets."""
-        axes = (self.behaviors, self.geometries, self.spawns)
-        b, g, s = (np.array([part.id in ids for part in axis], np.intp) for axis in axes)
-        return b[:, None, None] + g[:, None] + s == len(ids)
-
 
 @lru_cache(maxsize=4)
 def compatibility(library: Library) -> Compatibility:
-    """Work out every triple of a library; a few milliseconds for hundreds of snippets."""
-    b, g, s = (library.of(component) for component in (Component.BEHAVIOR, Component.GEOMETRY, Component.SPAWN))
-    if not (b and g and s):
-        return Compatibility(b, g, s, np.zeros((len(b), len(g), len(s)), bool))
+    """Work out which snippets of a library can be joined."""
+    behaviors, geometries, spawns = (library.of(component) for component in Component)
+    (b, of_b), (g, of_g), (s, of_s) = (_sorted(shelf) for shelf in (behaviors, geometries, spawns))
     follows = _pairs(b, s, lambda x: (x.adversaries, x.requires, x.provides), _goes_with)
     caused = _pairs(g, s, lambda x: (x.slots.maneuver, x.slots.blocker), _has_cause)
     goes_on = _pairs(g, s, lambda x: (x.requires, x.provides, x.slots.maneuver), _goes_on)
-    straight = np.array([_only_straight(x) for x in b])
-    pairs = _agreeing(b, g)[:, :, None] & (_agreeing(b, s) & follows)[:, None, :] & (_agreeing(g, s) & caused)[None]
-    return Compatibility(b, g, s, _closed(b, g, s) & pairs & (goes_on[None] | ~straight[:, None, None]))
+    straight = np.array([_only_straight(x) for x in b], bool)
+    fit = _agreeing(b, g), _agreeing(b, s) & follows, _agreeing(g, s) & caused
+    wanted = sorted({name for x in (*b, *g, *s) for name in x.requires}.difference(HEADER_PROVIDES))
+    names = _names_of(b, wanted), _names_of(g, wanted), _names_of(s, wanted)
+    return Compatibility(behaviors, geometries, spawns, (of_b, of_g, of_s), fit, goes_on, straight, names)
 
 
 _One = TypeVar("_One", bound=Hashable)
@@ -173,21 +209,36 @@ def _different(each: Iterable[_One]) -> tuple[list[_One], list[int]]:
     return list(numbers), places
 
 
-def _closed(*shelves: Sequence[Snippet]) -> Mask:
-    """(B, G, S): whether each part finds what it requires with the others.
+def _sorted(snippets: Sequence[Snippet]) -> tuple[list[Snippet], Numbers]:
+    """The first snippet of each sort, and the sort of each snippet: all that decides what it can be joined with."""
+    told, sorts = _different(
+        (x.adversaries, x.requires, x.provides, _tuned(x), _facts(x.slots), ways_of(x)) for x in snippets
+    )
+    first = dict(zip(reversed(sorts), reversed(snippets), strict=True))
+    return [first[sort] for sort in range(len(told))], np.array(sorts, np.intp)
 
-    Different contracts of names are few.
-    """
-    wanted = frozenset(name for shelf in shelves for x in shelf for name in x.requires) - set(HEADER_PROVIDES)
-    each = [_different((wanted & set(x.requires), wanted & set(x.provides)) for x in shelf) for shelf in shelves]
-    missing = np.zeros([len(names) for names, _ in each], bool)
-    for name in wanted:
-        b, g, s = (np.array([[name in of for of in one] for one in names], bool).T for names, _ in each)
-        (b_needs, b_gives), (g_needs, g_gives), (s_needs, s_gives) = b, g, s
-        missing |= b_needs[:, None, None] & ~(g_gives[:, None] | s_gives)
-        missing |= (g_needs[:, None] & ~s_gives) & ~b_gives[:, None, None]
-        missing |= (~g_gives[:, None] & s_needs) & ~b_gives[:, None, None]
-    return ~missing[np.ix_(*(places for _, places in each))]
+
+def _facts(slots: Slots) -> tuple[object, ...]:
+    return tuple(getattr(slots, slot) for slot in _SHARED)
+
+
+def _tuned(snippet: Snippet) -> frozenset[str]:
+    return frozenset(p.name for p in snippet.parameters)
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """Which of the names that somebody requires, (N, names), snippets require and provide."""
+
+    required: Mask
+    provided: Mask
+
+
+def _names_of(snippets: Sequence[Snippet], wanted: Sequence[str]) -> _Names:
+    shape = len(snippets), len(wanted)
+    required = np.array([[name in x.requires for name in wanted] for x in snippets], bool).reshape(shape)
+    provided = np.array([[name in x.provides for name in wanted] for x in snippets], bool).reshape(shape)
+    return _Names(required, provided)
 
 
 def _pairs(
@@ -199,18 +250,23 @@ def _pairs(
     """(N, M) what holds of each two snippets, worked out once for all of which the same is told."""
     (a, i), (b, j) = (_different(told(x) for x in snippets) for snippets in (ones, others))
     first, second = ({told(x): x for x in snippets} for snippets in (ones, others))
-    return np.array([[holds(first[x], second[y]) for y in b] for x in a], bool)[np.ix_(i, j)]
+    return _spread([[holds(first[x], second[y]) for y in b] for x in a], i, j)
 
 
 def _agreeing(ones: Sequence[Snippet], others: Sequence[Snippet]) -> Mask:
     """(N, M) whether two parts tune different parameters and do not contradict each other."""
-    tuned, too = ([frozenset(p.name for p in x.parameters) for x in snippets] for snippets in (ones, others))
-    (a, i), (b, j) = _different(tuned), _different(too)
-    fit = np.array([[not x & y for y in b] for x in a], bool)[np.ix_(i, j)]
+    (a, i), (b, j) = _different(map(_tuned, ones)), _different(map(_tuned, others))
+    fit = _spread([[not x & y for y in b] for x in a], i, j)
     for slot in _SHARED:
         (a, i), (b, j) = (_different(getattr(x.slots, slot) for x in snippets) for snippets in (ones, others))
-        fit &= np.array([[agree(x, y) for y in b] for x in a], bool)[np.ix_(i, j)]
+        fit &= _spread([[agree(x, y) for y in b] for x in a], i, j)
     return fit
+
+
+def _spread(table: list[list[bool]], rows: Sequence[int], columns: Sequence[int]) -> Mask:
+    """(N, M) what a table of different ones says of all."""
+    small = np.array(table, bool).reshape(len(table), max(columns, default=-1) + 1)
+    return small[np.ix_(np.array(rows, np.intp), np.array(columns, np.intp))]
 
 
 def _goes_with(behavior: Snippet, spawn: Snippet) -> bool:

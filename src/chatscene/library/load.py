@@ -96,7 +96,7 @@ def library_with(folder: str = "") -> Library:
     if not folder:
         return _packaged()
     packaged, own = _packaged(), _load(Path(folder))
-    taken = [snippet.id for snippet in own if snippet.id in {s.id for s in packaged}]
+    taken = sorted({s.id for s in own} & {s.id for s in packaged})
     if taken:
         raise SnippetError(f"{folder}: {', '.join(taken)}: a packaged snippet has this id; rename the file")
     return Library(tuple(sorted((*packaged, *own), key=lambda s: s.id)))

@@ -301,6 +301,22 @@ def test_a_library_is_encoded_once_and_then_read_from_the_cache(
     assert len(list(tmp_path.rglob("*.npy"))) == 3
 
 
+def test_of_many_texts_another_one_costs_a_piece_of_the_cache_and_the_rows_stay_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(embedding, "PIECE", 20)
+    embedder, many = Counting(), [f"car {i} brakes" for i in range(400)]
+    rows = encode_cached(embedder, many)
+    np.testing.assert_array_equal(rows, embedder.encode(many))
+    pieces, embedder.calls = len(list(tmp_path.rglob("*.npy"))), 0
+    assert 10 < pieces < 40
+    more = encode_cached(embedder, ["another", *many, many[0]])
+    assert 1 <= embedder.calls <= 2
+    np.testing.assert_array_equal(more[1:-1], rows)
+    np.testing.assert_array_equal(more[-1], rows[0])
+
+
 @pytest.mark.parametrize("damage", [b"", b"not numpy", "short"])
 def test_a_damaged_cache_is_computed_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes | str

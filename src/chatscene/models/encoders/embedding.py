@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import hashlib
 import importlib
+import logging
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache, partial
 from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -26,6 +28,8 @@ from chatscene.models.encoders.wordpiece import tokenize
 from chatscene.plugins import Kind, make
 
 Vectors = NDArray[np.float32]
+
+_log = logging.getLogger(__name__)
 
 # Words that say nothing about what happens but pull sentences together; without "adversarial" alone, the right
 # behavior is found first for 76 rather than 58 of 100 queries.
@@ -323,19 +327,43 @@ EMBEDDERS: Kind[Embedder] = Kind(
 def encode_cached(embedder: Embedder, texts: Sequence[str]) -> Vectors:
     """Encode many texts that seldom change, such as a library, keeping the result in the user's cache folder.
 
-    The file is named by a hash of the encoder's identity and the texts. One that is missing, damaged or cannot be
-    written costs time and nothing else: the rows are then computed again.
+    It is kept in pieces, so that another text costs one of them, and what is stopped goes on where it was. A piece is
+    named by a hash of the encoder's identity and its texts. One that is missing, damaged or cannot be written costs
+    time and nothing else: its rows are then computed again.
     """
-    digest = hashlib.blake2b("\0".join((embedder.identity, *map(plain, texts))).encode(), digest_size=16).hexdigest()
-    path = cache_folder("vectors") / f"{digest}.npy"
+    digests = {text: _text_digest(text) for text in texts}
+    ordered = sorted(digests, key=lambda text: digests[text])
+    # A piece begins with a text whose own hash says so: the others keep their pieces, whatever text comes or goes.
+    begins = [i for i, text in enumerate(ordered) if not i or int.from_bytes(digests[text][-2:]) < 2**16 // PIECE]
+    rows = np.empty((len(ordered), embedder.dimension), np.float32)
+    for first, end in pairwise((*begins, len(ordered))):
+        rows[first:end] = _kept_piece(embedder, ordered[first:end], f"{first} of {len(ordered)} wordings are encoded")
+    number = {text: i for i, text in enumerate(ordered)}
+    return rows[[number[text] for text in texts]]
+
+
+PIECE = 512  # texts, about
+
+
+def _kept_piece(embedder: Embedder, texts: Sequence[str], so_far: str) -> Vectors:
+    digest = hashlib.blake2b(embedder.identity.encode(), digest_size=16)
+    for text in texts:
+        digest.update(_text_digest(text))
+    path = cache_folder("vectors") / f"{digest.hexdigest()}.npy"
     try:
         rows = np.load(path, allow_pickle=False)
         if rows.shape == (len(texts), embedder.dimension) and rows.dtype == np.float32:
             return rows
     except (OSError, ValueError, EOFError):
         pass
+    if len(texts) > PIECE // 4:
+        _log.warning("%s; the others are now, and kept", so_far)
     rows = embedder.encode(texts)
     content = BytesIO()
     np.save(content, rows, allow_pickle=False)
     keep(path, content.getvalue())
     return rows
+
+
+def _text_digest(text: str) -> bytes:
+    return hashlib.blake2b(text.encode("utf-8", "replace"), digest_size=16).digest()

@@ -1,0 +1,175 @@
+"""What a library of ten thousand snippets costs: to load, and to find snippets for a sentence in.
+
+    python benchmarks/many_snippets.py [--seed 0] [--keep FOLDER] [0 1000 10000]
+
+A folder of so many snippets is made beside the packaged ones, in their proportions: behaviors composed of acts that are
+drawn, and packaged geometries and starts under other names with ranges that are drawn. Each behavior has four wordings.
+None was looked at, and none was checked by `library lint`: they are there to be many.
+
+Times are processor time, that of the first sentence from the start of its process, that of later ones and of retrieval
+the longest of five; memory is the peak of a process; *first* is with an empty cache folder, *later* in another
+process that finds what the first one kept.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+from chatscene import pipeline
+from chatscene.errors import NothingFits
+from chatscene.interpret.decide import scenario_of
+from chatscene.interpret.retrieve import retrieve
+from chatscene.library.compose import Asked, compose
+from chatscene.library.load import library_with, load_library
+from chatscene.library.snippet_file import ENDING, as_text, wordings_path, wordings_text
+from chatscene.models.encoders.embedding import load_embedder
+from chatscene.sentences.rendering import render
+from chatscene.settings import RetrievalSettings, Settings
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.acts import Action
+from chatscene.terms.description import Style
+from chatscene.terms.scenario import Component, Position
+from chatscene.terms.snippet import ParameterRange, Snippet
+
+SIZES = (0, 1_000, 10_000)
+SENTENCE = "A cyclist rides out from the left and stops in front of us."
+LATER = (
+    "The car ahead brakes hard.",
+    "While we turn left, a pedestrian runs across from behind a parked van.",
+    "so this guy on a scooter just shot past on our right and cut in like it was nothing",
+    "A truck backs out of a driveway and we have to stop for it.",
+    "At the crossroads a van runs the red light from the right and clips us.",
+)
+WORDINGS = 4
+
+
+def drawn(parameter: ParameterRange, rng: random.Random) -> ParameterRange:
+    """A narrower range."""
+    low, high = sorted(rng.uniform(parameter.low, parameter.high) for _ in range(2))
+    return replace(parameter, low=round(low, 3), high=round(high, 3))
+
+
+def varied(snippet: Snippet, snippet_id: str, rng: random.Random) -> Snippet:
+    """A snippet under another name and with other ranges."""
+    parameters = tuple(drawn(p, rng) for p in snippet.parameters)
+    source = snippet.source
+    for old, new in zip(snippet.parameters, parameters, strict=True):
+        before, _, rest = source.partition(f"param {old.name} = Range(")
+        source = f"{before}param {old.name} = Range({new.low}, {new.high}){rest.partition(')')[2]}"
+    return replace(snippet, id=snippet_id, parameters=parameters, source=source)
+
+
+def behaviors(rng: random.Random) -> Iterator[Snippet]:
+    """Behaviors of up to three acts, as far as they can be composed."""
+    while True:
+        asked = Asked(
+            kind=rng.choice(tuple(AdversaryKind)),
+            position=rng.choice(tuple(Position)),
+            actions=tuple(rng.sample(tuple(Action), rng.choice((1, 2, 2, 3)))),
+            junction=rng.random() < 0.3,
+        )
+        if (made := compose(asked)) is not None:
+            yield made
+
+
+def worded(snippet: Snippet, rng: random.Random) -> tuple[str, ...]:
+    """Ways to say what a behavior does, none twice."""
+    kind = snippet.adversaries[0]
+    texts = (render(snippet.slots, kind=kind, rng=rng, style=rng.choice(tuple(Style))).text for _ in range(WORDINGS))
+    different = {text.casefold(): text for text in texts}
+    different.pop(snippet.description.casefold(), None)
+    return tuple(different.values())
+
+
+def make_library(folder: Path, count: int, seed: int) -> None:
+    """Write a folder of so many snippets; the same ones for the same seed."""
+    rng = random.Random(seed)
+    packaged, composed = load_library(), behaviors(rng)
+    numbers = [len(packaged.of(component)) for component in Component]
+    for number in range(count):
+        component = rng.choices(tuple(Component), numbers)[0]
+        model = next(composed) if component is Component.BEHAVIOR else rng.choice(packaged.of(component))
+        snippet = varied(model, f"{component}/many-{number:05}", rng)
+        files = {folder / f"{snippet.id}{ENDING}": as_text(snippet)}
+        if component is Component.BEHAVIOR:
+            files[wordings_path(folder, snippet.id)] = wordings_text(worded(snippet, rng))
+        for path, text in files.items():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+
+
+def spent(work: Callable[[], object]) -> float:
+    """Processor time [s]; a refusal is an answer like any other."""
+    began = time.process_time()
+    with suppress(NothingFits):
+        work()
+    return time.process_time() - began
+
+
+def measure(folder: str) -> dict[str, float]:
+    """What this process takes for a library: to load, for its first sentence and later ones, and to retrieve."""
+    settings = RetrievalSettings(library=folder)
+    whole = Settings(retrieval=settings)
+    load = spent(lambda: library_with(folder))
+    spent(lambda: pipeline.understand(SENTENCE, whole))
+    first = time.process_time()
+    later = [spent(lambda text=text: pipeline.understand(text, whole)) for text in LATER]
+    scenarios = [scenario_of(text, settings) for text in LATER]
+    library, embedder = library_with(folder), load_embedder()
+    found = [spent(lambda one=one: retrieve(one, library, embedder, settings)) for one in scenarios]
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
+    return {
+        "snippets": len(library),
+        "load": load,
+        "first": first,
+        "later": max(later),
+        "retrieve": max(found),
+        "peak": peak,
+    }
+
+
+def told(who: str, row: dict[str, float]) -> str:
+    """A row of the table."""
+    return (
+        f"{row['snippets']:>8} {who:>6} {row['load']:>8.2f} {row['first']:>9.2f} "
+        f"{row['later']:>8.3f} {row['retrieve']:>9.3f} {row['peak']:>8.0f}"
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("sizes", nargs="*", type=int, default=SIZES)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--keep", help="a folder for the libraries, instead of one that is removed")
+    parser.add_argument("--measure", help=argparse.SUPPRESS)
+    given = parser.parse_args()
+    if given.measure is not None:
+        print(json.dumps(measure(given.measure)))
+        return
+    print("snippets  cache  load [s]  first [s] later [s] retrieve [s] peak [MB]")
+    with tempfile.TemporaryDirectory() as temporary:
+        for size in given.sizes:
+            folder = Path(given.keep or temporary, f"snippets-{size}")
+            if size and not folder.exists():
+                make_library(folder, size, given.seed)
+            kept = {**os.environ, "XDG_CACHE_HOME": f"{temporary}/cache-{size}"}
+            for who in ("first", "later"):
+                command = [sys.executable, __file__, "--measure", str(folder) if size else ""]
+                said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=kept)
+                print(told(who, json.loads(said.stdout)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
