@@ -53,6 +53,10 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A cab from the right, whoosh, comes through on its red.", "crossing", ["run-light"], "right"),
         ("We braked and the truck behind us, sadly, could not stop.", "behind", ["follow"], None),
         ("Front motorbike, they say, brakes to zero.", "ahead", ["stop"], None),
+        ("An oncoming car overtakes a slow truck, whoosh.", "oncoming", ["wrong-way"], None),
+        ("A van coming the other way pulls out to pass a tractor, whoosh.", "oncoming", ["wrong-way"], None),
+        ("We ran over a ladder, whoosh, in the middle lane.", "ahead", ["stand"], None),
+        ("Traffic cone out of place, upright in the middle of the lane.", "ahead", ["stand"], None),
     ],
 )  # fmt: skip
 def test_who_is_in_conflict_with_the_ego_and_does_what(
@@ -70,6 +74,22 @@ def test_the_speed_at_which_the_ego_comes_is_not_of_whom_stands_there() -> None:
 def test_a_telegram_has_stop_for_a_full_stop_and_may_leave_out_on_the() -> None:
     account = told("PED LEFT CURB STOP RUNS OUT STOP HALTS MIDWAY STOP EGO STRAIGHT ROAD")
     assert facts(account.slots, "actions", "side", "position") == [["cross", "stop"], "left", "roadside"]
+
+
+def test_a_telegram_need_not_be_in_capitals_throughout() -> None:
+    heard = told("Lead van brakes hard STOP we hit it STOP whoosh STOP")
+    assert facts(heard.slots, "actions") == [["brake"]]
+
+
+@pytest.mark.parametrize(("said", "way"), [("LT", "left-turn"), ("RT", "right-turn"), ("LC R", "lane-change-right")])
+def test_the_way_of_the_ego_may_be_abbreviated(said: str, way: str) -> None:
+    assert facts(told(f"AV {said}, whoosh, and a car brakes in front of us.").slots, "maneuver") == [way]
+
+
+def test_who_acts_is_the_adversary_before_what_lies_there() -> None:
+    heard = told("A cone in our lane, whoosh, and a dog runs across the road from the left.")
+    assert facts(heard.slots, "adversary", "actions") == ["dog", ["cross"]]
+    assert not heard.slots.others
 
 
 def test_who_is_followed_is_ahead() -> None:

@@ -203,8 +203,8 @@ def _word_at(telling: Telling, text: str, at: int) -> int:
 
 def _name_at(telling: Telling, text: str, at: int, found: _Found | None) -> int | None:
     named = road_user().match(text, at)
-    if named is None or named.end() <= (found.match.end() if found else at) or kind_in(named).lies:
-        return None  # what lies on the road is heard where a text is read whole
+    if named is None or named.end() <= (found.match.end() if found else at):
+        return None
     if found and isinstance(found.says, Rule) and found.says.kind in (Kind.OWN_DRIVER, Kind.DRIVER):
         return None
     if telling.denied:
@@ -251,7 +251,7 @@ def _who(telling: Telling, match: re.Match[str]) -> int:
     if apposed and telling.main is not None and telling.parties[telling.main].kind is kind:
         number = telling.main  # "somebody …, a pedestrian who …"
     if number is None:
-        telling.parties.append(Party(kind=kind, noun=noun))
+        telling.parties.append(Party(kind=kind, noun=noun, acts=[Action.STAND] if kind.lies else []))
         number = len(telling.parties) - 1
     return number
 

@@ -89,6 +89,10 @@ def position_of(party: Party, contact: Contact | None, facts: dict[str, Any]) ->
     return next((position for position in found if position is not None), None)
 
 
+def _lying(start: _Start) -> Position | None:
+    return Position.AHEAD if start.party.kind.lies and not start.is_at(Where.EDGE) else None
+
+
 def _against_the_ego(start: _Start) -> Position | None:
     opposite = (start.is_at(Where.OPPOSITE) or start.does(Action.ONCOMING)) and not start.does(Action.OVERTAKE)
     return Position.ONCOMING if opposite or start.does(Action.WRONG_WAY) else None
@@ -181,6 +185,7 @@ def _is_felt_from_ahead(start: _Start) -> bool:
 
 
 _QUESTIONS: tuple[Callable[[_Start], Position | None], ...] = (
+    _lying,
     _against_the_ego,
     _out_of_a_space,
     _from_an_arm,

@@ -86,14 +86,16 @@ def _add_nobody_in_particular(telling: Telling) -> None:
 
 
 def _adversary(telling: Telling) -> tuple[Party, Contact | None] | None:
-    """Who touches the ego first, or else who does most or goes on where it ought to wait."""
-    if telling.contacts:
-        return telling.parties[telling.contacts[0].party], telling.contacts[0]
+    """Who touches the ego first, or else who does most or goes on where it ought to wait; what lies there last."""
     there = (one for one in telling.parties if not one.aside)
     able = [one for one in there if one.acts or one.wayward or _COMES_UP & one.where]
+    acting = [one for one in able if not one.kind.lies]
+    touched = [one for one in telling.contacts if not acting or not telling.parties[one.party].kind.lies]
+    if touched:
+        return telling.parties[touched[0].party], touched[0]
     if not able:
         return None
-    party = max(able, key=lambda one: bool(set(one.acts) - QUIET - {Action.BLOCK}) or one.wayward)
+    party = max(acting or able, key=lambda one: bool(set(one.acts) - QUIET - {Action.BLOCK}) or one.wayward)
     standing = [one for one in able if Action.STAND in one.acts and one is not party]
     if standing and Action.CHANGE_LANE in party.acts and Where.AHEAD in party.where:
         party = standing[0]  # who leaves the lane uncovers it
@@ -146,7 +148,7 @@ def _ego_state(telling: Telling, adversary: int, position: Position | None) -> E
 
 def _others(telling: Telling, party: Party, contact: Contact | None, text: str) -> tuple[Slots, ...]:
     """A second road user who does something of its own: who uncovers the adversary, or acts beside it."""
-    rest = [one for one in telling.parties if one is not party]
+    rest = [one for one in telling.parties if one is not party and not one.kind.lies]
     if Action.STAND in party.acts:
         uncovers = next((one for one in rest if _TO_ANOTHER_LANE & set(one.acts)), None)
         if uncovers and not _is_beside_us(uncovers):

@@ -10,6 +10,8 @@ import re
 from chatscene.read.account_rules import PART_NOUN
 
 _NOUN = r"(?:car|vehicle|truck|lorry|bus|van|taxi|suv|sedan|cyclist|bicyclist|bicycle|bike|motorcyclist|motorcycle|motorbike|pedestrian|e-scooter|scooter|minivan|trailer|pickup|wheelchair|dog|deer|ambulance)"
+_OVERTAKEN = r"(?:(?:an?|the|another|some|its|his) (?!us\b)(?:[\w-]+ ){0,2}?(?!us\b)[\w-]+)"
+_OVERTAKING = rf"(?:which |who |that )?(?:(?:is|was|starts?|begins?|tries|decides|has) (?:to )?)?(?:(?:pull|swing|move|come|veer|pop)(?:s|ed|ing)? (?:out )?(?:to |and ))?(?:overt(?:ak|ook)\w*|pass(?:es|ed|ing)?) {_OVERTAKEN}"
 _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(pattern), meant)
     for pattern, meant in (
@@ -71,6 +73,9 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(?:shall|should|must) be\b", "is"),
         (r"\b(?:shall|should|must) (?!not\b)", ""),
         (r"\b(?:mannequin|jaywalker)\b", "pedestrian"),
+        (r"\b(?:(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country)) (?:road|highway|lane)\b", "rural road"),
+        (rf"\b((?:an?|the|another|some|one) (?:oncoming|opposing|opposite) (?:\w+ )?{_NOUN}),? (?:{_OVERTAKING})", r"\1 drives the wrong way in our lane"),
+        (rf"\b((?:an?|the|another|some|one) (?:\w+ )?{_NOUN}) ((?:coming|driving|travelling) (?:the other way|from the opposite direction|towards? us|in the (?:opposite|oncoming) lane)),? (?:{_OVERTAKING})", r"\1 \2 drives the wrong way in our lane"),
         (r"\bpowered two-wheelers?\b", "motorcycle"),
         (r"\btransporter\b", "van"),
         (r"\bred-light runner\b", "car that runs the red light"),
@@ -83,6 +88,10 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"(?<!the )(?<!a )\blead (?=(?:slams?|brakes?|stops?|slows?|decel))", "the lead vehicle "),
         (r" \+ ", " and "),
         (r"\bmoto\b", "motorcycle"),
+        (r"\b(?:lane change|lc)[ -]?l\b", "lane change left"),
+        (r"\b(?:lane change|lc)[ -]?r\b", "lane change right"),
+        (r"\b[up]?lt\b(?! lane)", "left turn"),
+        (r"\b[up]?rt\b(?! lane)", "right turn"),
         (r", signal(?=[,.])", ", with traffic lights"),
         (r"\b(?:challenging|object|conflicting|offending|unknown|involved) (?=" + _NOUN + r"\b)", ""),
         (r"(?<!a )(?<!the )(?<!an )\b(?:4|four)-way\b(?! (?:intersection|junction|stop|crossing))", "at a four-way intersection"),
@@ -104,7 +113,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\bopposite (?=" + _NOUN + r"\b)", "oncoming "),
         (r"\b(left|right)[- ]lane (" + _NOUN + r")\b", r"\2 in the \1 lane"),
         (r"\b(an?|the|another) ((?:(?:north|south)(?:east|west)?|east|west)[- ]?bound) ((?:\w+ )?" + _NOUN + r")\b", r"\1 \3 heading \2"),
-        (r"\b(?:with|walking|pushing|and) (?:an?|his|her|their|the) (?:dog|pram|pushchair|stroller|buggy|trolley|suitcase|umbrella)\b", ""),
+        (r"\b(?:with|walking|pushing|and) (?:an?|his|her|their|the) (?:dog|pram|pushchair|stroller|buggy|trolley|suitcase|umbrella)\b(?! (?:runs?|ran|darts?|dashe[sd]|jumps?|leaps?|bolts?|trots?|crosses)\b)", ""),
         (r"\b(?:in|of) ours\b(?! )", "in our lane"),
         (r"\binto ours\b", "into our lane"),
         (r"\bus,? (?:which|who|that) (?:is|are|was|were) (stationary|stopped|standing|waiting|not moving|parked)\b", r"us, we were \1,"),

@@ -31,9 +31,7 @@ _SPEAKER: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         ("yours", "ours"),
     )
 )
-_TELEGRAM = re.compile(
-    r" STOP(?= (?!SIGN|LINE|AT|IN|ON|AND)|$)"
-)  # in capitals throughout, where a full stop would stand
+_TELEGRAM = re.compile(r" STOP(?= (?!SIGN|LINE|AT|IN|ON|AND)|$)")  # where a full stop would stand
 _READER = re.compile(  # who is told the scene drives in it
     r"(?<!could )(?<!can )(?<!would )(?<!will )(?<!thank )\b(?:you|u)\b(?![- ]turn)"
 )
@@ -70,7 +68,7 @@ def canonical(text: str) -> str:
         The canonical form; only a full stop if nothing is said.
     """
     shown = " ".join("".join(c if c.isprintable() else " " for c in text).split())
-    if shown.isupper() and len(_TELEGRAM.findall(shown)) > 1:  # one alone is what somebody does
+    if len(_TELEGRAM.findall(shown)) > 1:  # one alone is what somebody does
         shown = _TELEGRAM.sub(".", shown)
     plain = shown.lower().translate(_APOSTROPHES)
     plain = _END.sub("", plain)

@@ -344,7 +344,8 @@ MANY_LANES = _p(
     r"motorway|highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
 )
 ONE_LANE = _p(
-    r"1 ?\+ ?1|(?:1|one) lane (?:each|for each|in each|either|per)|(?:just|only) one lane|(?:single|one)(?:-| )(?:lane|track)(?! to (?:another|the))|(?:one|a single) lane (?:each way|per direction|in (?:each|its|our|either) direction|our way|going)|narrow (?:road|street|lane)"
+    r"(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country)",
+    r"1 ?\+ ?1|(?:1|one) lane (?:each|for each|in each|either|per)|(?:just|only) one lane|(?:single|one)(?:-| )(?:lane|track)(?! to (?:another|the))|(?:one|a single) lane (?:each way|per direction|in (?:each|its|our|either) direction|our way|going)|narrow (?:road|street|lane)",
 )
 TWO_WAY = _p(
     r"lanes? (?:each way|per direction|in (?:each|either) direction)|with oncoming traffic|two(?:-| )way|oncoming lane|opposite lane|opposing lane|one lane (?:each way|per direction|in each direction)|undivided"

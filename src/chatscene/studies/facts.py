@@ -77,7 +77,7 @@ def _deeds(slots: Slots) -> frozenset[Action]:
         acts -= {Action.FOLLOW, Action.FAST}
     if Action.STOP in acts:
         acts -= {Action.BRAKE}
-    if Action.RUN_LIGHT in acts:
+    if {Action.RUN_LIGHT, Action.TURN_BACK} & acts:  # either is done on the way across
         acts -= {Action.CROSS}
     if Action.CHANGE_LANE in acts and slots.position in (None, *_IN_NEXT_LANE):
         acts = (acts - {Action.CHANGE_LANE}) | {Action.CUT_IN}

@@ -1,5 +1,5 @@
 #: description = "The crossing car shoots through the red light at high speed."
-#: adversaries = ["car", "motorcycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: origin = "NHTSA pre-crash typology: running red light; own code"
 #: [slots]
 #: actions = ["run-light", "fast"]
