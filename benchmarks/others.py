@@ -22,7 +22,7 @@ from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import READERS, RetrievalSettings
 from chatscene.studies.facts import differing
 
-KEPT = ("kept", "kept-second", "kept-third", "narratives-kept")
+KEPT = ("kept", "kept-second", "kept-third", "kept-fourth", "narratives-kept")
 
 
 @click.command()

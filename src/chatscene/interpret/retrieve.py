@@ -59,9 +59,9 @@ CONTRADICTED = 0.2  # confidence left by a fact that the triple contradicts: its
 # Log-odds that every fact read by patterns and classifier is right: fitted on texts that the classifier had not seen,
 # by several people, each of whom weighs the same (benchmarks/confidence.py).
 CONFIDENCE = {
-    "base": 0.85, "scope": 0.12, "beyond": -0.39, "outright": 0.20, "wording": 0.61, "meant": 0.20,
-    "same acts": 0.45, "same kind": 0.02, "same place": 0.47, "no account": 0.62, "touched": 0.12, "unused": -0.14,
-    "words": -0.50, "facts": 0.88, "acts": 0.36,
+    "base": 0.64, "scope": 0.10, "beyond": -0.42, "outright": 0.18, "wording": 0.42, "meant": 0.20, "same acts": 0.67,
+    "same kind": 0.16, "same place": 0.33, "no account": 0.71, "touched": 0.12, "unused": -0.61, "words": -0.40,
+    "facts": 0.83, "acts": 0.31,
 }  # fmt: skip
 ENOUGH = 4  # facts that words say outright; more make nothing surer
 FAR_WORDING, NEAR_WORDING = 0.2, 0.7  # cosines of a description below and above which it says nothing more

@@ -15,9 +15,9 @@ from chatscene.terms.frame import Account, Frame
 from chatscene.terms.scenario import Maneuver, Slots
 
 ACCOUNT = {
-    "base": 2.37, "unread": 0.22, "share": -4.91, "words": -1.06, "same acts": -0.09, "some acts": -0.21,
-    "same kind": 0.21, "same place": 0.32, "same way": 0.24, "placed": 2.19, "touched": 1.04, "acts": -0.09,
-    "quiet": -0.12, "others": 0.10, "behavior": 0.31, "facts": 0.49, "done": 0.79, "scope": 0.09,
+    "base": 1.25, "unread": -0.20, "share": -2.29, "words": -0.68, "same acts": -0.23, "some acts": -0.37,
+    "same kind": 0.10, "same place": 0.35, "same way": 0.33, "placed": 2.23, "touched": 0.95, "acts": 0.21,
+    "quiet": -0.03, "others": 0.05, "behavior": 0.23, "facts": 0.51, "done": 0.61, "scope": 0.05,
 }  # fmt: skip
 """Weights of `speaks_for_account`."""
 FEW = 5  # words of which a share says little
