@@ -40,7 +40,8 @@ from chatscene.terms.slots import SLOTS
 @click.option("--ego", default="idm", show_default=True)
 def main(name: str, narratives: Path, count: int, scenes: int, ego: str) -> None:
     settings, totals = Settings(search=SearchSettings(scenes=scenes, seed=0)), Counter[str]()
-    ids = [json.loads(line)["id"] for line in (TEXTS / f"{name}.jsonl").read_text().splitlines()]
+    lines = (TEXTS / f"{name}.jsonl").read_text().splitlines()
+    ids = [str(json.loads(line).get("id", number)) for number, line in enumerate(lines)]
     rows = labelled(name, narratives)
     print("| id | | confidence | read right | missed or wrong | scenes that show it |\n|---|---|---:|---|---|---|")
     for one, (_, text, in_scope, said) in list(zip(ids, rows, strict=True))[:count]:
