@@ -54,7 +54,7 @@ def test_a_script_that_lacks_its_guard_ends_with_what_to_do(tmp_path: Path) -> N
     )
     ended = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
     assert ended.returncode == 1
-    assert 'lacks if __name__ == "__main__"' in ended.stderr.splitlines()[-1]
+    assert 'lacks if __name__ == "__main__"' in ended.stderr
 
 
 def test_an_executor_that_is_not_there_is_told_of() -> None:

@@ -89,9 +89,11 @@ def test_the_reader_alone_finds_the_base_scenario_of_all() -> None:
 
 
 @beside_the_paper
-@pytest.mark.parametrize("base", list(BaseScenario))
-def test_most_are_served_as_the_papers_sentence_is(base: BaseScenario) -> None:
-    assert sum(alike(ours, theirs) for ours, theirs in zip(OURS[base], published()[base], strict=True)) >= 3
+def test_most_are_served_as_the_papers_sentence_is() -> None:
+    pairs = {base: zip(OURS[base], published()[base], strict=True) for base in BaseScenario}
+    same = [sum(alike(ours, theirs) for ours, theirs in both) for both in pairs.values()]
+    assert min(same) >= 2  # of five; the reader refuses two of the paper's lane changes
+    assert sum(same) >= 30  # of forty
 
 
 @beside_the_paper
