@@ -10,13 +10,13 @@ from __future__ import annotations
 import gc
 import resource
 import statistics
-import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+
+from waited_for import LATER, SENTENCE, cost_of_ours
 
 from chatscene import pipeline, runs
 from chatscene.ego.rule_based import RuleBased
@@ -35,14 +35,6 @@ from chatscene.simulate.staging import Stage
 from chatscene.terms.scenario import Component, Scenario
 from chatscene.terms.scene import ScenicProgram
 
-SENTENCE = "A cyclist rides out from the left and stops in front of us."
-LATER = (
-    "The car ahead brakes hard.",
-    "While we turn left, a pedestrian runs across from behind a parked van.",
-    "so this guy on a scooter just shot past on our right and cut in like it was nothing",
-    "A truck backs out of a driveway and we have to stop for it.",
-    "At the crossroads a van runs the red light from the right and clips us.",
-)  # told in different ways, plainly and not
 EPISODES = 1000
 REPEATS = 3
 
@@ -64,22 +56,6 @@ def seconds(work: Callable[[], object]) -> float:
     began = time.process_time()
     work()
     return time.process_time() - began
-
-
-# In between, since the peak of a process begins with that of the one that it was started from.
-WATCHED = """
-import resource, subprocess, sys
-subprocess.run([sys.executable, "-m", "chatscene", *sys.argv[1:]], check=True, stdout=subprocess.DEVNULL)
-used = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(used.ru_utime + used.ru_stime, used.ru_maxrss / 1000)
-"""
-
-
-def cost(*words: str) -> tuple[float, float]:
-    """Processor time [s] and peak memory [MB] of a command in a process of its own."""
-    told = subprocess.run([sys.executable, "-c", WATCHED, *words], check=True, capture_output=True, text=True)
-    cpu, peak = map(float, told.stdout.split())
-    return cpu, peak
 
 
 def explained(text: str) -> None:
@@ -134,17 +110,17 @@ def main() -> None:
     )
 
     with tempfile.TemporaryDirectory() as folder:
-        report("chatscene --help, processor time", cost("--help")[0], 1)
-        run, peak = cost("run", SENTENCE, "--out", f"{folder}/run")
+        report("chatscene --help, processor time", cost_of_ours("--help")[0], 1)
+        run, peak = cost_of_ours("run", SENTENCE, "--out", f"{folder}/run")
         report("chatscene run, 50 scenes on one route, processor time", run, 5)
         report("chatscene run, peak memory", peak, 450, "MB")
 
-        costs = [cost("explain", SENTENCE) for _ in range(REPEATS)]
+        costs = [cost_of_ours("explain", SENTENCE) for _ in range(REPEATS)]
         report("chatscene explain, processor time, median", statistics.median(cpu for cpu, _ in costs), 1.5)
         report("chatscene explain, peak memory, median", statistics.median(peak for _, peak in costs), 400, "MB")
         rows = runs.read_scenes(runs.Workspace(Path(folder, "run")))
         scene = next(row["scene_id"] for row in rows if row["status"] == "ran")
-        replays = [cost("replay", f"{folder}/run", scene)[0] for _ in range(REPEATS)]
+        replays = [cost_of_ours("replay", f"{folder}/run", scene)[0] for _ in range(REPEATS)]
         report("chatscene replay, processor time, median", statistics.median(replays), 1)
     explained(SENTENCE)
     for number, text in enumerate(LATER, 1):

@@ -10,30 +10,14 @@ from __future__ import annotations
 
 import argparse
 import shutil
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-TEXT = "A cyclist rides out from the left and stops in front of us."
+from waited_for import SENTENCE, cost, cost_of_ours
+
 ROUTES = 10
 OPENINGS = 3
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-
-# In between, since the peak of a process begins with that of the one that it was started from.
-WATCHED = """
-import resource, subprocess, sys
-subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-used = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(used.ru_utime + used.ru_stime, used.ru_maxrss / 1000)
-"""
-
-
-def cost(*command: str) -> tuple[float, float]:
-    """Processor time [s] and peak memory [MB] of a command."""
-    told = subprocess.run([sys.executable, "-c", WATCHED, *command], check=True, capture_output=True, text=True)
-    cpu, peak = map(float, told.stdout.split())
-    return cpu, peak
 
 
 def opening(address: str) -> float:
@@ -55,8 +39,8 @@ def main() -> None:
         for scenes in given.scenes:
             folder = Path(given.out or temporary, f"run-{scenes}")
             asked = ("--routes", str(ROUTES), "--scenes", str(scenes), "--seed", str(given.seed), "--jobs", "1")
-            run = [sys.executable, "-m", "chatscene", "run", TEXT, "--ego", "idm", *asked, "--out", str(folder)]
-            cpu, peak = cost(*run)
+            run = ["run", SENTENCE, "--ego", "idm", *asked, "--out", str(folder)]
+            cpu, peak = cost_of_ours(*run)
             sizes = [path.stat().st_size for path in folder.rglob("*") if path.is_file()]
             report = folder / "report.html"
             opened = opening(report.resolve().as_uri()) - empty if CHROMIUM else float("nan")

@@ -27,6 +27,8 @@ from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
+from waited_for import LATER, SENTENCE
+
 from chatscene import pipeline
 from chatscene.errors import NothingFits
 from chatscene.interpret.decide import scenario_of
@@ -44,14 +46,6 @@ from chatscene.terms.scenario import Component, Position
 from chatscene.terms.snippet import ParameterRange, Snippet
 
 SIZES = (0, 1_000, 10_000)
-SENTENCE = "A cyclist rides out from the left and stops in front of us."
-LATER = (
-    "The car ahead brakes hard.",
-    "While we turn left, a pedestrian runs across from behind a parked van.",
-    "so this guy on a scooter just shot past on our right and cut in like it was nothing",
-    "A truck backs out of a driveway and we have to stop for it.",
-    "At the crossroads a van runs the red light from the right and clips us.",
-)
 WORDINGS = 4
 
 
