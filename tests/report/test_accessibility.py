@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from importlib.resources import files
 from itertools import product
 from pathlib import Path
@@ -104,22 +105,23 @@ def test_nothing_moves_but_where_no_preference_is_said() -> None:
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium to run the page's script")
 
 
-@needs_chromium
-def test_in_a_browser_nothing_plays_by_itself_for_who_asks_for_less_motion(tmp_path: Path) -> None:
-    page = write_report(finished(tmp_path / "run", count=1).path)
+@pytest.fixture
+def report(tmp_path: Path) -> Iterator[Browser]:
     with Browser(tmp_path / "profile") as browser:
-        browser.open(page.as_uri())
-        browser.wait("document.querySelector('#clock')?.textContent.includes(' of ')")
-        clock = "document.querySelector('#clock').textContent"
-        was = browser.run(clock)
-        assert browser.run("document.querySelector('#play').textContent") != "Pause"
-        assert browser.run(f"new Promise((done) => setTimeout(() => done({clock}), 300))") == was
+        browser.open(write_report(finished(tmp_path / "run", count=1).path).as_uri())
+        yield browser
 
 
 @needs_chromium
-def test_in_a_browser_the_tab_key_comes_to_every_control_and_shows_it(tmp_path: Path) -> None:
-    page = write_report(finished(tmp_path / "run", count=1).path)
-    with Browser(tmp_path / "profile") as browser:
-        browser.open(page.as_uri())
-        browser.wait("document.querySelector('#found')?.textContent")
-        assert browser.passed_over() == []
+def test_in_a_browser_nothing_plays_by_itself_for_who_asks_for_less_motion(report: Browser) -> None:
+    report.wait("document.querySelector('#clock')?.textContent.includes(' of ')")
+    clock = "document.querySelector('#clock').textContent"
+    was = report.run(clock)
+    assert report.run("document.querySelector('#play').textContent") != "Pause"
+    assert report.run(f"new Promise((done) => setTimeout(() => done({clock}), 300))") == was
+
+
+@needs_chromium
+def test_in_a_browser_the_tab_key_comes_to_every_control_and_shows_it(report: Browser) -> None:
+    report.wait("document.querySelector('#found')?.textContent")
+    assert report.passed_over() == []

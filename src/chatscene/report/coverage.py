@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
 
-from chatscene.report.templates import asset, fill
+from chatscene.report.templates import asset, fill, policy
 from chatscene.terms.coverage import SHOWN, Answer, Catalogue, Covered, Tally
 
 
@@ -19,8 +19,9 @@ def coverage_page(found: Sequence[tuple[Catalogue, Sequence[Covered]]]) -> str:
     """
     return fill(
         "coverage.html",
-        style=asset("viewer.css"),
-        own_style=asset("coverage.css"),
+        title="Coverage",
+        policy=policy(),
+        style=asset("viewer.css") + asset("coverage.css"),
         catalogues=[
             {
                 "name": catalogue.name,

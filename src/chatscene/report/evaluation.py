@@ -48,9 +48,9 @@ def write_evaluation(run: Workspace) -> Path:
     scenes = _scenes(driven, situations)
     page = fill(
         "evaluation.html",
+        title=", ".join(egos),
         policy=policy(script),
-        style=asset("viewer.css"),
-        own_style=asset("evaluation.css"),
+        style=asset("viewer.css") + asset("evaluation.css"),
         script=script,
         egos=egos,
         fared=fared,
