@@ -69,6 +69,11 @@ def test_colours_makes_streets_dates_and_feelings_are_without_effect_and_the_res
     assert {found[word] for word in ("pigeon", "flew")} == {"?"}
 
 
+def test_the_stops_of_a_telegram_are_full_stops_and_one_alone_is_an_act() -> None:
+    assert became("CAR AHEAD BRAKES STOP WE FOLLOW STOP")["STOP"] == "-"
+    assert became("Will the car ahead STOP")["STOP"] == "actions"
+
+
 def test_a_red_light_is_no_colour() -> None:
     found = became("A red van from the left runs the red light.")
     assert found["red"] == "actions"

@@ -14,7 +14,7 @@ from difflib import SequenceMatcher
 from chatscene.read import lexicon
 from chatscene.read.account_rules import NOT, PLAIN, Kind, rules
 from chatscene.read.account_wordings import prepared
-from chatscene.read.canonical import canonical
+from chatscene.read.canonical import canonical, telegraphed
 from chatscene.read.naming import plainly_named
 from chatscene.read.phrases import Sort, phrases, road_user
 from chatscene.read.quantities import quantity_at
@@ -111,11 +111,15 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
     listed = [(one.why, span) for one in (*scenario.unused, *unused) for span in _spans(lower, one.said)]
     facts = _decided(scenario)
     edits = [match.span() for match in EDITED.finditer(text)]
+    stops = telegraphed(text)
     told: list[Word] = []
     for match in _WORD.finditer(text):
         span = match.span()
         if any(_within(span, other) for other in edits):
             told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=_OF_EDIT))
+            continue
+        if span in stops:
+            told.append(Word(text=match[0], start=span[0], end=span[1], fact="", besides=_JOINS))
             continue
         name = next((name for name, other in around if _within(span, other)), "")
         fact, besides = read.get(span[0], ("", ""))
