@@ -364,7 +364,7 @@ class DrivenScene:
         from chatscene.report.notebook import picture
 
         record = runs.read_record(self._workspace)
-        moving = animate(self.episode, runs.read_drawing(self._workspace), said=record.text, ego=record.ego)
+        moving = animate(self.episode, runs.read_drawing(self._workspace), said=record.title, ego=record.ego)
         return picture(moving, said=self.id)
 
 

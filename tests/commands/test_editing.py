@@ -8,11 +8,14 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from PIL import Image
 
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.errors import EditRefused, RunError
+from chatscene.report import caption
+from chatscene.report.animation import write_gif
 from fake_run import finished
 
 WALKS = "A pedestrian crosses the road from the right."
@@ -64,6 +67,24 @@ def test_an_edited_run_shows_what_was_asked_for(walks: Path, edited: tuple[Path,
     assert all(starts_on_the_left(scene) for scene in run.kept)
     assert all(max(scene.episode.adversaries[0].speed) >= 3.2 for scene in run.kept)
     assert "(edited: from the left, and faster)" in run.report.read_text()
+
+
+def test_what_leaves_an_edited_run_says_its_edits(
+    edited: tuple[Path, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chatscene.export(edited[0], to="openscenario", out=tmp_path)
+    headers = [file.read_text() for file in tmp_path.glob("*.xosc")]
+    assert headers
+    assert all("(edited: from the left, and faster)" in one for one in headers)
+    captions: list[str] = []
+
+    def above(said: str) -> Image.Image:
+        captions.append(said)
+        return caption.above(said)
+
+    monkeypatch.setattr("chatscene.report.animation.above", above)
+    write_gif(edited[0])
+    assert captions == [f"{WALKS} (edited: from the left, and faster)"]
 
 
 def test_an_edited_run_replays_bit_for_bit(edited: tuple[Path, str]) -> None:

@@ -118,7 +118,7 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
         way = ways.get(f"{row['scenario_id']}/{row['route_id']}")
         yield KeptScene(
             episode=episode,
-            text=record.program.name if record.program else record.text,
+            text=record.title,
             program=programs.get(row["scenario_id"], ""),
             values={name: value for name, value in row.items() if name.startswith("OPT_") and value is not None},
             route=route_index(row["route_id"]),

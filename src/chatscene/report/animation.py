@@ -50,7 +50,7 @@ def write_gif(folder: Path, scene_id: str | None = None) -> Path:
             raise RunError(f"{folder} has no scene that was driven, so there is nothing to animate")
         scene_id = str(order[0]["scene_id"])
     record = read_record(run)
-    content = animate(read_episode(run, scene_id), read_drawing(run), said=record.text, ego=record.ego)
+    content = animate(read_episode(run, scene_id), read_drawing(run), said=record.title, ego=record.ego)
     path = run.file(f"{quote(scene_id.replace('/', '-'), safe='')}.gif")
     write_bytes(path, content)
     note(run, path)

@@ -398,7 +398,7 @@ def _of_run(asked: Asked, folder: Path) -> Found:
             unfit[outcome.reason] = unfit.get(outcome.reason, 0) + 1
         else:
             found.append(outcome)
-    return Found(text=record.text, scenes=tuple(found), unfit=unfit, simulator=simulator, map_path=path)
+    return Found(text=record.title, scenes=tuple(found), unfit=unfit, simulator=simulator, map_path=path)
 
 
 def _own(asked: Asked) -> tuple[str, ...]:
