@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +14,13 @@ from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.drive import Ran
 from chatscene.measure.score import columns, measure
+from chatscene.report.viewer import write_report
 from chatscene.runs import (
+    Driven,
     RunRecord,
+    SourceRecord,
     Workspace,
+    asked_evaluation,
     create,
     explain,
     finish,
@@ -423,3 +427,23 @@ def resealed(run: Workspace, **told: Any) -> None:
     if content["files"]:
         content["files"] = digests(run.path, (*KEPT, *DRAWN))
     write_sealed(path, content)
+
+
+def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported: bool = True) -> Workspace:
+    """Ten scenes, driven by an ego that collides in some, and by one that comes too late to collide in any."""
+    source = finished(folder / "run", text=text, count=1)
+    if reported:
+        write_report(source.path)
+    told = SourceRecord(
+        folder=str(source.path),
+        scenario_id=SCENARIO,
+        base="straight-obstacle",
+        generator="chatscene",
+        kept_for=kept_for,
+    )
+    asked = asked_evaluation([told], scenes=Driven.EVERY, egos=["idm", "planner"], settings=Settings(), map_name="town")
+    run = create(folder / "compared", asked)
+    for number, steps in enumerate((100, 20)):
+        write_block(run, replace(block(0, steps=steps), number=number))
+    finish(run, selected={}, expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
+    return run

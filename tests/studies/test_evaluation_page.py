@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,34 +12,9 @@ from browser import CHROMIUM, Browser
 from chatscene import runs
 from chatscene.report.evaluation import write_evaluation
 from chatscene.report.tables import DASH
-from chatscene.report.viewer import write_report
-from chatscene.runs.record import SourceRecord
-from chatscene.settings import Settings
-from fake_run import SCENARIO, TEXT, block, finished
+from fake_run import evaluated
 
 NASTY = "<script>document.title='owned'</script> & <b>bold</b>"
-
-
-def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported: bool = True) -> runs.Workspace:
-    """Ten scenes, driven by an ego that collides in some, and by one that comes too late to collide in any."""
-    source = finished(folder / "run", text=text, count=1)
-    if reported:
-        write_report(source.path)
-    told = SourceRecord(
-        folder=str(source.path),
-        scenario_id=SCENARIO,
-        base="straight-obstacle",
-        generator="chatscene",
-        kept_for=kept_for,
-    )
-    asked = runs.asked_evaluation(
-        [told], scenes=runs.Driven.EVERY, egos=["idm", "planner"], settings=Settings(), map_name="town"
-    )
-    run = runs.create(folder / "compared", asked)
-    for number, steps in enumerate((100, 20)):
-        runs.write_block(run, replace(block(0, steps=steps), number=number))
-    runs.finish(run, selected={}, expected=[(SCENARIO, 0, 0), (SCENARIO, 0, 1)])
-    return run
 
 
 def rows_of(page: str, caption: str) -> list[list[str]]:

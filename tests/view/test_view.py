@@ -17,12 +17,13 @@ from browser import CHROMIUM, Browser
 from chatscene import runs
 from chatscene.commands.main import main
 from chatscene.errors import RunError, SettingsError
+from chatscene.report.evaluation import write_evaluation
 from chatscene.runs.record import Status
 from chatscene.view.below import run_below
 from chatscene.view.child import Child, Ended
 from chatscene.view.server import MOST, Server
 from chatscene.view.turns import between
-from fake_run import finished, started
+from fake_run import evaluated, finished, started
 
 READING = {"library": "", "embedder": "minilm", "language_model": "offline"}
 SEARCH = {"map": None, "ego": "rule-based", "scenes": 2, "seed": 3}
@@ -66,16 +67,23 @@ class Page:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two runs, one of them of a sentence that would be a script, one that is not done, and one that is damaged."""
+    """Three runs, one of them of a sentence that would be a script; one that is not done; one that is damaged.
+
+    Two pages besides: of an evaluation, and of catalogues.
+    """
     folder = tmp_path_factory.mktemp("served") / "runs"
     for name, text in (("walks", "A pedestrian steps out."), ("more/nasty", NASTY)):
         run = finished(folder / name, text=text, count=1)
         (run.path / "report.html").write_text(f"<p>report of {name}")
     started(folder / "begun")
+    write_evaluation(evaluated(folder / "egos"))
+    (folder / "served").mkdir()
+    (folder / "served" / "coverage.html").write_text("<p>coverage")
     broken = finished(folder / "broken", count=1)
     broken.file("scenes.parquet").write_bytes(b"no table")
     (folder.parent / "secret.html").write_text("secret")
-    (folder.parent / "report.html").write_text("secret")
+    for file in ("report.html", "coverage.html"):
+        (folder.parent / file).write_text("secret")
     return folder
 
 
@@ -100,6 +108,17 @@ def test_the_runs_are_listed_with_what_became_of_them_and_what_is_left_out_is_to
     assert not told["begun"]["report"]
     assert told["begun"]["status"] == "running"
     assert any("broken" in line for line in listed["left_out"])
+
+
+def test_pages_about_several_runs_are_listed_and_served(page: Page) -> None:
+    told = {one["name"]: (one["kind"], one["title"]) for one in page.ask("runs")[1]["pages"]}
+    assert told == {
+        "egos/compared": ("evaluation", "idm, planner on every scene of 1 run"),
+        "served": ("coverage", "What of catalogues is served"),
+    }
+    reports = page.server.of_reports
+    assert b"planner" in page.ask("egos/compared/report.html", secret=reports)[1]
+    assert page.ask("served/coverage.html", secret=reports)[1] == b"<p>coverage"
 
 
 def test_two_runs_stand_beside_each_other(page: Page) -> None:
@@ -171,6 +190,9 @@ def test_a_request_without_its_origin_changes_nothing(page: Page) -> None:
         "walks%00/report.html",
         "a" * 5000 + "/report.html",
         "begun/report.html",
+        "begun/coverage.html",
+        "../coverage.html",
+        "served/report.html",
         "",
     ],
 )
@@ -297,7 +319,7 @@ def test_two_texts_are_told_as_one() -> None:
 def test_a_folder_without_runs_is_an_empty_list(tmp_path: Path) -> None:
     from chatscene.view.looking import listed
 
-    assert listed(tmp_path / "none") == listed(tmp_path) == {"runs": [], "left_out": []}
+    assert listed(tmp_path / "none") == listed(tmp_path) == {"runs": [], "pages": [], "left_out": []}
 
 
 def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -326,10 +348,13 @@ def test_in_a_browser_runs_are_found_sorted_and_opened_and_nothing_that_was_said
         browser.run("document.querySelector('#find').focus()")
         browser.type("walks")
         assert browser.run("document.querySelector('#count').textContent").startswith("1 of ")
+        assert browser.run("document.querySelector('#pages').hidden")
+        browser.run("document.querySelector('#find').value = ''")
+        browser.run("document.querySelector('#find').dispatchEvent(new Event('input'))")
         assert browser.run("document.documentElement.scrollWidth <= innerWidth")
         assert browser.passed_over() == []
-        browser.run("document.querySelector('#runs a').click()")
-        browser.wait("document.querySelector('#report-frame iframe:not([aria-busy])')")
-        assert browser.run("document.querySelector('iframe').contentDocument") is None  # another origin
-        assert browser.run("document.title") == "Report \N{EN DASH} chatscene"
-        assert not browser.errors
+        browser.run("document.querySelector('#pages a[href^=\"#/evaluation\"]').click()")
+        browser.wait("document.querySelector('#report-frame iframe')?.ariaBusy === null")
+        titled = browser.run("document.querySelector('#report-title').textContent")
+        assert titled == "idm, planner on every scene of 1 run"
+        assert browser.run("document.documentElement.scrollWidth <= innerWidth")

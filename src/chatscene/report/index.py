@@ -75,7 +75,7 @@ def index(folder: Path) -> Index:
             record = runs.read_record(runs.Workspace(path), runs.Record)
             if isinstance(record, runs.RunRecord):
                 run = runs.open_run(path, runs.RunRecord)
-                read.append(_read(run, record, _name(path, folder)))
+                read.append(_read(run, record, name_of(path, folder)))
                 if record.status is not runs.Status.REFUSED:  # which has all that it ever will
                     runs.require_done(run, record)
         except (ChatSceneError, ValueError, OverflowError, pa.ArrowException) as error:
@@ -89,7 +89,8 @@ def index(folder: Path) -> Index:
     return Index(tables=tables, left_out=tuple(left_out))
 
 
-def _name(path: Path, folder: Path) -> str:
+def name_of(path: Path, folder: Path) -> str:
+    """What a run folder is called in an index: its path below the folder that was given, or that folder's own name."""
     name = path.resolve().name if path == folder else path.relative_to(folder).as_posix()
     return name.encode("utf-8", "backslashreplace").decode()
 

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 import base64
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 from chatscene import runs
-from chatscene.errors import RunError
+from chatscene.errors import ChatSceneError, RunError
 from chatscene.measure.score import wilson
 from chatscene.report.animation import still as still_of
-from chatscene.report.index import Index, index
+from chatscene.report.index import Index, index, name_of
 from chatscene.report.understood import lines_changed
 from chatscene.report.viewer import ranked
 from chatscene.runs.workspace import RECORD
-from chatscene.view.below import run_below
+from chatscene.view.below import COVERAGE, REPORT, run_below
 
 Row = Mapping[str, Any]
 
@@ -27,20 +28,44 @@ _NOT_COMPARED = ("run", "scenario_id")
 
 
 def listed(folder: Path) -> dict[str, Any]:
-    """All runs below a folder, and what was left out and why; none if there is no such folder.
+    """All runs below a folder, the pages about several of them, and what was left out and why; of no folder, nothing.
 
     Raises:
         RunError: It cannot be read.
     """
+    pages = [*_evaluations(folder), *_coverages(folder)]
     if not folder.is_dir() or next(folder.rglob(RECORD), None) is None:
-        return {"runs": [], "left_out": []}
+        return {"runs": [], "pages": pages, "left_out": []}
     found = index(folder)
     facts = _by_run(found, "facts")
     scenes = _by_run(found, "scenes")
     return {
         "runs": [_line(run, facts[run["run"]], scenes[run["run"]]) for run in found.tables["runs"].to_pylist()],
+        "pages": pages,
         "left_out": [str(one) for one in found.left_out],
     }
+
+
+def _evaluations(folder: Path) -> Iterator[dict[str, Any]]:
+    """A line for each evaluation that has a report; one that is damaged is among what the index left out."""
+    for file in sorted(folder.rglob(RECORD)):
+        with suppress(ChatSceneError):
+            record = runs.read_record(runs.Workspace(file.parent), runs.Record)
+            if isinstance(record, runs.EvaluationRecord) and (file.parent / REPORT).is_file():
+                which = "every scene" if record.scenes is runs.Driven.EVERY else "kept scenes"
+                of = f"{len(record.sources)} run{'s' * (len(record.sources) != 1)}"
+                title = f"{', '.join(record.egos)} on {which} of {of}"
+                yield _page(folder, file.parent / REPORT, "evaluation", title)
+
+
+def _coverages(folder: Path) -> Iterator[dict[str, Any]]:
+    for file in sorted(folder.rglob(COVERAGE)):
+        yield _page(folder, file, "coverage", "What of catalogues is served")
+
+
+def _page(folder: Path, page: Path, kind: str, title: str) -> dict[str, Any]:
+    name = name_of(page.parent, folder)
+    return {"name": name, "kind": kind, "title": title, "began": page.stat().st_mtime}
 
 
 def _by_run(found: Index, table: str) -> dict[str, list[Row]]:
@@ -65,7 +90,7 @@ def _line(run: Row, facts: list[Row], scenes: list[Row]) -> dict[str, Any]:
         "avoidable": sum(row["avoidable"] is True for row in driven) if run["status"] == "done" else None,
         "kept": run["selected"],
         "struck": dict(Counter(row["fault"] for row in driven if row["fault"])),
-        "report": (folder / "report.html").is_file(),
+        "report": (folder / REPORT).is_file(),
         "still": bool(driven),
         "began": (folder / RECORD).stat().st_mtime,
     }

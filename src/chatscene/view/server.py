@@ -22,7 +22,7 @@ from urllib.parse import parse_qs, unquote, urlsplit
 
 from chatscene.errors import RunError, SettingsError
 from chatscene.interpret.stated import FACTS, in_text
-from chatscene.view.below import run_below
+from chatscene.view.below import page_below
 from chatscene.view.child import Child, Ended
 from chatscene.view.conversation import Busy, Conversation
 
@@ -222,14 +222,11 @@ class _Handler(BaseHTTPRequestHandler):
         return said
 
     def _report(self, path: str) -> None:
-        """The report of a run as it is."""
-        name, _, file = path.rpartition("/")
+        """A page of a run, or of several, as it is."""
         try:
-            page = run_below(self.server.folder, name) / "report.html"
+            page = page_below(self.server.folder, path)
         except RunError as error:
             raise Refused(HTTPStatus.NOT_FOUND, str(error)) from error
-        if file != page.name or page.is_symlink() or not page.is_file():
-            raise Refused(HTTPStatus.NOT_FOUND, f"{name} has no report")
         self._send(page.read_bytes(), "html", policy=_OF_A_REPORT)
 
     def _say(self, content: Mapping[str, Any]) -> None:

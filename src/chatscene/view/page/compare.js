@@ -1,5 +1,5 @@
 // Two runs beside each other: what was asked, read and came of them, their programs, their reports.
-import { $, ask, element, framed } from "./page.js";
+import { $, ask, element, framed, reportOf } from "./page.js";
 import { lines } from "./talk.js";
 
 export async function showCompared(first, second) {
@@ -17,5 +17,5 @@ export async function showCompared(first, second) {
     ? element("details", { open: difference.length <= 12 }, element("summary", {}, "Lines that only the program of the first (−) or of the second (+) has"), lines(difference))
     : element("p", { className: "quiet" }, "Their programs are the same.");
   $("compared").replaceChildren(element("table", { className: "compared" }, element("thead", {}, head), element("tbody", {}, body)), program);
-  $("frames").replaceChildren(...[first, second].map((name) => element("section", {}, element("h2", {}, name), framed(name, `Report: ${name}`))));
+  $("frames").replaceChildren(...[first, second].map((name) => element("section", {}, element("h2", {}, name), framed(reportOf(name), `Report: ${name}`))));
 }

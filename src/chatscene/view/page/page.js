@@ -47,15 +47,15 @@ export const trying = (act) => async (...given) => {
 
 export const about = await ask("about");
 
-/** Where the report of a run is. */
-export const reportOf = (run) => `../${about.reports}/${run.split("/").map(encodeURIComponent).join("/")}/report.html`;
+/** Where the report of a run or an evaluation is, or the page of a coverage. */
+export const reportOf = (name, file = "report.html") => `../${about.reports}/${name.split("/").map(encodeURIComponent).join("/")}/${file}`;
 
 /** A report in a frame: its script may run in there, and reaches nothing outside. */
-export function framed(run, title, part = "") {
+export function framed(address, title) {
   const frame = element("iframe", { title, className: "report", ariaBusy: "true" });
   frame.sandbox = "allow-scripts allow-downloads";
   frame.addEventListener("load", () => { frame.ariaBusy = null; });
-  frame.src = reportOf(run) + part;
+  frame.src = address;
   return frame;
 }
 

@@ -11,20 +11,21 @@ const COLUMNS = [
   { name: "Kept", key: "kept", number: true },
   { name: "Began", key: "began", number: true },
 ];
-let runs = null, leftOut = [], order = { key: "began", down: true };
+let runs = null, pages = [], leftOut = [], order = { key: "began", down: true };
 const chosen = new Set();
 
 export async function load() {
   $("count").textContent = "Reading the runs …";
   const found = await ask("runs");
   runs = found.runs;
+  pages = found.pages;
   leftOut = found.left_out;
   for (const run of [...chosen]) if (!runs.some((one) => one.run === run)) chosen.delete(run);
 }
 
 export async function titleOf(name) {
   if (!runs) await load();
-  return runs.find((one) => one.run === name)?.text ?? name;
+  return runs.find((one) => one.run === name)?.text ?? pages.find((one) => one.name === name)?.title ?? name;
 }
 
 export async function showRuns() {
@@ -33,10 +34,11 @@ export async function showRuns() {
   show();
 }
 
+const hasAll = (text) => $("find").value.toLowerCase().split(/\s+/).every((word) => text.toLowerCase().includes(word));
+
 const shownRuns = () => {
-  const words = $("find").value.toLowerCase().split(/\s+/).filter(Boolean);
-  const has = (run) => [run.text, run.ego, run.adversary, run.run, run.status].join(" ").toLowerCase();
-  const found = runs.filter((run) => words.every((word) => has(run).includes(word)) && (!$("avoidable").checked || run.avoidable));
+  const said = (run) => [run.text, run.ego, run.adversary, run.run, run.status].join(" ");
+  const found = runs.filter((run) => hasAll(said(run)) && (!$("avoidable").checked || run.avoidable));
   const { key, down } = order;
   return found.sort((a, b) => {
     const [x, y] = [a[key], b[key]];
@@ -53,6 +55,10 @@ function show() {
     : "There are no runs here yet: say a situation, and run it.";
   $("runs").hidden = !runs.length;
   $("runs").tBodies[0].replaceChildren(...found.map(row));
+  const about = pages.filter((page) => hasAll(`${page.title} ${page.name} ${page.kind}`));
+  $("pages").hidden = !about.length;
+  $("pages").querySelector("ul").replaceChildren(...about.map((page) => element("li", {},
+    element("a", { href: `#/${page.kind}/${encodeURIComponent(page.name)}` }, page.title), " ", element("small", {}, `${page.name}, ${when(page.began)}`))));
   $("left-out").replaceChildren(...leftOut.map((line) => element("li", {}, line)));
   for (const cell of $("runs").querySelectorAll("th[data-key]")) {
     if (cell.dataset.key === order.key) cell.setAttribute("aria-sort", order.down ? "descending" : "ascending");
@@ -87,8 +93,10 @@ function row(run) {
     cell("Collided", run.collided === null ? null : `${run.collided}${share}`, struck),
     cell("Avoidable", run.avoidable),
     cell("Kept", run.kept),
-    cell("Began", new Date(run.began * 1000).toLocaleString([], { dateStyle: "short", timeStyle: "short" })));
+    cell("Began", when(run.began)));
 }
+
+const when = (seconds) => new Date(seconds * 1000).toLocaleString([], { dateStyle: "short", timeStyle: "short" });
 
 const cell = (label, value, besides = "") => {
   const number = COLUMNS.find((one) => one.name === label).number;

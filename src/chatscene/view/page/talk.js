@@ -86,7 +86,7 @@ const KINDS = {
     ranBefore = turn.run;
     return [
       turn.summary.map((line) => element("p", {}, line)),
-      framed(turn.run, `Replay: ${turn.run}`, "#replay"),
+      framed(`${reportOf(turn.run)}#replay`, `Replay: ${turn.run}`),
       element("p", { className: "links" },
         element("a", { href: `#/run/${encodeURIComponent(turn.run)}` }, "The whole report"),
         element("a", { href: reportOf(turn.run), target: "_blank", rel: "noreferrer" }, "In a window of its own"),

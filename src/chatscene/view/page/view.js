@@ -8,26 +8,29 @@ const PAGES = {
   runs: showRuns,
   say: showTalk,
   run: showReport,
+  evaluation: showReport,
+  coverage: (name) => showReport(name, "coverage.html"),
   compare: showCompared,
 };
-const ELEMENTS = { runs: "runs-page", say: "say-page", run: "report-page", compare: "compare-page" };
+const ELEMENTS = { runs: "runs-page", say: "say-page", run: "report-page", evaluation: "report-page", coverage: "report-page", compare: "compare-page" };
+const TITLES = { runs: "Runs", say: "Say and run", run: "Report", evaluation: "Evaluation", coverage: "Coverage", compare: "Two runs" };
 
-async function showReport(name) {
+async function showReport(name, file) {
   const title = await titleOf(name);
   $("report-title").textContent = title;
-  $("report-alone").href = reportOf(name);
-  $("report-frame").replaceChildren(framed(name, `Report: ${title}`));
+  $("report-alone").href = reportOf(name, file);
+  $("report-frame").replaceChildren(framed(reportOf(name, file), `Report: ${title}`));
 }
 
 const go = trying(async () => {
   const [kind, ...rest] = location.hash.slice(2).split("/");
   const page = kind in PAGES ? kind : "runs";
-  for (const [name, id] of Object.entries(ELEMENTS)) $(id).hidden = name !== page;
+  for (const id of Object.values(ELEMENTS)) $(id).hidden = id !== ELEMENTS[page];
   for (const link of document.querySelectorAll("nav a")) {
     if (link.hash === `#/${page}`) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
-  document.title = `${{ runs: "Runs", say: "Say and run", run: "Report", compare: "Two runs" }[page]} – chatscene`;
+  document.title = `${TITLES[page]} – chatscene`;
   await PAGES[page](...rest.map(decodeURIComponent));
 });
 
