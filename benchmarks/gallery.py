@@ -4,12 +4,15 @@
 
 runs each sentence (ten scenes on one route, seed 0, with the surrogate ego of the paper, `sac`) and writes
 `docs/gallery.md` and the pictures in `docs/gallery/`: the first scene of each report, at the moment of contact, or
-where ego and adversary are nearest. One of them moves, as `docs/crash.gif`. Runs that are there already are resumed.
+where ego and adversary are nearest. One of them moves, as `docs/crash.gif`. `docs/gallery/openscenario.zip` has the
+same scenes for players of others, and the maps. Runs that are there already are resumed.
 """
 
 from __future__ import annotations
 
 import argparse
+import tempfile
+import zipfile
 from pathlib import Path
 
 import chatscene
@@ -81,8 +84,11 @@ Some of what can be said, each run once: ten scenes on one route, driven by `sac
 It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)); shown is the first scene of the report.
 The ego is blue, adversaries are orange, what hides or blocks is brown.
 Lines are the ways that they came, a star is the contact.
-`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `ff9d3cf`).
-[Coverage](coverage.md) has longer lists."""
+`python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `803b47d`).
+[Coverage](coverage.md) has longer lists.
+
+[All of these scenes as OpenSCENARIO](gallery/openscenario.zip): everybody on the track as driven, with the maps,
+for esmini or any other [player](exports.md#openscenario)."""
 ANIMATED = "A pedestrian steps out from behind a parked car on the right and stops in front of us."
 FIGURE = """<figure>
 <img src="gallery/{picture}" alt="{sentence}" width="426" height="240" loading="lazy">
@@ -95,14 +101,15 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the folder that the runs go to")
     out = parser.parse_args().out
     page = [HEAD]
-    for heading, sentences in SITUATIONS.items():
-        figures = [figure(sentence, out) for sentence in sentences]
-        page += [f"## {heading}", '<div class="gallery">', *figures, "</div>"]
+    with zipfile.ZipFile(PAGES / "gallery" / "openscenario.zip", "w") as files:
+        for heading, sentences in SITUATIONS.items():
+            figures = [figure(sentence, out, files) for sentence in sentences]
+            page += [f"## {heading}", '<div class="gallery">', *figures, "</div>"]
     (PAGES / "gallery.md").write_text("\n\n".join(page) + "\n")
 
 
-def figure(sentence: str, out: Path) -> str:
-    """Run a sentence and draw its first scene.
+def figure(sentence: str, out: Path, files: zipfile.ZipFile) -> str:
+    """Run a sentence, draw its first scene, and put that among the files.
 
     Returns:
         The picture with the sentence, and what happened, below it.
@@ -119,10 +126,22 @@ def figure(sentence: str, out: Path) -> str:
     picture.write_bytes(still(episode, drawing))
     if sentence == ANIMATED:
         (PAGES / "crash.gif").write_bytes(animate(episode, drawing, said=sentence, ego="sac"))
+    pack(files, name, folder, run.best.id)
     crash = episode.collision
     what = f"contact after {crash.step * episode.dt:.1f} s, at {crash.impact_speed:.1f} m/s" if crash else "no contact"
     print(f"{sentence}  {what}", flush=True)
     return FIGURE.format(sentence=sentence, picture=picture.name, what=what)
+
+
+def pack(files: zipfile.ZipFile, name: str, run: Path, scene: str) -> None:
+    """Put a scene, and its map if it is not there yet, into the files; the same scene gives the same bytes."""
+    with tempfile.TemporaryDirectory() as folder:
+        chatscene.export(run, scene, to="openscenario", out=folder)
+        for path in sorted(Path(folder).iterdir()):
+            told = zipfile.ZipInfo(path.name if path.suffix == ".xodr" else f"{name}{path.suffix}")
+            told.compress_type = zipfile.ZIP_DEFLATED
+            if told.filename not in files.namelist():
+                files.writestr(told, path.read_bytes(), compresslevel=9)
 
 
 if __name__ == "__main__":

@@ -8,9 +8,11 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import yaml
@@ -108,10 +110,24 @@ def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_pa
 def test_the_gallery_has_a_small_picture_of_each_situation() -> None:
     assert 24 <= len(GALLERY) <= 60
     pictures = {DOCS / picture for picture, _ in GALLERY}
-    assert pictures == set(DOCS.glob("gallery/*"))
+    assert pictures == set(DOCS.glob("gallery/*.webp"))
     assert len(pictures) == len(GALLERY)
     assert sum(picture.stat().st_size for picture in pictures) < 1_500_000
     assert (DOCS / "crash.gif").stat().st_size < 400_000
+
+
+def test_the_gallery_has_each_scene_for_players_of_others_with_its_map() -> None:
+    with zipfile.ZipFile(DOCS / "gallery" / "openscenario.zip") as files:
+        names = {Path(name) for name in files.namelist()}
+        scenes = [name for name in names if name.suffix == ".xosc"]
+        assert {name.stem for name in scenes} == {Path(picture).stem for picture, _ in GALLERY}
+        for name in scenes:
+            scenario = ElementTree.fromstring(files.read(str(name)))
+            road = scenario.find("RoadNetwork/LogicFile")
+            assert road is not None
+            assert Path(road.attrib["filepath"]) in names
+            assert scenario.find("Storyboard/Story") is not None
+    assert (DOCS / "gallery" / "openscenario.zip").stat().st_size < 400_000
 
 
 @pytest.mark.parametrize("sentence", [sentence for _, sentence in GALLERY])
