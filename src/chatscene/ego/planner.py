@@ -4,6 +4,9 @@ At each step it weighs some accelerations and sideways shifts over four seconds,
 Everybody near is expected to go on, and with less weight to brake, to speed up or, where they stand beside the way, to
 step into it. The way that costs least is begun. It remembers nothing, so that it can be learned from
 (`chatscene.learn.finetune.pupil`).
+
+Its numbers are those of any machine: arrays are only added, multiplied, compared and rooted, sums go through them in
+the order of time or of who is expected, and angles are Python's own. So `engine.c` gives the same.
 """
 
 from __future__ import annotations
@@ -24,8 +27,7 @@ _ACCELERATIONS = (-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0)  # [m/s²]
 _SHIFTS = (0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6)  # [m, positive = left of the route]
 ACCELERATION = np.repeat(_ACCELERATIONS, len(_SHIFTS))  # of each way
 SHIFT = np.tile(_SHIFTS, len(_ACCELERATIONS))
-_GAIN = ACCELERATION[:, None] * TIMES  # [m/s]
-_POINTS = np.array((0.0, *AHEAD))  # along the route [m]
+_GAIN = TIMES[:, None] * ACCELERATION  # [m/s]
 MOVING, WAITING = 0.5, 1.5  # [m/s]: from here on somebody may brake or speed up; up to here, step into the way
 BESIDE, NEAR = 1.6, 8.0  # [m] from the route: who stands between these may step into it
 REACTION = 0.3  # [s] before somebody who stands sets out
@@ -87,7 +89,7 @@ class Caution:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Others:
-    """What everybody near may do: a row each for (H,) expectations, (H, T) over time, in route coordinates.
+    """What everybody near may do: (H,) expectations, (T, H) over time, in route coordinates.
 
     Attributes:
         along: Ahead of where the ego is now [m].
@@ -119,6 +121,10 @@ class Planner:
 
     Args:
         caution: What its ways are weighed by.
+
+    Attributes:
+        caution: As it was given.
+        discount: (T,) what a crash that is expected then counts.
     """
 
     name = "planner"
@@ -127,18 +133,20 @@ class Planner:
 
     def __init__(self, caution: Caution | None = None) -> None:
         self.caution = caution or Caution()
+        self.discount = np.array([math.exp(-time / self.caution.patience) for time in TIMES.tolist()])
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
         c = self.caution
         speed, offset = float(observation[0]), float(observation[1])
         wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
-        speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))
-        gone = speeds.cumsum(axis=1) * DT
-        reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=1) * DT
-        beside = offset + np.minimum(np.maximum((SHIFT - offset)[:, None], -reach), reach)
-        cost = c.jerk * ACCELERATION**2 - gone[:, -1] + c.resolve * np.abs(SHIFT - offset)
-        cost += (c.offset * beside**2 + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)).sum(axis=1) * DT
+        speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))  # (T, ways)
+        gone = speeds.cumsum(axis=0) * DT
+        reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=0) * DT
+        beside = offset + np.minimum(np.maximum(SHIFT - offset, -reach), reach)
+        cost = c.jerk * (ACCELERATION * ACCELERATION) - gone[-1] + c.resolve * np.abs(SHIFT - offset)
+        off = c.offset * (beside * beside) + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)
+        cost += np.add.reduce(off, axis=0) * DT
         rows = observation[OWN:].reshape(-1, PER_ACTOR)
         if len(rows := rows[rows[:, 0] > 0.0]):
             cost += self._danger(self._others(observation, rows), offset, speeds, gone, beside)
@@ -151,40 +159,35 @@ class Planner:
         return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
 
     def _others(self, observation: Observation, rows: Array) -> _Others:
-        along, beside, _, _, vx, vy, turned, half_length, half_width, _ = rows[:, 1:].T
-        points = observation[4:OWN].reshape(-1, 2)
-        legs = points.copy()
-        legs[1:] -= points[:-1]
-        at = np.minimum(np.maximum(_POINTS.searchsorted(along) - 1, 0), len(legs) - 1)
-        way = np.arctan2(legs[at, 1], legs[at, 0])  # where the route leads beside each of them
-        ds, db = vx * np.cos(way) + vy * np.sin(way), vy * np.cos(way) - vx * np.sin(way)
-        c, s = np.abs(np.cos(turned - way)), np.abs(np.sin(turned - way))
-        speed = np.hypot(ds, db)
         caution, count = self.caution, len(rows)
+        points = observation[4:OWN].reshape(-1, 2).tolist()
+        told = np.array([_along_the_route(points, row) for row in rows.tolist()]).T
+        along, beside, ds, db, speed, half_along, half_beside = told
         moving = speed > MOVING
         waiting = (speed < WAITING) & (np.abs(beside) > BESIDE) & (np.abs(beside) < NEAR) & (along > -2.0)
         # Four expectations of everybody: to go on, to brake, to speed up, to step into the way.
         belief = np.empty((4, count))
         belief[0], belief[1] = 1.0, caution.braking[1] * moving
         belief[2], belief[3] = caution.starting[1] * moving, caution.stepping[1] * waiting
-        fast = np.empty((4, count, len(TIMES)))
-        fast[0] = speed[:, None]
-        np.maximum(speed[:, None] - caution.braking[0] * TIMES, 0.0, out=fast[1])
-        np.minimum(speed[:, None] + caution.starting[0] * TIMES, np.maximum(speed, FASTEST)[:, None], out=fast[2])
-        fast[3] = caution.stepping[0] * (TIMES > REACTION)
+        times = TIMES[:, None]
+        fast = np.empty((len(TIMES), 4, count))
+        fast[:, 0] = speed
+        fast[:, 1] = np.maximum(speed - caution.braking[0] * times, 0.0)
+        fast[:, 2] = np.minimum(speed + caution.starting[0] * times, np.maximum(speed, FASTEST))
+        fast[:, 3] = caution.stepping[0] * (times > REACTION)
         heading = np.empty((2, 4, count))
         heading[:, :3] = (np.array((ds, db)) / np.maximum(speed, 0.1))[:, None]
         heading[0, 3], heading[1, 3] = 0.0, -np.sign(beside)
         kind, who = (belief > 0.0).nonzero()
-        speed_along, speed_beside = heading[:, kind, who][:, :, None] * fast[kind, who]
+        speed_along, speed_beside = heading[:, None, kind, who] * fast[:, kind, who]
         now_along, now_beside = along[who], beside[who]
         return _Others(
-            along=now_along[:, None] + speed_along.cumsum(axis=1) * DT,
-            beside=now_beside[:, None] + speed_beside.cumsum(axis=1) * DT,
+            along=now_along + speed_along.cumsum(axis=0) * DT,
+            beside=now_beside + speed_beside.cumsum(axis=0) * DT,
             speed_along=speed_along,
             speed_beside=speed_beside,
-            half_along=(half_length * c + half_width * s)[who],
-            half_beside=(half_length * s + half_width * c)[who],
+            half_along=half_along[who],
+            half_beside=half_beside[who],
             now_along=now_along,
             now_beside=now_beside,
             moves=moving[who],
@@ -199,24 +202,45 @@ class Planner:
         apart, aside = np.abs(others.now_along) - along, np.abs(others.now_beside - offset) - across
         room = np.where(aside < c.side + 0.2, np.minimum(np.maximum(apart - 0.1, 0.05), c.room), c.room)
         side = np.where(apart < c.room + 0.2, np.minimum(np.maximum(aside - 0.05, 0.05), c.side), c.side)
-        gap = np.abs(others.along - gone[:, None]) - along[:, None]  # (ways, H, T)
-        berth = np.abs(others.beside - beside[:, None]) - across[:, None]
-        hits = (gap < room[:, None]) & (berth < side[:, None] + c.widening * TIMES * others.moves[:, None])
-        first = hits.argmax(axis=2)
-        way, one = np.arange(len(speeds))[:, None], np.arange(len(others.belief))
-        impact = np.hypot(speeds[way, first] - others.speed_along[one, first], others.speed_beside[one, first])
-        crash = hits.any(axis=2) * c.crash * np.exp(-TIMES[first] / c.patience) * (c.graze + impact)
+        gap = np.abs(others.along[:, :, None] - gone[:, None]) - along[:, None]  # (T, H, ways)
+        berth = np.abs(others.beside[:, :, None] - beside[:, None]) - across[:, None]
+        hits = (gap < room[:, None]) & (berth < (side + (c.widening * TIMES)[:, None] * others.moves)[:, :, None])
+        first = hits.argmax(axis=0)
+        one, way = np.arange(len(others.belief))[:, None], np.arange(len(SHIFT))
+        ahead, sideways = speeds[first, way] - others.speed_along[first, one], others.speed_beside[first, one]
+        impact = np.sqrt(ahead * ahead + sideways * sideways)
+        crash = np.where(hits.any(axis=0), c.crash * self.discount[first] * (c.graze + impact), 0.0)
         close = (gap < c.room + 0.5) & (berth < c.side + c.berth)
-        haste = c.haste * (close * speeds[:, None]).sum(axis=2) * DT
-        return (crash + haste) @ others.belief
+        haste = c.haste * np.add.reduce(close * speeds[:, None], axis=0) * DT
+        return np.add.reduce((crash + haste) * others.belief[:, None], axis=0)
+
+
+def _along_the_route(points: list[list[float]], row: list[float]) -> tuple[float, ...]:
+    """Where somebody is and how fast, along the route and beside it, his speed, and half his extent in both."""
+    _, along, beside, _, _, vx, vy, turned, half_length, half_width, _ = row
+    at = min(max(sum(point < along for point in (0.0, *AHEAD)) - 1, 0), len(points) - 1)
+    (x, y), (before_x, before_y) = points[at], points[at - 1] if at else (0.0, 0.0)
+    way = math.atan2(y - before_y, x - before_x)  # where the route leads beside him
+    ahead, left = math.cos(way), math.sin(way)
+    ds, db = vx * ahead + vy * left, vy * ahead - vx * left
+    c, s = abs(math.cos(turned - way)), abs(math.sin(turned - way))
+    return along, beside, ds, db, math.hypot(ds, db), half_length * c + half_width * s, half_length * s + half_width * c
 
 
 def _steering(observation: Observation, speed: float, shift: float) -> float:
     """Pure pursuit of a point ahead, `shift` [m] left of the route."""
     look = max(SHORTEST, 0.9 * speed)
-    xs, ys = observation[4:OWN:2], observation[5:OWN:2]
+    xs, ys = observation[4:OWN:2].tolist(), observation[5:OWN:2].tolist()
     way = math.atan2(ys[1] - ys[0], xs[1] - xs[0])
-    x = float(np.interp(look, AHEAD, xs)) - math.sin(way) * shift
-    y = float(np.interp(look, AHEAD, ys)) + math.cos(way) * shift
+    x = _between(look, xs) - math.sin(way) * shift
+    y = _between(look, ys) + math.cos(way) * shift
     wheel = math.atan(_CAR.wheelbase * 2.0 * y / max(x * x + y * y, 1.0))
     return max(-1.0, min(1.0, -wheel / _CAR.wheel_angle / 0.3))
+
+
+def _between(ahead: float, values: list[float]) -> float:
+    """A value so far ahead [m], of those at `AHEAD`; beyond the last, that."""
+    i = sum(point <= ahead for point in AHEAD) - 1
+    if i == len(AHEAD) - 1:
+        return values[i]
+    return (values[i + 1] - values[i]) / (AHEAD[i + 1] - AHEAD[i]) * (ahead - AHEAD[i]) + values[i]

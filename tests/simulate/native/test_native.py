@@ -5,14 +5,17 @@ from __future__ import annotations
 import itertools
 import shutil
 from contextlib import suppress
+from dataclasses import fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
-from chatscene.ego.planner import Planner
-from chatscene.ego.policy import EgoPolicy, load_ego
+from chatscene.ego.observation import AHEAD, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, Observation
+from chatscene.ego.planner import Caution, Planner
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of
 from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
@@ -109,9 +112,59 @@ def test_somebody_on_foot_walks_as_in_the_embedded_simulator(native: NativeSimul
 
 
 def test_an_ego_that_the_engine_does_not_know_sees_the_same_and_drives_the_same(native: NativeSimulator) -> None:
-    episode = _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), Planner())
+    class Stranger(Planner):
+        pass
+
+    assert policy_of(Stranger(), engine.load_engine()) is None
+    episode = _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), Stranger())
     assert episode is not None
     assert len(episode.ego_track.x) > 20
+
+
+def test_the_planner_drives_the_same_inside_the_engine(native: NativeSimulator) -> None:
+    assert policy_of(Planner(), engine.load_engine()) is not None
+    assert _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), Planner())
+    assert _agrees(native, _program(PHASES["BrakeOnPath"], left=2.5), _scene(1), Planner())
+
+
+def _street(draw: np.random.Generator) -> Observation:
+    """A bent road with up to six others, of any kind, anywhere near, moving or not."""
+    seen = np.zeros(OBSERVATIONS["actors"])
+    seen[:4] = draw.uniform(0, 12), draw.normal(0, 1.5), draw.normal(0, 0.1), draw.uniform(5, 100)
+    bend = draw.normal(0, 0.02)
+    seen[4:OWN] = [x for ahead in AHEAD for x in (ahead, bend * ahead * ahead / 2 - seen[1])]
+    for row in seen[OWN:].reshape(-1, PER_ACTOR)[: draw.integers(0, NEAREST + 1)]:
+        along, beside, moves = draw.uniform(-20, 45), draw.normal(0, 4), draw.random() < 0.6
+        row[:5] = 1.0, along, beside, along, beside
+        row[5:8] = moves * draw.normal(0, 6), moves * draw.normal(0, 2), draw.uniform(-np.pi, np.pi)
+        row[8:] = draw.choice((0.3, 2.4)), draw.choice((0.3, 1.0)), draw.integers(2)
+    return seen
+
+
+@pytest.mark.parametrize("name", ("rule-based", "idm", "planner"))
+def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str) -> None:
+    ego, draw = load_ego(name), np.random.default_rng(5)
+    loaded = engine.load_engine()
+    policy = policy_of(ego, loaded)
+    assert policy is not None
+    for _ in range(300):
+        seen = _street(draw)[: OBSERVATIONS[observation_of(ego)]]
+        assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
+
+
+def test_the_planner_answers_the_same_however_cautious_it_is() -> None:
+    loaded, draw, usual = engine.load_engine(), np.random.default_rng(6), Caution()
+    for _ in range(100):
+        drawn: dict[str, Any] = {}
+        for field in fields(Caution):
+            value = np.array(getattr(usual, field.name))
+            drawn[field.name] = (value * draw.uniform(0.2, 3.0, value.shape)).tolist()
+        ego = Planner(Caution(**drawn))
+        policy = policy_of(ego, loaded)
+        assert policy is not None
+        for _ in range(3):
+            seen = _street(draw)
+            assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
 
 
 @pytest.mark.parametrize("name", ("sac", "ppo", "td3"))

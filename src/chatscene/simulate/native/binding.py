@@ -17,7 +17,7 @@ from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.simulate.native import engine
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.session import ARRIVAL, SteppedSession
-from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.actors import Limits
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
 from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
@@ -136,7 +136,6 @@ class _Binder:
         world.contact, world.most_contacts = self._array(engine.Contact, [engine.Contact()] * CONTACTS), CONTACTS
         world.limit, world.moving, world.through = session.limit, moving, session.through
         world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
-        world.car = _limits(LIMITS["Car"])
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
         offsets[0] = session.offset
@@ -178,7 +177,7 @@ class _Binder:
         row.kind = kind
         row.limits = engine.Limits(length=body.length, width=body.width)
         if body.moves:
-            row.limits = _limits(body.limits)
+            row.limits = limits_of(body.limits)
         if kind == WALKER:
             row.course, row.target_speed, row.vx, row.vy = body.course, body.target_speed, body.vx, body.vy
         row.seen_as_vehicle = bool(getattr(thing, "isVehicle", False))
@@ -293,7 +292,8 @@ def _pointer(array: NDArray[np.float64]) -> Any:
     return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
 
 
-def _limits(limits: Limits) -> engine.Limits:
+def limits_of(limits: Limits) -> engine.Limits:
+    """What a body can do, in the engine's terms."""
     names = [name for name, *_ in engine.Limits._fields_]  # pyright: ignore[reportPrivateUsage] - ctypes calls it so
     return engine.Limits(**{name: getattr(limits, name) for name in names})
 

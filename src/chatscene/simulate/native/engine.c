@@ -34,7 +34,11 @@
 enum { THING, VEHICLE, WALKER };
 enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
 enum { SAFEBENCH, ACTORS };
-enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK };
+#define STEPS 20 /* that the planner looks ahead */
+#define WAYS 49 /* that it weighs */
+#define EXPECTED (4 * NEAREST)
+
+enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER };
 enum { RELU, TANH };             /* what comes after each layer of a network but the last */
 enum { BY_TANH, BY_CLIP, BY_SIGMOID }; /* what comes after the last */
 enum { NO_FAULT, TURNS_IN_PLACE };
@@ -118,7 +122,6 @@ typedef struct {
     int64_t bodies, agents, areas, orders, limit, step, moving, contacts, most_contacts;
     int32_t ending, through, preset, near, fault, unused;
     double dt, arrival, along, offset, hardest;
-    Limits car; /* what drivers by rule take their own car for */
     uint64_t touching;
     Body *body;
     Agent *agent;
@@ -138,9 +141,17 @@ typedef struct {
     const float *columns, *bias; /* columns: for each input its weight to each output */
 } Layer;
 
+/* What the planner weighs its ways by; discount: what a crash counts that it expects then. */
+typedef struct {
+    double speed, crash, graze, braking, braked, starting, started, stepping, stepped, room, side, widening;
+    double berth, haste, offset, astray, jerk, resolve, agility, drift, discount[STEPS];
+} Caution;
+
 /* Who drives: by rule, or a network. */
 typedef struct {
-    int32_t kind, hidden, output, every; /* every: at which steps a network decides; between, it holds */
+    int32_t kind, hidden, output, every; /* every: at which steps it decides; between, it holds */
+    Limits car; /* what drivers by rule take their own car for */
+    Caution caution;
     int64_t layers;
     const Layer *layer;
     float *one, *other; /* room for what the widest layer takes and gives */
@@ -928,16 +939,21 @@ static double behind(const Limits *car, double speed, const double *row, double 
     return -2.5 > kept ? -2.5 : kept;
 }
 
-static void intelligent_driver(const Limits *car, const double *seen, double *acceleration, double *steer) {
-    double speed = seen[0], wish = INFINITY;
+static double curve_speed(const double *seen) {
+    double lowest = INFINITY;
     for (int i = 0; i < 5; i++) {
         double x = seen[4 + 2 * i], y = seen[5 + 2 * i], chord2 = x * x + y * y;
         if (fabs(y) > 0.05) {
             double radius = chord2 / (2.0 * fabs(y)), beyond = AHEAD[i] - AHEAD[1];
             double able = sqrt(3.0 * radius + 2.0 * 2.5 * (0.0 > beyond ? 0.0 : beyond));
-            wish = able < wish ? able : wish;
+            lowest = able < lowest ? able : lowest;
         }
     }
+    return lowest;
+}
+
+static void intelligent_driver(const Limits *car, const double *seen, double *acceleration, double *steer) {
+    double speed = seen[0], wish = curve_speed(seen);
     wish = wish < 8.0 ? wish : 8.0;
     double ratio = speed / (0.1 > wish ? 0.1 : wish), slower = -2.0 * (speed - wish);
     double a = ratio < 1.0 ? 2.0 * (1.0 - pow(ratio, 4.0)) : slower > -2.5 ? slower : -2.5;
@@ -948,6 +964,153 @@ static void intelligent_driver(const Limits *car, const double *seen, double *ac
     }
     double x = seen[4], y = seen[5], chord2 = x * x + y * y;
     double wheel = atan(car->wheelbase * (2.0 * y / (1.0 > chord2 ? 1.0 : chord2)));
+    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
+    *steer = within_one(-wheel / car->wheel_angle / 0.3);
+}
+
+/* chatscene.ego.planner. Who can be near none of the ways at a time is passed over there, since he adds nothing. */
+#define STRIDE 0.2
+
+static const double SHIFTS[7] = {0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6};
+static const double ACCELERATIONS[7] = {-8.0, -5.0, -3.0, -1.5, 0.0, 1.5, 3.0};
+
+static double larger(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
+
+typedef struct {
+    double along, beside, ahead, left, speed, half_along, half_beside;
+} Near; /* somebody, along the route and beside it */
+
+typedef struct {
+    double speed[STEPS][WAYS], gone[STEPS][WAYS], beside[STEPS][WAYS];
+    double furthest[STEPS], rightmost[STEPS], leftmost[STEPS]; /* of all ways */
+} Ways;
+
+static Near along_the_route(const double *seen, const double *row) {
+    Near o = {.along = row[1], .beside = row[2]};
+    int at = 0.0 < o.along ? 0 : -1;
+    for (int i = 0; i < 5; i++) at += AHEAD[i] < o.along;
+    at = at < 0 ? 0 : at > 4 ? 4 : at;
+    double before_x = at ? seen[2 + 2 * at] : 0.0, before_y = at ? seen[3 + 2 * at] : 0.0;
+    double way = atan2(seen[5 + 2 * at] - before_y, seen[4 + 2 * at] - before_x), ahead = cos(way), left = sin(way);
+    o.ahead = row[5] * ahead + row[6] * left;
+    o.left = row[6] * ahead - row[5] * left;
+    double c = fabs(cos(row[7] - way)), s = fabs(sin(row[7] - way));
+    o.speed = hypotenuse(o.ahead, o.left);
+    o.half_along = row[8] * c + row[9] * s;
+    o.half_beside = row[8] * s + row[9] * c;
+    return o;
+}
+
+/* How somebody goes on at a time, as is expected: his speeds. */
+static void expected(const Caution *c, const Near *o, int kind, int t, double *ahead, double *left) {
+    double time = (t + 1) * STRIDE, fast = o->speed, limit = larger(o->speed, 12.0);
+    if (kind == 3) {
+        fast = c->stepping * (time > 0.3 ? 1.0 : 0.0);
+        *ahead = 0.0 * fast;
+        *left = -(double)((o->beside > 0.0) - (o->beside < 0.0)) * fast;
+        return;
+    }
+    if (kind == 1) fast = larger(o->speed - c->braking * time, 0.0);
+    else if (kind == 2) fast = smaller(o->speed + c->starting * time, limit);
+    *ahead = o->ahead / larger(o->speed, 0.1) * fast;
+    *left = o->left / larger(o->speed, 0.1) * fast;
+}
+
+/* What an expectation of somebody adds to the danger of each way. */
+static void endanger(const Limits *car, const Caution *c, const Ways *ways, const Near *o, int kind, double belief,
+                     double offset, double *danger) {
+    double close[WAYS] = {0}, impact[WAYS] = {0}, gone = 0.0, gone_left = 0.0;
+    int first[WAYS];
+    for (int w = 0; w < WAYS; w++) first[w] = -1;
+    int moves = o->speed > 0.5;
+    double along = car->length / 2 + o->half_along, across = car->width / 2 + o->half_beside;
+    double apart = fabs(o->along) - along, aside = fabs(o->beside - offset) - across;
+    double room = aside < c->side + 0.2 ? smaller(larger(apart - 0.1, 0.05), c->room) : c->room;
+    double side = apart < c->room + 0.2 ? smaller(larger(aside - 0.05, 0.05), c->side) : c->side;
+    double near = c->room + 0.5, beside = c->side + c->berth;
+    for (int t = 0; t < STEPS; t++) {
+        double ahead, left;
+        expected(c, o, kind, t, &ahead, &left);
+        gone += ahead;
+        gone_left += left;
+        double x = o->along + gone * STRIDE, y = o->beside + gone_left * STRIDE;
+        double wide = side + c->widening * ((t + 1) * STRIDE) * (moves ? 1.0 : 0.0);
+        double widest = larger(wide, beside), longest = larger(room, near);
+        if (x - ways->furthest[t] - along >= longest || 0.0 - x - along >= longest) continue;
+        if (y - ways->leftmost[t] - across >= widest || ways->rightmost[t] - y - across >= widest) continue;
+        for (int w = 0; w < WAYS; w++) {
+            double gap = fabs(x - ways->gone[t][w]) - along, berth = fabs(y - ways->beside[t][w]) - across;
+            close[w] += (gap < near) & (berth < beside) ? ways->speed[t][w] : 0.0;
+            if ((gap < room) & (berth < wide) & (first[w] < 0)) {
+                double dx = ways->speed[t][w] - ahead;
+                first[w] = t;
+                impact[w] = sqrt(dx * dx + left * left);
+            }
+        }
+    }
+    for (int w = 0; w < WAYS; w++) {
+        double crash = first[w] < 0 ? 0.0 : c->crash * c->discount[first[w]] * (c->graze + impact[w]);
+        danger[w] += (crash + c->haste * close[w] * STRIDE) * belief;
+    }
+}
+
+static double between(double ahead, const double *values) {
+    int i = -1;
+    for (int k = 0; k < 5; k++) i += AHEAD[k] <= ahead;
+    if (i == 4) return values[8];
+    return (values[2 * i + 2] - values[2 * i]) / (AHEAD[i + 1] - AHEAD[i]) * (ahead - AHEAD[i]) + values[2 * i];
+}
+
+static void planner(const Limits *car, const Caution *c, const double *seen, double *acceleration, double *steer) {
+    double speed = seen[0], offset = seen[1], wish = smaller(c->speed, curve_speed(seen));
+    double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0};
+    double gone[WAYS] = {0}, reach[WAYS] = {0}, off[WAYS] = {0};
+    Ways ways;
+    for (int t = 0; t < STEPS; t++) {
+        ways.furthest[t] = ways.leftmost[t] = -INFINITY;
+        ways.rightmost[t] = INFINITY;
+        for (int w = 0; w < WAYS; w++) {
+            double v = smaller(larger(speed + (t + 1) * STRIDE * ACCELERATIONS[w / 7], 0.0), most);
+            ways.speed[t][w] = v;
+            gone[w] += v;
+            reach[w] += smaller(c->drift, c->agility * v);
+            double far = reach[w] * STRIDE, y = offset + smaller(larger(SHIFTS[w % 7] - offset, -far), far);
+            ways.gone[t][w] = gone[w] * STRIDE;
+            ways.beside[t][w] = y;
+            off[w] += c->offset * (y * y) + c->astray * larger(fabs(y) - 2.0, 0.0);
+            ways.furthest[t] = larger(ways.furthest[t], ways.gone[t][w]);
+            ways.rightmost[t] = smaller(ways.rightmost[t], y);
+            ways.leftmost[t] = larger(ways.leftmost[t], y);
+        }
+    }
+    Near near[NEAREST];
+    int count = 0;
+    for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR)
+        if (row[0] > 0.0) near[count++] = along_the_route(seen, row);
+    for (int kind = 0; kind < 4; kind++) {
+        for (int i = 0; i < count; i++) {
+            const Near *o = &near[i];
+            double moves = o->speed > 0.5 ? 1.0 : 0.0, belief = 1.0;
+            double waits = o->speed < 1.5 && fabs(o->beside) > 1.6 && fabs(o->beside) < 8.0 && o->along > -2.0;
+            if (kind) belief = kind == 1 ? c->braked * moves : kind == 2 ? c->started * moves : c->stepped * waits;
+            if (belief > 0.0) endanger(car, c, &ways, o, kind, belief, offset, danger);
+        }
+    }
+    int best = 0;
+    for (int w = 0; w < WAYS; w++) {
+        double a = ACCELERATIONS[w / 7];
+        cost[w] = c->jerk * (a * a) - ways.gone[STEPS - 1][w] + c->resolve * fabs(SHIFTS[w % 7] - offset);
+        cost[w] += off[w] * STRIDE;
+        if (count) cost[w] += danger[w];
+        if (cost[w] < cost[best]) best = w;
+    }
+    double a = ACCELERATIONS[best / 7];
+    if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
+    double shift = offset + larger(-1.6, smaller(1.6, SHIFTS[best % 7] - offset));
+    double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
+    double x = between(look, seen + 4) - sin(way) * shift, y = between(look, seen + 5) + cos(way) * shift;
+    double chord2 = x * x + y * y, wheel = atan(car->wheelbase * 2.0 * y / larger(chord2, 1.0));
     *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
     *steer = within_one(-wheel / car->wheel_angle / 0.3);
 }
@@ -981,7 +1144,7 @@ static double squashed(double value, int32_t output) {
     return six_decimals(within_one(value));
 }
 
-void ask_network(const Policy *policy, const double *seen, double *acceleration, double *steer) {
+static void network(const Policy *policy, const double *seen, double *acceleration, double *steer) {
     float *in = policy->one, *out = policy->other;
     for (int64_t i = 0; i < policy->layer[0].inputs; i++) in[i] = (float)seen[i];
     for (int64_t l = 0; l < policy->layers; l++) {
@@ -997,19 +1160,24 @@ void ask_network(const Policy *policy, const double *seen, double *acceleration,
     *steer = squashed(in[1], policy->output);
 }
 
+/* What somebody does who sees this. */
+void ask(const Policy *policy, const double *seen, double *acceleration, double *steer) {
+    switch (policy->kind) {
+    case RULE_BASED: rule_based(seen, acceleration, steer); break;
+    case INTELLIGENT_DRIVER: intelligent_driver(&policy->car, seen, acceleration, steer); break;
+    case PLANNER: planner(&policy->car, &policy->caution, seen, acceleration, steer); break;
+    default: network(policy, seen, acceleration, steer);
+    }
+}
+
 /* Runs a world to its end, or to a step; how many steps it took. */
 int64_t run_world(World *w, const Policy *policy, int64_t until) {
     int64_t first = w->step, left = 0;
     double acceleration = 0.0, steer = 0.0;
     see(w);
     while (w->ending == GOES_ON && !w->fault && w->step < until) {
-        switch (policy->kind) {
-        case RULE_BASED: rule_based(w->seen, &acceleration, &steer); break;
-        case INTELLIGENT_DRIVER: intelligent_driver(&w->car, w->seen, &acceleration, &steer); break;
-        default:
-            if (!left) { left = policy->every; ask_network(policy, w->seen, &acceleration, &steer); }
-            left--;
-        }
+        if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
+        left--;
         press(w, acceleration, steer);
     }
     return w->step - first;

@@ -144,7 +144,6 @@ class World(Structure):
         ),
         *((name, c_int32) for name in ("ending", "through", "preset", "near", "fault", "unused")),
         *((name, c_double) for name in ("dt", "arrival", "along", "offset", "hardest")),
-        ("car", Limits),
         ("touching", c_uint64),
         ("body", POINTER(Body)),
         ("agent", POINTER(Agent)),
@@ -167,6 +166,21 @@ class Layer(Structure):
     _fields_ = (("inputs", c_int64), ("outputs", c_int64), ("columns", POINTER(c_float)), ("bias", POINTER(c_float)))
 
 
+class Caution(Structure):
+    """What the planner weighs its ways by, and what a crash counts that it expects at each time."""
+
+    _fields_ = (
+        *(
+            (name, c_double)
+            for name in (
+                *("speed", "crash", "graze", "braking", "braked", "starting", "started", "stepping", "stepped", "room"),
+                *("side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve", "agility", "drift"),
+            )
+        ),
+        ("discount", c_double * 20),
+    )
+
+
 class Policy(Structure):
     """Who drives; `chatscene.simulate.native.policies` makes them.
 
@@ -178,6 +192,8 @@ class Policy(Structure):
 
     _fields_ = (
         *((name, c_int32) for name in ("kind", "hidden", "output", "every")),
+        ("car", Limits),
+        ("caution", Caution),
         ("layers", c_int64),
         ("layer", POINTER(Layer)),
         *((name, POINTER(c_float)) for name in ("one", "other")),
@@ -206,8 +222,8 @@ class Engine:
         library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
         library.run_worlds.restype = c_int64
         library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
-        library.ask_network.restype = None
-        library.ask_network.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
+        library.ask.restype = None
+        library.ask.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
         self._library = library
         for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy)):
             if library.size_of(i) != ctypes.sizeof(structure):
@@ -231,10 +247,10 @@ class Engine:
         return steps
 
     def ask(self, policy: Policy, seen: Sequence[float]) -> tuple[float, float]:
-        """What a network answers to what it sees."""
+        """Acceleration and steering in [-1, 1] of whoever drives, to what he sees."""
         acceleration, steering = c_double(), c_double()
         numbers = (c_double * len(seen))(*seen)
-        self._library.ask_network(ctypes.byref(policy), numbers, ctypes.byref(acceleration), ctypes.byref(steering))
+        self._library.ask(ctypes.byref(policy), numbers, ctypes.byref(acceleration), ctypes.byref(steering))
         return acceleration.value, steering.value
 
     def _differences(self) -> dict[str, int]:

@@ -12,20 +12,31 @@ from numpy.typing import NDArray
 from chatscene.ego.intelligent_driver import IntelligentDriver
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.planner import Planner
 from chatscene.ego.policy import EgoPolicy
 from chatscene.ego.rule_based import RuleBased
-from chatscene.simulate.native.engine import Engine, Layer, Policy
+from chatscene.simulate.native.binding import limits_of
+from chatscene.simulate.native.engine import Caution, Engine, Layer, Policy
+from chatscene.terms.actors import LIMITS
 
-RULE_BASED, INTELLIGENT_DRIVER, NETWORK = range(3)  # as engine.c numbers them
+RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER = range(4)  # as engine.c numbers them
+_AS_CALLED = (
+    *("speed", "crash", "graze", "room", "side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve"),
+    *("agility", "drift"),
+)  # of the planner's caution, what the engine calls alike
 ASKED = 16  # observations on which a network's answers are held against numpy's
 
 
 def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     """An ego in the engine's terms; None for one that has to be asked at every step."""
     if type(ego) is RuleBased:
-        return Policy(kind=RULE_BASED)
+        return _by_rule(RULE_BASED)
     if type(ego) is IntelligentDriver:
-        return Policy(kind=INTELLIGENT_DRIVER)
+        return _by_rule(INTELLIGENT_DRIVER)
+    if type(ego) is Planner:
+        policy = _by_rule(PLANNER)
+        policy.caution = _caution(ego)
+        return policy
     if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
         policy = network_policy(ego.network)
         if not _agree(ego.network, engine):
@@ -33,6 +44,28 @@ def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
         policy.every = ego.every
         return policy
     return None
+
+
+def _by_rule(kind: int) -> Policy:
+    """Somebody who decides at every step, and takes his car for one of ours."""
+    return Policy(kind=kind, every=1, car=limits_of(LIMITS["Car"]))
+
+
+def _caution(ego: Planner) -> Caution:
+    told = ego.caution
+    numbers = {name: getattr(told, name) for name in _AS_CALLED}
+    (braking, braked), (starting, started), (stepping, stepped) = told.braking, told.starting, told.stepping
+    caution = Caution(
+        braking=braking,
+        braked=braked,
+        starting=starting,
+        started=started,
+        stepping=stepping,
+        stepped=stepped,
+        **numbers,
+    )
+    caution.discount[:] = ego.discount.tolist()
+    return caution
 
 
 @lru_cache(maxsize=8)
