@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from functools import lru_cache
 
 from chatscene.read import lexicon
 from chatscene.read.account_rules import NOT, PLAIN, Kind, rules
@@ -106,7 +107,7 @@ def words_of(scenario: Scenario, unused: Iterable[Unused] = ()) -> tuple[Word, .
     if frame is None:
         return ()
     text, lower = frame.text, frame.text.lower()
-    read = _aligned(text, list(_as_read(text)))
+    read = _aligned(text, _as_read(text))
     around = list(_surroundings(lower))
     listed = [(one.why, span) for one in (*scenario.unused, *unused) for span in _spans(lower, one.said)]
     facts = _decided(scenario)
@@ -154,19 +155,21 @@ def _decided(scenario: Scenario) -> set[str]:
 # The text as it is read
 
 
-def _as_read(text: str) -> Iterator[_Found]:
-    """Each word of a text as the readers have it, with what it tells."""
+@lru_cache(maxsize=16)
+def _as_read(text: str) -> tuple[_Found, ...]:
+    """Each word of a text as the readers have it, with what it tells; a run asks several times for that of its own."""
+    found: list[_Found] = []
     told = prepared(canonical(" ".join(plainly_named(text).text.split())))
     at, of_ego = 0, True
     while at < len(told):
         end, fact, plain = _most_telling(told, at, of_ego)
         if fact in (EGO, "adversary"):
             of_ego = fact == EGO
-        for word in _WORD.finditer(told, at, end):
-            yield _Found(word[0], fact, plain or bool(PLAIN.fullmatch(word[0])))
+        found += [_Found(one[0], fact, plain or bool(PLAIN.fullmatch(one[0]))) for one in _WORD.finditer(told, at, end)]
         at = end
         while at < len(told) and told[at] == " ":
             at += 1
+    return tuple(found)
 
 
 def _most_telling(text: str, at: int, of_ego: bool) -> tuple[int, str, bool]:
