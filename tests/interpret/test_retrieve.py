@@ -339,3 +339,19 @@ def test_who_starts_in_the_lane_of_the_ego_is_on_neither_side_of_it(small: Libra
 def test_no_fact_that_a_snippet_can_have_is_taken_for_being_on_neither_side() -> None:
     values = [getattr(s.slots, name) for s in load_library() for name in (*VALUES, "control")]
     assert NO_SIDE not in {value for value in values if isinstance(value, str)}
+
+
+@pytest.mark.parametrize(
+    ("sentence", "place"),
+    [
+        ("A car from the right runs the red light.", Place.FOUR_WAY),
+        ("At a T-junction, a car from the right runs the red light.", Place.THREE_WAY),
+        ("A car from the right runs the red light and turns right.", Place.JUNCTION),
+    ],
+)
+def test_who_crosses_and_turns_nowhere_has_a_way_straight_on_where_the_road_leaves_that_open(
+    sentence: str, place: Place
+) -> None:
+    choice = understand(sentence).retrieval
+    assert choice is not None
+    assert choice.geometry.snippet.slots.place is place

@@ -28,6 +28,7 @@ from chatscene.models.encoders.embedding import Embedder
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import BRINGS, Action, reordered
+from chatscene.terms.acts import TURNS as TURNING
 from chatscene.terms.conclusions import CURVES, JUNCTIONS, LANE_CHANGES, TURNS, concluded
 from chatscene.terms.frame import About, Beliefs, Frame, Note
 from chatscene.terms.scenario import (
@@ -425,6 +426,9 @@ def _alternatives(slots: Slots, beliefs: Beliefs) -> Alternatives:
         classes, decided = beliefs.slots.get(name, {}), getattr(slots, name)
         likeliest = max(classes, key=lambda value: classes[value], default=decided)
         found[name] = list(classes.items()) if classes and decided == likeliest else [(decided, 1.0)]
+    crosses = slots.position is Position.CROSSING and slots.actions and not set(slots.actions) & set(TURNING)
+    if crosses and slots.place is Place.JUNCTION:
+        found["place"] = [(Place.FOUR_WAY, 1.0)]  # who turns nowhere goes straight on, which takes a crossroads
     return found
 
 
