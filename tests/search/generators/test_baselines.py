@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from types import SimpleNamespace
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from chatscene.ego.rule_based import RuleBased
-from chatscene.errors import SettingsError
+from chatscene.errors import SettingsError, SnippetError
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.program.check import check
@@ -20,6 +21,7 @@ from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
 from chatscene.settings import PAPER, RetrievalSettings, Settings
+from chatscene.terms.plan_text import parse_plan
 from chatscene.terms.scenario import BaseScenario, Slots
 from chatscene.terms.scene import Scene, ScenicProgram
 from fake_run import block
@@ -127,6 +129,18 @@ def test_what_a_baseline_varies_is_its_own() -> None:
     assert varied["carla-scenario-generator"] == {"OPT_ADV_DISTANCE", "OPT_ADV_SPEED"}
     assert varied["advsim"] == {f"OPT_SPEED_{i:02d}" for i in range(20)}
     assert varied["adversarial-trajectory"] == {f"OPT_OFFSET_{i:02d}" for i in range(20)}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_a_baselines_adversary_does_is_a_plan_but_where_it_has_no_path_to_be_beside(name: str) -> None:
+    for base, nominal in NOMINAL.items():
+        told = re.search(r"^behavior AdvBehavior\(\):\n(?:    .*\n|\n)*", program_of(name, base).source, re.MULTILINE)
+        assert told is not None
+        if name == "adversarial-trajectory" and not nominal.path:
+            with pytest.raises(SnippetError):
+                parse_plan(told[0])
+        else:
+            assert parse_plan(told[0]).phases
 
 
 def test_baselines_drive_where_chatscene_drives() -> None:

@@ -27,12 +27,8 @@ class AdversarialTrajectory(Baseline):
         speed = f"{nominal.speed:g}"
         body = f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}\n"
         if nominal.path:
-            offset = 'globalParameters[f"OPT_OFFSET_{i:02d}"]'
-            body += (
-                f"for i in range({STRETCHES}):\n"
-                f"    do {nominal.moves(speed, offset)} for {SECONDS} seconds\n"
-                f"do {nominal.moves(speed, offset)}"
-            )
+            moves = [nominal.moves(speed, f"globalParameters.OPT_OFFSET_{i:02d}") for i in range(STRETCHES)]
+            body += "".join(f"do {one} for {SECONDS} seconds\n" for one in moves) + f"do {moves[-1]}"
         else:  # without a path, an offset is reached by a course, which turns by what the last one did not
             body += (
                 "offset, course = 0, 0\n"

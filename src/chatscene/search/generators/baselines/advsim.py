@@ -21,12 +21,13 @@ class AdvSim(Baseline):
 
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
         """Waits, then follows its path at the speeds of the profile."""
-        speed = f'{2 * nominal.speed:g} * globalParameters[f"OPT_SPEED_{{i:02d}}"]'
-        body = (
-            f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}\n"
-            f"for i in range({STRETCHES}):\n"
-            f"    do {nominal.moves(speed)} for {SECONDS} seconds\n"
-            f"do {nominal.moves(speed)}"
+        speeds = [f"{2 * nominal.speed:g} * globalParameters.OPT_SPEED_{i:02d}" for i in range(STRETCHES)]
+        body = "\n".join(
+            (
+                f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}",
+                *(f"do {nominal.moves(speed)} for {SECONDS} seconds" for speed in speeds),
+                f"do {nominal.moves(speeds[-1])}",
+            )
         )
         return body, tuple(
             ParameterRange(
