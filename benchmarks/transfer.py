@@ -1,0 +1,206 @@
+"""Whose scenes carry over: every generator searched against every ego, and every ego on what was kept.
+
+    python benchmarks/transfer.py --out runs/transfer [--seeds 5] [--seed 0 …] [--jobs 2] [--tables]
+
+A cell is a generator, the ego that it searches against and a seed: 800 simulations over the eight base scenarios in
+the native simulator, forty pairs of a scenario and a route, 20 simulations and two kept scenes each. ChatScene has five
+sentences a base scenario, on one route each; a baseline has one scenario, on five routes. All egos then drive what was
+kept. A cell that is done is not done again, so processes may share the folder, a seed each; `--tables` alone reads it.
+
+Of each generator, over all pairs of two different egos (what an ego does on scenes kept for it says how well they were
+searched): how often the ego collides with the adversary, how often in a crash that a careful driver would have
+avoided, and how often it does not arrive unhurt. Intervals resample scenarios within base scenarios and the routes
+within them; a sentence's seeds, surrogates and egos stay together, and base scenarios stay as they are. Differences
+from ChatScene are tested by the same draws, and the p-values of an endpoint corrected after Holm.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass, replace
+from pathlib import Path
+from statistics import fmean
+
+import click
+import numpy as np
+
+from chatscene import runs
+from chatscene.runs.executor import Workers
+from chatscene.runs.progress import silent
+from chatscene.settings import PAPER
+from chatscene.studies.benchmark import BUDGETS, Budget, benchmark
+from chatscene.terms.criticality import Fault
+
+EGOS = ("sac", "ppo", "td3", "idm", "planner")
+OURS = "chatscene"
+GENERATORS = (
+    OURS, "learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory",
+)  # fmt: skip
+FORTY = {  # pairs of a scenario and a route
+    "five sentences": Budget(scenarios=5, search=replace(PAPER, scenes=20, routes=1)),
+    "five routes": Budget(scenarios=1, search=replace(PAPER, scenes=20, routes=5)),
+}
+ADVERSARY = (Fault.ADVERSARY_INTO_EGO, Fault.EGO_INTO_ADVERSARY)
+ENDPOINTS = ("hits the adversary", "avoidably", "does not arrive unhurt")
+DRAWS = 10_000
+
+
+@dataclass(frozen=True)
+class Drive:
+    """What an ego made of a kept scene: the endpoints, and where it belongs."""
+
+    generator: str
+    surrogate: str
+    seed: int
+    ego: str
+    base: str
+    scenario: str
+    route: str
+    came: tuple[bool, bool, bool]
+
+
+@click.command()
+@click.option("--out", type=click.Path(path_type=Path), required=True)
+@click.option("--seeds", default=5, show_default=True)
+@click.option("--seed", "only", type=int, multiple=True, help="Only these.")
+@click.option("--generator", "generators", multiple=True, default=GENERATORS)
+@click.option("--surrogate", "surrogates", multiple=True, default=EGOS)
+@click.option("--jobs", default=1, show_default=True)
+@click.option("--tables", is_flag=True, help="Only read what is there.")
+def main(
+    out: Path,
+    seeds: int,
+    only: tuple[int, ...],
+    generators: tuple[str, ...],
+    surrogates: tuple[str, ...],
+    jobs: int,
+    tables: bool,
+) -> None:
+    BUDGETS.update(FORTY)
+    drives: list[Drive] = []
+    for seed in only or range(seeds):
+        for surrogate in surrogates:
+            for generator in generators:
+                folder = out / f"{generator}-{surrogate}-{seed}"
+                if not tables:
+                    benchmark(
+                        folder,
+                        generator=generator,
+                        budget="five sentences" if generator == OURS else "five routes",
+                        egos=EGOS,
+                        surrogate=surrogate,
+                        seed=seed,
+                        simulator="native",
+                        workers=Workers(jobs),
+                        progress=silent,
+                    )
+                    print(folder.name, flush=True)
+                drives += _drives(folder, generator, surrogate, seed)
+    _print_matrix(drives, generators, surrogates)
+    _print_transfer([one for one in drives if one.ego != one.surrogate], generators)
+
+
+def _drives(folder: Path, generator: str, surrogate: str, seed: int) -> list[Drive]:
+    evaluation = runs.Workspace(folder / "evaluation")
+    record = runs.read_record(evaluation, runs.EvaluationRecord)
+    bases = {source.scenario_id: source.base for source in record.sources}
+    found: list[Drive] = []
+    for row in runs.read_scenes(evaluation):
+        if row["status"] == "ran":
+            hit = bool(row["collision"]) and row["fault"] in ADVERSARY
+            arrived = row["ending"] == "arrived" and not row["collision"]
+            found.append(
+                Drive(
+                    generator=generator,
+                    surrogate=surrogate,
+                    seed=seed,
+                    ego=record.egos[row["block"]],
+                    base=bases[row["scenario_id"]],
+                    scenario=row["scenario_id"],
+                    route=row["route_id"],
+                    came=(hit, hit and row["avoidable"] is True, not arrived),
+                )
+            )
+    return found
+
+
+def _print_matrix(drives: list[Drive], generators: tuple[str, ...], surrogates: tuple[str, ...]) -> None:
+    """A table for each endpoint: generators and surrogates down, egos across; means over base scenarios."""
+    cells: dict[tuple[str, str, str], dict[str, list[tuple[bool, ...]]]] = defaultdict(lambda: defaultdict(list))
+    for one in drives:
+        cells[one.generator, one.surrogate, one.ego][one.base].append(one.came)
+    for number, endpoint in enumerate(ENDPOINTS):
+        print(f"\n{endpoint}\n| generator | searched against | {' | '.join(EGOS)} |")
+        for generator in generators:
+            for surrogate in surrogates:
+                shares = [_share(cells[generator, surrogate, ego], number) for ego in EGOS]
+                told = [f"*{s:.2f}*" if ego == surrogate else f"{s:.2f}" for ego, s in zip(EGOS, shares, strict=True)]
+                print(f"| {generator} | {surrogate} | {' | '.join(told)} |")
+
+
+def _share(by_base: dict[str, list[tuple[bool, ...]]], number: int) -> float:
+    return fmean(fmean(came[number] for came in of_base) for of_base in by_base.values())
+
+
+def _print_transfer(drives: list[Drive], generators: tuple[str, ...]) -> None:
+    """Each generator over all pairs of two egos, with intervals, and how it differs from ChatScene."""
+    rng = np.random.default_rng(0)
+    drawn = {g: _resampled([one for one in drives if one.generator == g], rng) for g in generators}
+    for number, endpoint in enumerate(ENDPOINTS):
+        print(f"\n{endpoint}: pairs of two egos\n| generator | share | 95 % | minus {OURS} | 95 % | p, Holm |")
+        others = [g for g in generators if g != OURS]
+        apart = {g: drawn[g][1:, number] - drawn[OURS][1:, number] for g in others if OURS in drawn}
+        p = _holm({g: min(1.0, 2 * min(np.mean(d <= 0), np.mean(d >= 0)) + 1 / DRAWS) for g, d in apart.items()})
+        for g in generators:
+            row = f"| {g} | {drawn[g][0, number]:.3f} | {_interval(drawn[g][1:, number])} |"
+            if g in apart:
+                difference = drawn[g][0, number] - drawn[OURS][0, number]
+                row += f" {difference:+.3f} | {_interval(apart[g])} | {p[g]:.4f} |"
+            print(row)
+    avoidable = {g: _ratio(drawn[g]) for g in generators}
+    print("\nof collisions with the adversary, avoidable\n| generator | share | 95 % |")
+    for g, (share, interval) in avoidable.items():
+        print(f"| {g} | {share:.3f} | {interval} |")
+
+
+def _ratio(drawn: np.ndarray) -> tuple[float, str]:
+    shares = drawn[:, 1] / drawn[:, 0]
+    return float(shares[0]), _interval(shares[1:])
+
+
+def _resampled(drives: list[Drive], rng: np.random.Generator) -> np.ndarray:
+    """(1 + DRAWS, endpoints) The shares as they are, and of resampled scenarios and routes; means over bases."""
+    by_base: dict[str, dict[str, dict[str, list[tuple[bool, ...]]]]] = defaultdict(
+        lambda: defaultdict(lambda: defaultdict(list))
+    )
+    for one in drives:
+        by_base[one.base][one.scenario][one.route].append(one.came)
+    total = np.zeros((1 + DRAWS, len(ENDPOINTS)))
+    for scenarios in by_base.values():
+        means = [np.array([np.mean(came, axis=0) for came in routes.values()]) for routes in scenarios.values()]
+        whole = np.concatenate(means).mean(axis=0)
+        total[0] += whole / len(by_base)
+        for draw in range(1, 1 + DRAWS):
+            chosen = [means[i] for i in rng.integers(len(means), size=len(means))]
+            routes = [routes[rng.integers(len(routes), size=len(routes))].mean(axis=0) for routes in chosen]
+            total[draw] += np.mean(routes, axis=0) / len(by_base)
+    return total
+
+
+def _interval(values: np.ndarray) -> str:
+    low, high = np.quantile(values, (0.025, 0.975))
+    return f"{low:.3f} to {high:.3f}"
+
+
+def _holm(p: dict[str, float]) -> dict[str, float]:
+    """P-values of a family, corrected after Holm: each at least as great as those below it."""
+    found: dict[str, float] = {}
+    least = 0.0
+    for rank, (name, value) in enumerate(sorted(p.items(), key=lambda one: one[1])):
+        least = max(least, min(1.0, value * (len(p) - rank)))
+        found[name] = least
+    return found
+
+
+if __name__ == "__main__":
+    main()
