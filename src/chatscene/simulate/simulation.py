@@ -40,6 +40,7 @@ from chatscene.world.pilots import Pilot
 
 SIDEWAYS = 0.01  # share of a velocity across the heading that is put down to rounding
 _ENDINGS = (_EndSimulationAction, _EndScenarioAction)
+_ANGLES = ("yaw", "pitch", "roll", "heading")
 _CACHED = "_cached_"  # how Scenic names attributes it has computed from a pose
 
 
@@ -100,7 +101,11 @@ class LivePose:
 
 
 def _live(obj: Any) -> Any:
-    """A stand-in for a Scenic object while it moves: same class and attributes, live pose."""
+    """A stand-in for a Scenic object while it moves: same class and attributes, live pose.
+
+    It is all that Scenic's own copy of the object would be, which takes longer than to sample it: every property,
+    angles as plain numbers, nothing that was computed from the pose, no object that it was sampled from.
+    """
     cls = type(obj)
     live = cls.__dict__.get("_live_class")
     if live is None:
@@ -110,7 +115,10 @@ def _live(obj: Any) -> Any:
         cls._live_class = live
     proxy = object.__new__(live)
     setDynamicProxyFor(proxy, proxy)  # first of all, since every look-up goes through it
-    proxy.__dict__.update(obj.__dict__)
+    attributes = proxy.__dict__
+    attributes.update((name, value) for name, value in obj.__dict__.items() if not name.startswith(_CACHED))
+    attributes.update((name, float(attributes[name])) for name in _ANGLES)
+    attributes["_sampleParent"] = None
     setDynamicProxyFor(proxy, proxy)
     return proxy
 
@@ -174,6 +182,14 @@ class PhysicsSimulation(DrivingSimulation):
         self._pilots.pop(agent, None)
         if pilot is not None:
             self._pilots[agent] = pilot
+
+    def _createObject(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
+        """Put an object into the scene, as Scenic does, but for a copy that `createObjectInSimulator` would replace."""
+        self.objects.append(obj)
+        if obj.behavior:
+            self.agents.append(obj)
+        self.createObjectInSimulator(obj)
+        obj.startDynamicSimulation()
 
     def createObjectInSimulator(self, obj: Any) -> None:  # noqa: N802 - Scenic's name
         """Give an object its body and its live pose."""
