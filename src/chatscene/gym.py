@@ -24,7 +24,7 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course
 from chatscene.search.climb import climb, simulator_of
 from chatscene.search.generator import load_generator
-from chatscene.settings import RetrievalSettings, Settings, SimulationSettings
+from chatscene.settings import SIMULATOR, RetrievalSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import routes_of
 
 
@@ -35,7 +35,7 @@ def make_scene(
     ego: str = "sac",
     routes: int = 1,
     library: str = "",
-    simulator: str = SimulationSettings().simulator,
+    simulator: str = SIMULATOR,
     physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
@@ -84,7 +84,7 @@ def make_scene(
 def make_drive(
     *,
     map: str | Path = "town",  # noqa: A002 - the word of the command line
-    simulator: str = SimulationSettings().simulator,
+    simulator: str = SIMULATOR,
     physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",

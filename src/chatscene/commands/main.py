@@ -341,7 +341,7 @@ def evaluate(
 @MAP
 @click.option("--avoidable", is_flag=True, help="Keep no crash that a careful driver would not have avoided.")
 @_sampler(PAPER.sampler)
-@_simulator(SimulationSettings().simulator)
+@_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option("--seed", default=0, show_default=True)
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
@@ -395,7 +395,7 @@ def benchmark(
 @main.command()
 @click.option("--ego", "egos", multiple=True, required=True, help="By name, file or package.module:factory; repeat.")
 @MAP
-@_simulator(SimulationSettings().simulator)
+@_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option("--scenes", default=5, show_default=True, help="Draws of traffic per course.")
 @click.option("--seed", default=20_000, show_default=True, help="Of the traffic.")
@@ -444,7 +444,7 @@ def drive(
 @click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
 @click.option("--seed", default=0, show_default=True)
 @MAP
-@_simulator(SimulationSettings().simulator)
+@_simulator(SIMULATOR)
 @PHYSICS_OPTION
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="New, or one to go on in.")
 def train(

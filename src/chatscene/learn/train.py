@@ -32,7 +32,7 @@ from chatscene.runs.executor import ONE, Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
-from chatscene.settings import SimulationSettings, check_settings
+from chatscene.settings import SIMULATOR, SimulationSettings, check_settings
 from chatscene.simulate.simulator import load_simulator
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ class TrainSettings:
     round: int = 5_000
     seed: int = 0
     map_name: str = "town"
-    simulator: str = SimulationSettings().simulator
+    simulator: str = SIMULATOR
     physics: str = SimulationSettings().physics
 
     def __post_init__(self) -> None:

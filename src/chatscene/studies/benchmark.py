@@ -23,7 +23,7 @@ from chatscene.runs.searching import Search, search_all
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import going_on
 from chatscene.search.generator import load_generator
-from chatscene.settings import PAPER, SearchSettings, Settings, SimulationSettings
+from chatscene.settings import PAPER, SIMULATOR, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import check_jobs
 from chatscene.studies.evaluation import EGOS, Evaluated, evaluate
 from chatscene.terms.scenario import BaseScenario
@@ -86,7 +86,7 @@ def benchmark(
     map_name: str = "town",
     seed: int = 0,
     sampler: str = PAPER.sampler,
-    simulator: str = SimulationSettings().simulator,
+    simulator: str = SIMULATOR,
     physics: str = SimulationSettings().physics,
     avoidable_only: bool = False,
     workers: Workers = ONE,
