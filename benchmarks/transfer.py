@@ -4,8 +4,9 @@
 
 A cell is a generator, the ego that it searches against and a seed: 800 simulations over the eight base scenarios in
 the native simulator, forty pairs of a scenario and a route, 20 simulations and two kept scenes each. ChatScene has five
-sentences a base scenario, on one route each; a baseline has one scenario, on five routes. All egos then drive what was
-kept. A cell that is done is not done again, so processes may share the folder, a seed each; `--tables` alone reads it.
+sentences a base scenario, and `random-triple` five draws, on one route each; the other baselines have one scenario, on
+five routes. All egos then drive what was kept. A cell that is done is not done again, so processes may share the
+folder, a seed each; `--tables` alone reads it.
 
 Of each generator, over all pairs of two different egos (what an ego does on scenes kept for it says how well they were
 searched): how often the ego collides with the adversary, how often in a crash that a careful driver would have
@@ -34,8 +35,9 @@ from chatscene.terms.criticality import Fault
 EGOS = ("sac", "ppo", "td3", "idm", "planner")
 OURS = "chatscene"
 GENERATORS = (
-    OURS, "learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory",
+    OURS, "learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory", "random-triple",
 )  # fmt: skip
+FIVE = (OURS, "random-triple")  # that have five scenarios a base scenario
 FORTY = {  # pairs of a scenario and a route
     "five sentences": Budget(scenarios=5, search=replace(PAPER, scenes=20, routes=1)),
     "five routes": Budget(scenarios=1, search=replace(PAPER, scenes=20, routes=5)),
@@ -86,7 +88,7 @@ def main(
                     benchmark(
                         folder,
                         generator=generator,
-                        budget="five sentences" if generator == OURS else "five routes",
+                        budget="five sentences" if generator in FIVE else "five routes",
                         egos=EGOS,
                         surrogate=surrogate,
                         seed=seed,

@@ -141,6 +141,7 @@ GENERATORS: Kind[Generator] = Kind(
         "advsim": "chatscene.search.generators.baselines.advsim:AdvSim",
         "adversarial-trajectory": "chatscene.search.generators.baselines.adversarial_trajectory:AdversarialTrajectory",
         "carla-scenario-generator": "chatscene.search.generators.baselines.scenario_runner:ScenarioRunner",
+        "random-triple": "chatscene.search.generators.baselines.random_triple:RandomTriple",
         "program": "chatscene.search.generators.own_program:OwnProgram",
         "program-as-written": "chatscene.search.generators.own_program:as_written",
     },

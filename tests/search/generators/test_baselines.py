@@ -12,6 +12,8 @@ import pytest
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import SettingsError, SnippetError
+from chatscene.library.compatibility import incompatibility
+from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.program.check import check
@@ -20,6 +22,7 @@ from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
+from chatscene.search.generators.baselines.random_triple import RandomTriple
 from chatscene.settings import PAPER, RetrievalSettings, Settings
 from chatscene.terms.plan_text import parse_plan
 from chatscene.terms.scenario import BaseScenario, Slots
@@ -141,6 +144,28 @@ def test_what_a_baselines_adversary_does_is_a_plan_but_where_it_has_no_path_to_b
                 parse_plan(told[0])
         else:
             assert parse_plan(told[0]).phases
+
+
+def test_random_triples_are_five_a_base_scenario_determined_by_their_text_and_joinable_by_anybody() -> None:
+    generator, library = load_generator("random-triple"), load_library()
+    assert isinstance(generator, RandomTriple)
+    drawn: set[tuple[str, str]] = set()
+    for base, nominal in NOMINAL.items():
+        for text in generator.texts(base):
+            scenario = generator.read(text, SETTINGS)
+            behavior, geometry, spawn = generator.triple(scenario, nominal)
+            assert generator.triple(scenario, nominal) == (behavior, geometry, spawn)
+            assert incompatibility(behavior, library.get(f"geometry/{nominal.geometry}"), spawn) is None
+            assert nominal.adversary in {*behavior.adversaries} & {*spawn.adversaries}
+            drawn.add((behavior.id, spawn.id))
+            assert geometry.id == f"geometry/{nominal.geometry}"
+    assert len(drawn) > 35
+
+
+def test_a_random_triple_climbs_the_ladder() -> None:
+    simulator = simulator_of(load_generator("random-triple"), resolve_map("town"), Settings())
+    checked = check(program_of("random-triple", BaseScenario.RIGHT_TURN), Slots(), simulator, RuleBased(), drives=1)
+    assert checked.episodes[0].adversaries
 
 
 def test_baselines_drive_where_chatscene_drives() -> None:

@@ -134,11 +134,13 @@ class Baseline:
 
     def read(self, text: str, settings: RetrievalSettings) -> Scenario:  # noqa: ARG002 - nothing is retrieved
         """The scenario of one of `texts`; nothing was said, so nothing is held against it."""
-        title, _, base = text.partition(": ")
-        if title != self.title or base not in list(BaseScenario):
-            raise SettingsError(f"{self.name} has one scenario per base scenario, such as {self._example()!r}")
+        base = next((base for base in BaseScenario if text in self.texts(base)), None)
+        if base is None:
+            raise SettingsError(f"{self.name} has scenarios of its own alone, such as {self._example()!r}")
+        texts = self.texts(base)
+        number = f"-{texts.index(text) + 1}" if len(texts) > 1 else ""
         parts = SubDescriptions(behavior=text, geometry=text, spawn=text)
-        return Scenario(id=f"{self.name}-{base}", text=text, base=BaseScenario(base), parts=parts, slots=Slots())
+        return Scenario(id=f"{self.name}-{base}{number}", text=text, base=base, parts=parts, slots=Slots())
 
     def _example(self) -> str:
         return self.texts(BaseScenario.STRAIGHT_OBSTACLE)[0]
@@ -147,16 +149,20 @@ class Baseline:
         """The nominal adversary with this baseline's behavior."""
         if scenario.base is None:
             raise SettingsError(f"{self.name} needs a base scenario, such as in {self._example()!r}")
-        nominal, library = NOMINAL[scenario.base], load_library()
+        nominal = NOMINAL[scenario.base]
+        # Its parts are no choice of a retrieval, so that none of them is blamed and replaced.
+        program = replace(assemble(scenario, self.triple(scenario, nominal), nominal.adversary), snippet_ids=())
+        return Written(program=program, retrieval=None)
+
+    def triple(self, scenario: Scenario, nominal: Nominal) -> tuple[Snippet, Snippet, Snippet]:  # noqa: ARG002
+        """Behavior, geometry and spawn: what this baseline does, where the nominal adversary would."""
+        library = load_library()
         spawn = library.get(f"spawn/{nominal.spawn}")
-        triple = (
+        return (
             self._snippet(nominal),
             library.get(f"geometry/{nominal.geometry}"),
             spawn if self.starts else _fixed(spawn),
         )
-        # Its parts are no choice of a retrieval, so that none of them is blamed and replaced.
-        program = replace(assemble(scenario, triple, nominal.adversary), snippet_ids=())
-        return Written(program=program, retrieval=None)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The same as before: it depends on the base scenario alone."""
