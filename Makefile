@@ -7,13 +7,16 @@ PY := .venv/bin/python
 PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
 SENTENCE ?= A car runs the red light from the left.
 
-.PHONY: demo test check docs clean
+.PHONY: demo test check suite docs clean
 
 demo: .venv/core
 	rm -rf demo
 	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
 
-test: .venv/test check
+test: .venv/test
+	$(MAKE) --no-print-directory -j 2 check suite
+
+suite: .venv/test
 	$(PY) -m pytest -n auto --dist loadscope
 
 check: .venv/test
