@@ -342,7 +342,7 @@ def evaluate(
 )
 @click.option(
     "--left-out",
-    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    type=click.Path(file_okay=False, path_type=Path),
     help="Folder for the classifiers that left out some of the texts, to tell how far one is right on new ones.",
 )
 def fit(
@@ -359,6 +359,8 @@ def fit(
     """
     from chatscene.grow.curation import course_of, fit_classifier
 
+    if left_out:
+        left_out.mkdir(parents=True, exist_ok=True)
     course = course_of(own, anew=anew, count=count, epochs=epochs, seed=seed, told=progress())
     path = fit_classifier(own, texts, course, left_out)
     say(f"trained: {path}")
