@@ -113,14 +113,14 @@ class Baseline:
     Attributes:
         name: As on the command line.
         title: As in the paper's tables.
-        sampler: Who searches.
+        sampler: Who searches; empty for whom the settings name, as in ChatScene's own search.
         reference: As the reference describes it: what its search ends with is kept, whatever comes of it.
         starts: Whether it also moves where the adversary starts.
     """
 
     name: str
     title: str
-    sampler: str
+    sampler: str = ""
     reference: SearchSettings = replace(PAPER, scenes=100, keep=10, selection="last")
     starts: bool = False
 
@@ -201,8 +201,8 @@ class Baseline:
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
-        """Its own search; the sampler of the settings is ChatScene's."""
-        own = replace(settings, sampler=self.sampler)
+        """Its own search, if it has one; the sampler of the settings is ChatScene's."""
+        own = replace(settings, sampler=self.sampler or settings.sampler)
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 

@@ -7,20 +7,14 @@ among all that can be joined with them. The search is ChatScene's.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from chatscene.ego.policy import EgoPolicy
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
-from chatscene.search.explore import Block, explore
 from chatscene.search.generators.baselines.nominal import Baseline, Nominal
-from chatscene.settings import PAPER, SearchSettings
-from chatscene.simulate.simulator import Simulator
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots
-from chatscene.terms.scene import ScenicProgram
+from chatscene.settings import PAPER
+from chatscene.terms.scenario import BaseScenario, Scenario
 from chatscene.terms.snippet import Snippet
 
 
@@ -44,17 +38,3 @@ class RandomTriple(Baseline):
         drawn = int.from_bytes(hashlib.blake2b(scenario.text.encode(), digest_size=8).digest(), "big") % len(pairs)
         behavior, spawn = pairs[drawn].tolist()
         return joint.behaviors[behavior], joint.geometries[geometry], joint.spawns[spawn]
-
-    def explore(
-        self,
-        program: ScenicProgram,
-        slots: Slots,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """ChatScene's own search."""
-        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
