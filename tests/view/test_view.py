@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
+import shutil
 import threading
 import time
 from collections.abc import Generator, Mapping
@@ -320,6 +321,16 @@ def test_a_folder_without_runs_is_an_empty_list(tmp_path: Path) -> None:
     from chatscene.view.looking import listed
 
     assert listed(tmp_path / "none") == listed(tmp_path) == {"runs": [], "pages": [], "left_out": []}
+
+
+def test_a_folder_with_an_evaluation_alone_lists_it(tmp_path: Path) -> None:
+    from chatscene.view.looking import listed
+
+    write_evaluation(evaluated(tmp_path))
+    (tmp_path / "compared").rename(tmp_path / "alone")
+    shutil.rmtree(tmp_path / "run")
+    assert [one["name"] for one in listed(tmp_path)["pages"]] == ["alone"]
+    assert listed(tmp_path)["runs"] == []
 
 
 def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -50,10 +50,12 @@ class Index:
 
     Attributes:
         tables: Arrow tables by name, with the columns of `chatscene.report.index_columns.TABLES`.
+        evaluations: The records of evaluations, by folder; they have no scenes of their own.
         left_out: Folders whose scenes are in none of them.
     """
 
     tables: Mapping[str, Table]
+    evaluations: Mapping[Path, runs.EvaluationRecord]
     left_out: tuple[LeftOut, ...]
 
 
@@ -64,15 +66,18 @@ def index(folder: Path) -> Index:
         folder: A run folder, or one with run folders somewhere below.
 
     Raises:
-        RunError: There is no such folder, or no run in it.
+        RunError: There is no such folder, or neither run nor evaluation in it.
     """
     if not folder.is_dir():
         raise RunError(f"there is no folder {folder}; give one with the folders that `chatscene run` named")
     read: list[Mapping[str, Table]] = []
+    evaluations: dict[Path, runs.EvaluationRecord] = {}
     left_out: list[LeftOut] = []
     for path in sorted(found.parent for found in folder.rglob(RECORD)):
         try:
             record = runs.read_record(runs.Workspace(path), runs.Record)
+            if isinstance(record, runs.EvaluationRecord):
+                evaluations[path] = record
             if isinstance(record, runs.RunRecord):
                 run = runs.open_run(path, runs.RunRecord)
                 read.append(_read(run, record, name_of(path, folder)))
@@ -80,13 +85,13 @@ def index(folder: Path) -> Index:
                     runs.require_done(run, record)
         except (ChatSceneError, ValueError, OverflowError, pa.ArrowException) as error:
             left_out.append(LeftOut(folder=path, why=str(error)))
-    if not read and not left_out:
+    if not (read or evaluations or left_out):
         raise RunError(f"there is no run in {folder}; give a folder with those that `chatscene run` named")
     tables = {
         name: pa.concat_tables([schema_of(name).empty_table(), *(one[name] for one in read)], promote_options="default")
         for name in TABLES
     }
-    return Index(tables=tables, left_out=tuple(left_out))
+    return Index(tables=tables, evaluations=evaluations, left_out=tuple(left_out))
 
 
 def name_of(path: Path, folder: Path) -> str:

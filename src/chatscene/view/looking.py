@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import base64
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping
-from contextlib import suppress
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 from chatscene import runs
-from chatscene.errors import ChatSceneError, RunError
+from chatscene.errors import RunError
 from chatscene.measure.score import wilson
 from chatscene.report.animation import still as still_of
 from chatscene.report.index import Index, index, name_of
@@ -33,34 +32,33 @@ def listed(folder: Path) -> dict[str, Any]:
     Raises:
         RunError: It cannot be read.
     """
-    pages = [*_evaluations(folder), *_coverages(folder)]
-    if not folder.is_dir() or next(folder.rglob(RECORD), None) is None:
-        return {"runs": [], "pages": pages, "left_out": []}
+    coverages = [_page(folder, file, "coverage", "What of catalogues is served") for file in _below(folder, COVERAGE)]
+    if not _below(folder, RECORD):
+        return {"runs": [], "pages": coverages, "left_out": []}
     found = index(folder)
     facts = _by_run(found, "facts")
     scenes = _by_run(found, "scenes")
+    evaluations = [
+        _page(folder, path / REPORT, "evaluation", _compared(record))
+        for path, record in found.evaluations.items()
+        if (path / REPORT).is_file()
+    ]
     return {
         "runs": [_line(run, facts[run["run"]], scenes[run["run"]]) for run in found.tables["runs"].to_pylist()],
-        "pages": pages,
+        "pages": [*evaluations, *coverages],
         "left_out": [str(one) for one in found.left_out],
     }
 
 
-def _evaluations(folder: Path) -> Iterator[dict[str, Any]]:
-    """A line for each evaluation that has a report; one that is damaged is among what the index left out."""
-    for file in sorted(folder.rglob(RECORD)):
-        with suppress(ChatSceneError):
-            record = runs.read_record(runs.Workspace(file.parent), runs.Record)
-            if isinstance(record, runs.EvaluationRecord) and (file.parent / REPORT).is_file():
-                which = "every scene" if record.scenes is runs.Driven.EVERY else "kept scenes"
-                of = f"{len(record.sources)} run{'s' * (len(record.sources) != 1)}"
-                title = f"{', '.join(record.egos)} on {which} of {of}"
-                yield _page(folder, file.parent / REPORT, "evaluation", title)
+def _below(folder: Path, name: str) -> list[Path]:
+    """The files of a name below a folder, in the order of their paths; none if there is no such folder."""
+    return sorted(folder.rglob(name)) if folder.is_dir() else []
 
 
-def _coverages(folder: Path) -> Iterator[dict[str, Any]]:
-    for file in sorted(folder.rglob(COVERAGE)):
-        yield _page(folder, file, "coverage", "What of catalogues is served")
+def _compared(record: runs.EvaluationRecord) -> str:
+    """What an evaluation compares, in a line."""
+    which = "every scene" if record.scenes is runs.Driven.EVERY else "kept scenes"
+    return f"{', '.join(record.egos)} on {which} of {len(record.sources)} run{'s' * (len(record.sources) != 1)}"
 
 
 def _page(folder: Path, page: Path, kind: str, title: str) -> dict[str, Any]:

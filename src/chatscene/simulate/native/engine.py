@@ -22,7 +22,7 @@ from chatscene.simulate.native.building import NoEngine, compile_engine, source_
 
 PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
 CHECKED = 4000  # numbers on which each function is held against Python's
-ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK = 6, 8, 80, 32, 64  # as in engine.c
+ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 80, 32, 64, 20  # as in engine.c
 END = 2**63 - 1  # a step that no scene comes to
 
 _Doubles = POINTER(c_double)
@@ -177,7 +177,7 @@ class Caution(Structure):
                 *("side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve", "agility", "drift"),
             )
         ),
-        ("discount", c_double * 20),
+        ("discount", c_double * STEPS),
     )
 
 
