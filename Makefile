@@ -12,6 +12,10 @@ SENTENCE ?= A car runs the red light from the left.
 demo: .venv/core
 	rm -rf demo
 	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
+	@echo 'look at it:  $(PY) -m chatscene open demo'
+	@echo 'then try:    $(PY) -m chatscene chat'
+	@echo '             $(PY) -m chatscene evaluate demo --ego idm --ego sac --out demo-egos'
+	@echo '             $(PY) -m chatscene export demo --to openscenario --out demo-files'
 
 test: .venv/test
 	$(MAKE) --no-print-directory -j 2 check suite
@@ -46,4 +50,4 @@ docs: .venv/docs
 	touch .venv/core .venv/docs .venv/test
 
 clean:
-	rm -rf .venv demo site
+	rm -rf .venv demo demo-egos demo-files site

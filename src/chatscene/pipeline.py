@@ -74,5 +74,6 @@ def search(kept: runs.Workspace, workers: Workers, progress: Progress) -> None:
     common = Common.of(record)
     one = Search(run=kept, record=record, settings=common.settings.search, done=done)
     one.prepare(Desk(common).prepare(record, partial(runs.write_choice, kept), progress))
+    progress("searching, blocks", one.kept, one.expected)
     for _ in search_all([one], workers=workers):
         progress("searching, blocks", one.kept, one.expected)

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import base64
 import html
+import io
 import json
 import re
 import shlex
@@ -43,6 +44,7 @@ from chatscene.report.measures import in_words as measures_in_words
 from chatscene.report.outcomes import BOTTOM, LINE, plot_outcomes
 from chatscene.report.ranges import plot_ranges
 from chatscene.report.sections import command, tiles, verdict
+from chatscene.report.terminal import progress_line
 from chatscene.report.tracks import NEVER, called, extent, pack_beside, pack_drawing, pack_episode
 from chatscene.report.viewer import write_report
 from chatscene.runs import (
@@ -686,3 +688,17 @@ def test_in_a_browser_nothing_a_user_wrote_runs(tmp_path: Path) -> None:
     document = _opened(page, tmp_path / "profile")
     assert "<title>owned" not in document
     assert float(_text(document, "clock").split()[0]) > 0
+
+
+def test_a_terminal_shows_how_far_it_is_and_a_file_only_what_is_done() -> None:
+    terminal, file = io.StringIO(), io.StringIO()
+    terminal.isatty = lambda: True  # type: ignore[method-assign]
+    for stream in (terminal, file):
+        show = progress_line(stream)
+        for done in (0, 1, 4):
+            show("searching, blocks", done, 4)
+    lines = terminal.getvalue().replace("\x1b[K", "").split("\r")[1:]
+    assert lines[0] == "searching, blocks [....................] 0 of 4"
+    assert re.fullmatch(r"searching, blocks \[#####\.{15}\] 1 of 4, \d+ s left", lines[1])
+    assert lines[2] == "searching, blocks [####################] 4 of 4\n"
+    assert file.getvalue() == "searching, blocks\n"

@@ -1,13 +1,15 @@
-"""What a run came to, in three lines."""
+"""What a run came to, in a few lines."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from chatscene import runs
 from chatscene.measure.score import wilson
 from chatscene.report.egos import egos_in_words
+
+SHORTEST = 0.1  # [s] of a phase that is told
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,6 +19,7 @@ class Summary:
     Attributes:
         counts: As in `run.json`.
         seconds: Wall time, of every call that worked on the folder.
+        phases: Of these, how many went where, by phase; empty where that was not recorded.
         ego: Who drove, and what it sees: no collision rate means anything without it.
         stepped: Who stepped the drives; empty where that was not recorded.
     """
@@ -24,6 +27,7 @@ class Summary:
     counts: Mapping[str, int]
     seconds: float
     ego: str
+    phases: Mapping[str, float] = field(default_factory=dict[str, float])
     stepped: str = ""
 
     @classmethod
@@ -33,11 +37,12 @@ class Summary:
             counts=record.counts,
             seconds=record.timings.get("total", 0.0),
             ego=egos_in_words(record)[0],
+            phases={name: spent for name, spent in record.timings.items() if name != "total"},
             stepped=stepped_in_words(record),
         )
 
     def in_words(self) -> str:
-        """Three lines for a person: what came of it, what the ego could see, and who stepped it."""
+        """Lines for a person: what came of it, what the ego could see, who stepped it, and where the time went."""
         ran, collided = self.counts["ran"], self.counts["collided"]
         low, high = wilson(collided, ran)
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
@@ -45,6 +50,7 @@ class Summary:
         unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
         but = [f"{fill_in} without a collision"] * bool(fill_in)
         but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
+        phases = "; ".join(f"{name} {spent:.1f} s" for name, spent in self.phases.items() if spent >= SHORTEST)
         return (
             f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
             f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
@@ -52,6 +58,7 @@ class Summary:
             + (f" ({', '.join(but)})" if but else "")
             + f"\n{self.ego}"
             + (f"\n{self.stepped}" if self.stepped else "")
+            + (f"\ntime: {phases}" if phases else "")
         )
 
 

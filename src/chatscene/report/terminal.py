@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _ANSWERS = {Answer.SERVED: "green", Answer.REFUSED: "red", Answer.FAILED: "red", Answer.OUT_OF_REACH: "dim"}
 WIDTH = 120  # characters of a line where no terminal says
+BAR = 20  # characters of what is done and what is not
 
 
 def visible(text: str) -> str:
@@ -226,7 +227,8 @@ def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
             if total:
                 spent = time.monotonic() - started
                 left = f", {spent / done * (total - done):.0f} s left" if 0 < done < total else ""
-                line = f"{what}: {done} of {total}{left}"
+                bar = "#" * (BAR * done // total)
+                line = f"{what} [{bar:.<{BAR}}] {done} of {total}{left}"
             stream.write(f"\r\x1b[K{line}" + ("\n" if total and done == total else ""))
         last[0] = what
         stream.flush()

@@ -21,17 +21,21 @@ def working(run: Workspace, progress: Progress) -> Generator[Progress]:
     """Write down the time that is spent inside, and the error that ends it.
 
     Yields:
-        What to tell of progress, which adds the time since it was last told: a kill costs no more than that.
+        What to tell of progress, which adds the time since it was last told to the total and to what was told then: a
+        kill costs no more than that.
     """
-    since = time.monotonic()
+    since, doing = time.monotonic(), ""
 
     def clock() -> None:
         nonlocal since
         before, since = since, time.monotonic()
-        update(run, timings={"total": since - before})
+        spent = since - before
+        update(run, timings={"total": spent} | ({doing: spent} if doing else {}))
 
     def tell(what: str, done: int, total: int) -> None:
+        nonlocal doing
         clock()
+        doing = what
         progress(what, done, total)
 
     try:
