@@ -13,6 +13,7 @@ from chatscene.interpret.decide import understood
 from chatscene.library.bind import Triple, bound, distances, out_of_reach
 from chatscene.library.load import load_library, names_of
 from chatscene.read.decompose import hear
+from chatscene.read.quantities import quantities_of
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
@@ -186,3 +187,13 @@ def test_what_is_in_reach_stays_within_the_declared_ranges(value: float, measure
     for before, after in zip(TRIPLE, triple, strict=True):
         for old, new in zip(before.parameters, after.parameters, strict=True):
             assert old.low <= new.low <= new.high <= old.high
+
+
+@pytest.mark.parametrize(
+    "said", ["we 45 km/h on a road", "we: 45 km/h", "ego drives at about 45 km/h", "the vut at 45 km/h"]
+)
+def test_a_speed_behind_the_name_of_the_ego_is_not_the_adversarys(said: str) -> None:
+    told = f"{said}; the other vehicle pulls out"
+    assert quantities_of(told, told) == ()
+    told += " at 10 km/h"
+    assert [round(one.value, 2) for one in quantities_of(told, told)] == [2.78]

@@ -57,6 +57,10 @@ _PATTERNS: tuple[tuple[Measure, re.Pattern[str]], ...] = (
 )  # fmt: skip
 
 
+# A speed right behind the ego's name is the ego's, whoever's clause it is in.
+_OF_EGO = re.compile(rf"\b{_EGO}(?: (?:drives?|drive on|goes?|travels?|moves?))?(?: at| with|:|,)? (?:about |some |around |roughly )?{_NUMBER} ?{_SPEED}")
+
+
 def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
     """The quantities said of the adversary, the first of each measure, in SI units.
 
@@ -65,6 +69,7 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
         whole: All that is said; when the adversary acts is often said of the ego.
     """
     found: dict[Measure, Quantity] = {}
+    adversary = _OF_EGO.sub("", adversary)
     for measure, pattern in _PATTERNS:
         text = whole if measure in (Measure.TRIGGER, Measure.TIME) else adversary
         match = pattern.search(text)
