@@ -39,8 +39,8 @@ def test_every_table_of_a_run_has_the_same_bytes_in_both_simulators(tmp_path: Pa
     assert files == reference
     assert (mine.stepped, theirs.stepped) == ({"native": 3}, {"embedded": 3})
     assert mine.instead == theirs.instead == {}
-    assert said.splitlines()[-1] == "stepped: 3 by native"
-    assert told.splitlines()[-1] == "stepped: 3 by embedded"
+    assert "stepped: 3 by native" in said.splitlines()
+    assert "stepped: 3 by embedded" in told.splitlines()
 
 
 def test_a_run_names_the_scenes_that_the_engine_does_not_cover_and_why(tmp_path: Path) -> None:
@@ -48,7 +48,7 @@ def test_a_run_names_the_scenes_that_the_engine_does_not_cover_and_why(tmp_path:
     assert record.stepped == {"embedded": 3}
     assert record.instead.keys() == {"the physics lagged"}
     assert len(record.instead["the physics lagged"]) == 3
-    assert said.splitlines()[-1] == "stepped: 3 by embedded (not by native: 3 scenes: the physics lagged)"
+    assert "stepped: 3 by embedded (not by native: 3 scenes: the physics lagged)" in said.splitlines()
 
 
 def test_a_run_in_which_no_simulator_was_named_drives_in_the_engine(tmp_path: Path) -> None:
