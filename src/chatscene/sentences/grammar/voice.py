@@ -92,6 +92,7 @@ class Voice:
             text = text.replace("original ", "")  # only who changes lanes has an original one
         if "{" not in text:
             return text
+        text = text.replace("{it} is", "{it} " + self.be(pronoun == "they"))
         named = {
             "ego": self.ego.object,
             "egos": self.ego.possessive,
