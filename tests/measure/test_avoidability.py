@@ -19,8 +19,9 @@ from chatscene.measure.avoidability import (
     FULL_BRAKE,
     RAMP,
     RISK_EVALUATION,
-    _CarefulDriver,  # pyright: ignore[reportPrivateUsage]
+    CarefulDriver,
     avoidable,
+    careful_braking,
     risk_step,
 )
 from chatscene.settings import SimulationSettings
@@ -118,7 +119,7 @@ def test_the_careful_driver_brakes_along_the_ramp_of_the_regulation() -> None:
         def act(self, observation: Observation) -> tuple[float, float]:
             return 0.0, 0.0
 
-    driver = _CarefulDriver(Cruise(), 5, DT)
+    driver = CarefulDriver(Cruise(), careful_braking(5, DT), DT)
     body = VehicleBody(0.0, 0.0, 0.0, LIMITS["Car"], 20.0)
     speeds = [body.speed]
     for _ in range(20):
@@ -140,7 +141,7 @@ def test_the_careful_driver_s_foot_leaves_to_a_brake_that_lags_what_that_does_of
 
     def lost(body: VehicleBody, brake_lag: float) -> float:
         """Speed [m/s] lost in a second of the careful driver's braking."""
-        driver = _CarefulDriver(Cruise(), 0, DT, brake_lag)
+        driver = CarefulDriver(Cruise(), careful_braking(0, DT, brake_lag), DT)
         for _ in range(round(1.0 / DT)):
             body.brake = max(0.0, -driver.act(np.zeros(4))[0])
             body.step(DT)

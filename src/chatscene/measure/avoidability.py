@@ -23,6 +23,7 @@ from chatscene.measure.instead import drive_instead
 from chatscene.simulate.simulator import Simulator
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS, has_lamps
+from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Array, Episode, Role, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -119,26 +120,45 @@ def crashes_braking_from(
         SimulationError: The scene cannot be driven again.
         EgoError: The ego fails this time.
     """
-    over = max(step, not_over_before)
-    driver = _CarefulDriver(ego, step, dt, simulator.identity.brake_lag)
+    braking = careful_braking(step, dt, simulator.identity.brake_lag, not_over_before=not_over_before)
     return drive_instead(
-        driver, ego, program, scene, simulator, pedals="full-brake", not_over_before=over, dt=dt
+        CarefulDriver(ego, braking, dt),
+        ego,
+        program,
+        scene,
+        simulator,
+        pedals="full-brake",
+        not_over_before=braking.over,
+        dt=dt,
+        braking=braking,
     ).crashed
 
 
-class _CarefulDriver:
-    """Another ego until a step, then the brake of the careful driver; the other's steering throughout.
+def careful_braking(step: int, dt: float, brake_lag: float = 0.0, *, not_over_before: int = 0) -> Braking:
+    """The braking of the careful driver from a step on.
 
     The regulation's ramp is of the deceleration. A brake that takes time to build up does a part of it: it loses as
     much speed as a ramp of twice its time constant, and the foot has the rest.
-    """
 
-    def __init__(self, ego: EgoPolicy, braking: int, dt: float, brake_lag: float = 0.0) -> None:
+    Args:
+        step: When it begins.
+        dt: Length of a step [s].
+        brake_lag: Time constant with which the brake builds up [s].
+        not_over_before: A step, beside `step`, until which standing does not end the drive.
+    """
+    ramp = max(RAMP - 2.0 * brake_lag, dt)
+    return Braking(begins=step, full=FULL_BRAKE, ramp=ramp, over=max(step, not_over_before))
+
+
+class CarefulDriver:
+    """Another ego until a step, then the brake of the careful driver; the other's steering throughout."""
+
+    def __init__(self, ego: EgoPolicy, braking: Braking, dt: float) -> None:
         self._ego = ego
         self._scale = PEDALS[pedals_of(ego)]
-        self.begins = braking
+        self._braking = braking
+        self.begins = braking.begins
         self._dt = dt
-        self._ramp = max(RAMP - 2.0 * brake_lag, dt)
         self._step = 0
         begin(ego)
 
@@ -147,15 +167,15 @@ class _CarefulDriver:
         self._step = self.begins
 
     def act(self, observation: Observation) -> tuple[float, float]:
+        """Decide for one step."""
         acceleration, steering = self._ego.act(observation)
-        braked = self._step - self.begins
-        self._step += 1
         if acceleration < 0.0:
             acceleration *= self._scale
-        if braked >= 0:
+        if self._step >= self.begins:
             car = LIMITS["Car"]
-            wish = FULL_BRAKE * min(1.0, (braked + 1) * self._dt / self._ramp)
+            wish = self._braking.wish(self._step, self._dt)
             acceleration = min(acceleration, -max(0.0, wish - car.drag) / car.brake)
+        self._step += 1
         return acceleration, steering
 
 
@@ -163,7 +183,7 @@ def _predicted(episode: Episode, other: Track, route: Polyline) -> NDArray[np.bo
     """(T,) Whether, at each step, the ego along its route and the other straight on will touch within `HORIZON`."""
     ego = episode.ego_track
     ahead = np.arange(0.0, HORIZON + 1e-9, episode.dt)
-    along = np.array([route.project(x, y)[0] for x, y in zip(ego.x.tolist(), ego.y.tolist(), strict=True)])
+    along = route.along(ego.x, ego.y)
     arc = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(route.points, axis=0).T))))
     stops = along[:, None] + np.maximum(ego.speed, 0.0)[:, None] * ahead
     beyond = np.maximum(stops - arc[-1], 0.0)

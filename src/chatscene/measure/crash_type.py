@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from chatscene.measure.criticality import criticality, fault, least_gap, part_struck
-from chatscene.measure.instead import STANDSTILL
+from chatscene.measure.criticality import fault, least_gap, part_struck, severity_of
+from chatscene.terms.braking import STANDSTILL
 from chatscene.terms.episode import Episode, Track
 
 PLACE = 10.0  # [m] of the ego's way within which two crashes are in one place
@@ -33,7 +33,7 @@ def crash_type(episode: Episode) -> str:
     turned = float(other.heading[crash.step] - ego.heading[crash.step])
     struck = f"{other.kind} {part_struck(other, ego, crash.step)}".strip()
     headed = HEADED[round(turned / (math.pi / 2)) % 4]
-    severity = criticality(episode).severity
+    severity = severity_of(crash.impact_speed, other)
     return f"{who}, {crash.side} and {struck}, {headed}, {severity}, after {int(driven // PLACE * PLACE)} m"
 
 

@@ -41,7 +41,7 @@ def criticality(episode: Episode) -> Criticality:
         deceleration_required=max((braking for _, braking in following if braking > 0.0), default=None),
         distance=_least(least_gap(ego, other) for other in others),
         impact_speed=None if crash is None else crash.impact_speed,
-        severity=None if crash is None else _severity(crash.impact_speed, _struck(episode, crash)),
+        severity=None if crash is None else severity_of(crash.impact_speed, _struck(episode, crash)),
     )
 
 
@@ -95,7 +95,8 @@ def _struck(episode: Episode, crash: Event) -> Track:
     return next(track for track in episode.tracks if track.actor == crash.other)
 
 
-def _severity(speed: float, other: Track) -> Severity:
+def severity_of(speed: float, other: Track) -> Severity:
+    """The class of injury that an impact speed [m/s] stands for, where the ego meets that road user or thing."""
     kind = BY_CLASS.get(other.kind)
     begins = SEVERITY_VULNERABLE if kind and kind.is_vulnerable else SEVERITY_OCCUPANT
     return list(Severity)[sum(speed > begin for begin in begins)]

@@ -10,11 +10,9 @@ from chatscene.ego.observation import Observation
 from chatscene.ego.policy import EgoPolicy, name_of, observation_of
 from chatscene.errors import EgoError, SimulationError
 from chatscene.simulate.simulator import DrivesItself, Session, Simulator
+from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 from chatscene.terms.episode import Ending
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
-
-STANDSTILL = 3.0  # [s] of standing after which nothing more is to come
-STANDING = 0.01  # [m/s]
 
 
 class Driver(Protocol):
@@ -57,6 +55,7 @@ def drive_instead(
     not_over_before: int,
     dt: float,
     opened: Callable[[Session], None] = lambda _: None,
+    braking: Braking | None = None,
 ) -> Ended:
     """Drive a scene with another driver in the ego's place.
 
@@ -70,6 +69,7 @@ def drive_instead(
         not_over_before: The step after which the drive is over once the driver has stood for `STANDSTILL`.
         dt: Length of a step [s].
         opened: Told of the session, for a driver that sees more than the ego.
+        braking: All that the driver does, if that is to brake.
 
     Raises:
         SimulationError: The scene cannot be driven again.
@@ -81,6 +81,8 @@ def drive_instead(
     opened(drive)
     standing = 0
     try:
+        if braking is not None and isinstance(drive, DrivesItself) and drive.brake(ego, braking):
+            return _ended(drive)
         if driver.begins and isinstance(drive, DrivesItself) and drive.drive(ego, until=driver.begins):
             driver.skip()
         while drive.ending is None and not drive.rejection and standing * dt < STANDSTILL:
@@ -93,6 +95,10 @@ def drive_instead(
                 ) from error
             drive.step(action)
             standing = standing + 1 if drive.step_number > not_over_before and abs(drive.speed) < STANDING else 0
-        return Ended(crashed=drive.ending is Ending.COLLISION, along=drive.along, speed=abs(drive.speed))
+        return _ended(drive)
     finally:
         drive.close()
+
+
+def _ended(drive: Session) -> Ended:
+    return Ended(crashed=drive.ending is Ending.COLLISION, along=drive.along, speed=abs(drive.speed))

@@ -13,6 +13,7 @@ from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
 from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.watchdog import time_limit
+from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Ending, Episode, Stepped
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -73,6 +74,14 @@ class DrivesItself(Protocol):
 
         Returns:
             False if this one is not known here, or cannot be gone on with at that step; nothing was done then.
+        """
+        ...
+
+    def brake(self, ego: EgoPolicy, braking: Braking) -> bool:
+        """The same, but that somebody else brakes from a step on, to the end or until the ego has stood long enough.
+
+        Returns:
+            False if this one is not known here; nothing was done then.
         """
         ...
 

@@ -20,6 +20,8 @@ from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
+from chatscene.measure.avoidability import CarefulDriver, careful_braking
+from chatscene.measure.instead import Ended, drive_instead
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
 from chatscene.settings import SimulationSettings
@@ -30,7 +32,7 @@ from chatscene.simulate.native.engine import Policy
 from chatscene.simulate.native.policies import RULE_BASED, network_policy, policy_of
 from chatscene.simulate.native.simulator import NativeSimulator
 from chatscene.simulate.session import SteppedSession
-from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
 from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
@@ -125,6 +127,32 @@ def test_the_planner_drives_the_same_inside_the_engine(native: NativeSimulator) 
     assert policy_of(Planner(), engine.load_engine()) is not None
     assert _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), Planner())
     assert _agrees(native, _program(PHASES["BrakeOnPath"], left=2.5), _scene(1), Planner())
+
+
+@pytest.mark.parametrize("ego", ["sac", "idm", "planner"])
+@pytest.mark.parametrize(("begins", "over"), [(0, 0), (14, 14), (30, 60)])
+def test_a_foot_on_the_brake_does_the_same_inside_the_engine(
+    native: NativeSimulator, ego: str, begins: int, over: int
+) -> None:
+    program, policy = _program(PHASES["BrakeOnPath"]), load_ego(ego)
+    inside, outside = (_braked(one, program, policy, begins, over) for one in (native, load_simulator(TOWN, SETTINGS)))
+    assert inside == outside
+    assert not inside.crashed or begins > 0
+
+
+def _braked(simulator: Simulator, program: ScenicProgram, ego: EgoPolicy, begins: int, over: int) -> Ended:
+    braking = careful_braking(begins, SETTINGS.dt, not_over_before=over)
+    return drive_instead(
+        CarefulDriver(ego, braking, SETTINGS.dt),
+        ego,
+        program,
+        _scene(),
+        simulator,
+        pedals="full-brake",
+        not_over_before=braking.over,
+        dt=SETTINGS.dt,
+        braking=braking,
+    )
 
 
 def _street(draw: np.random.Generator) -> Observation:

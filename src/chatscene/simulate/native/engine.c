@@ -147,6 +147,13 @@ typedef struct {
     double berth, haste, offset, astray, jerk, resolve, agility, drift, discount[STEPS];
 } Caution;
 
+/* Somebody's foot on the brake, beside whoever drives; own: what becomes of that one's own braking. */
+typedef struct {
+    int64_t begins, over;
+    double own, full, ramp, standstill, standing;
+    Limits car;
+} Foot;
+
 /* Who drives: by rule, or a network. */
 typedef struct {
     int32_t kind, hidden, output, every; /* every: at which steps it decides; between, it holds */
@@ -169,6 +176,7 @@ int64_t size_of(int64_t what) {
     case 5: return sizeof(World);
     case 6: return sizeof(Layer);
     case 7: return sizeof(Policy);
+    case 8: return sizeof(Foot);
     default: return -1;
     }
 }
@@ -1181,6 +1189,27 @@ int64_t run_world(World *w, const Policy *policy, int64_t until) {
         press(w, acceleration, steer);
     }
     return w->step - first;
+}
+
+/* Runs a world with somebody else's foot on the brake (chatscene.measure.avoidability), to its end or until the ego has
+ * stood long enough. */
+void brake_world(World *w, const Policy *policy, const Foot *foot) {
+    int64_t left = 0, standing = 0;
+    double acceleration = 0.0, steer = 0.0;
+    see(w);
+    while (w->ending == GOES_ON && !w->fault && (double)standing * w->dt < foot->standstill) {
+        if (!left) { left = policy->every; ask(policy, w->seen, &acceleration, &steer); }
+        left--;
+        double pressed = acceleration < 0.0 ? acceleration * foot->own : acceleration;
+        if (w->step >= foot->begins) {
+            double share = (double)(w->step - foot->begins + 1) * w->dt / foot->ramp;
+            double wish = foot->full * (share < 1.0 ? share : 1.0) - foot->car.drag;
+            double braked = -(wish > 0.0 ? wish : 0.0) / foot->car.brake;
+            pressed = braked < pressed ? braked : pressed;
+        }
+        press(w, pressed, steer);
+        standing = w->step > foot->over && fabs(w->body[0].speed) < foot->standing ? standing + 1 : 0;
+    }
 }
 
 /* Runs many worlds, one after the other; how many steps they took together. */

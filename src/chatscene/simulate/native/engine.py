@@ -201,6 +201,17 @@ class Policy(Structure):
     )
 
 
+class Foot(Structure):
+    """Somebody's foot on the brake, beside whoever drives."""
+
+    _fields_ = (
+        ("begins", c_int64),
+        ("over", c_int64),
+        *((name, c_double) for name in ("own", "full", "ramp", "standstill", "standing")),
+        ("car", Limits),
+    )
+
+
 class Engine:
     """The loaded library, checked.
 
@@ -220,12 +231,14 @@ class Engine:
         library.step_world.argtypes = (POINTER(World), c_double, c_double, c_double)
         library.run_world.restype = c_int64
         library.run_world.argtypes = (POINTER(World), POINTER(Policy), c_int64)
+        library.brake_world.restype = None
+        library.brake_world.argtypes = (POINTER(World), POINTER(Policy), POINTER(Foot))
         library.run_worlds.restype = c_int64
         library.run_worlds.argtypes = (POINTER(POINTER(World)), c_int64, POINTER(Policy))
         library.ask.restype = None
         library.ask.argtypes = (POINTER(Policy), _Doubles, _Doubles, _Doubles)
         self._library = library
-        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy)):
+        for i, structure in enumerate((Line, Body, Instruction, Phase, Agent, World, Layer, Policy, Foot)):
             if library.size_of(i) != ctypes.sizeof(structure):
                 raise NoEngine(f"its {structure.__name__} has another size than is expected")
         if wrong := [name for name, count in self._differences().items() if count]:
@@ -239,6 +252,10 @@ class Engine:
         """Run a scene to its end, or to a step; how many steps it took."""
         steps: int = self._library.run_world(ctypes.byref(world), ctypes.byref(policy), until)
         return steps
+
+    def brake(self, world: World, policy: Policy, foot: Foot) -> None:
+        """Run a scene to its end, or until the ego has stood long enough, with somebody else's foot on the brake."""
+        self._library.brake_world(ctypes.byref(world), ctypes.byref(policy), ctypes.byref(foot))
 
     def run_many(self, worlds: list[World], policy: Policy) -> int:
         """Run scenes to their ends, one after the other; how many steps they took together."""

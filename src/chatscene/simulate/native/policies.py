@@ -16,8 +16,9 @@ from chatscene.ego.planner import Planner
 from chatscene.ego.policy import EgoPolicy
 from chatscene.ego.rule_based import RuleBased
 from chatscene.simulate.native.binding import limits_of
-from chatscene.simulate.native.engine import Caution, Engine, Layer, Policy
+from chatscene.simulate.native.engine import Caution, Engine, Foot, Layer, Policy
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 
 RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER = range(4)  # as engine.c numbers them
 _AS_CALLED = (
@@ -44,6 +45,20 @@ def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
         policy.every = ego.every
         return policy
     return None
+
+
+def foot_of(braking: Braking, own: float) -> Foot:
+    """Somebody's foot on the brake in the engine's terms; `own`: how much of the brake the ego's own foot has."""
+    return Foot(
+        begins=braking.begins,
+        over=braking.over,
+        own=own,
+        full=braking.full,
+        ramp=braking.ramp,
+        car=limits_of(LIMITS["Car"]),
+        standstill=STANDSTILL,
+        standing=STANDING,
+    )
 
 
 def _by_rule(kind: int) -> Policy:

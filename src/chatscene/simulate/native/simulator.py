@@ -15,9 +15,10 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.native.binding import Bound, bind
 from chatscene.simulate.native.code import NotCovered
 from chatscene.simulate.native.engine import END, Engine, NoEngine, load_engine
-from chatscene.simulate.native.policies import policy_of
+from chatscene.simulate.native.policies import foot_of, policy_of
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
+from chatscene.terms.braking import Braking
 from chatscene.terms.episode import Ending, Episode, Stepped
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -93,6 +94,16 @@ class NativeSession:
             return False  # it holds what it decided before
         self._bound.world.hardest = PEDALS[pedals_of(ego)]
         self._engine.run(self._bound.world, policy, END if until is None else until)
+        self._look()
+        return True
+
+    def brake(self, ego: EgoPolicy, braking: Braking) -> bool:
+        """Let an ego that the engine knows drive until it is braked; False if it does not, and nothing was done."""
+        policy = policy_of(ego, self._engine)
+        if policy is None or observation_of(ego) != self._reference.preset:
+            return False
+        self._bound.world.hardest = PEDALS[self._pedals]
+        self._engine.brake(self._bound.world, policy, foot_of(braking, PEDALS[pedals_of(ego)]))
         self._look()
         return True
 
