@@ -103,6 +103,13 @@ def test_a_hint_near_by_finds_what_the_whole_search_finds(
     assert line.project(x, y, hint)[:2] == pytest.approx((s, offset), abs=1e-6)
 
 
+@few
+@given(roads(), st.lists(st.tuples(sideways, sideways), min_size=1, max_size=9))
+def test_many_points_lie_where_each_of_them_does(line: Polyline, points: list[tuple[float, float]]) -> None:
+    x, y = np.array(points).T
+    assert line.along(x, y).tolist() == [line.project(*point)[0] for point in points]
+
+
 def test_left_of_the_line_is_positive() -> None:
     assert corner.project(5, 2)[:2] == (5.0, 2.0)
     assert corner.project(12, 5)[:2] == (15.0, -2.0)

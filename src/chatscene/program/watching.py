@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -17,7 +18,7 @@ IS_TURN = math.radians(30)
 CROSSED = 8.0  # [m] behind the entry of a junction: nobody who is farther is before it
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Seen:
     """One adversary as a watcher sees it.
 
@@ -30,7 +31,8 @@ class Seen:
         aside: (T,) [m], signed lateral offset from the lane that the ego starts in; as `offset` where it keeps it.
         beyond: (T,) [m], how far along the route it is past the end of the turn at the route's junction; on open road,
             past the route's event.
-        lead: (T,) [m], how far along the route it is ahead of the ego.
+        at: (T,) [m], how far along the route it is; before its start the route is taken to come straight.
+        line: The route's.
         drift: (T,) [m], to the left of the line on which the adversary itself began.
         acceleration: (T,) [m/s²].
         bearing: (T,) [rad], heading against the ego's start heading, in (-pi, pi].
@@ -47,7 +49,8 @@ class Seen:
     offset: Array
     aside: Array
     beyond: Array
-    lead: Array
+    at: Array
+    line: Polyline
     drift: Array
     acceleration: Array
     bearing: Array
@@ -56,6 +59,11 @@ class Seen:
     signals: tuple[SignalTrack, ...]
     grip: float
 
+    @cached_property
+    def lead(self) -> Array:
+        """(T,) [m], how far along the route it is ahead of the ego."""
+        return self.at - _on_line(self.line, self.ego)[0]
+
 
 def watch(episode: Episode, route: Route, track: Track, until: int | None = None) -> Seen:
     """See one adversary of an episode in the ego's frame, to the end or until a step, which is seen too."""
@@ -63,11 +71,11 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
     along, across = in_frame(track, ego.x[0], ego.y[0], ego.heading[0])
     at, offset = _on_line(route.line, track)
     behind, _ = in_frame(track, *route.line.point_at(0.0), route.start_heading)
-    at = np.where(at > 0.0, at, np.minimum(behind, 0.0))  # before its start the route is taken to come straight
+    at = np.where(at > 0.0, at, np.minimum(behind, 0.0))
     bearing = (track.heading - ego.heading[0] + math.pi) % (2 * math.pi) - math.pi
     facing = bearing
     if route.junction is None:
-        there = np.array([route.line.heading_at(float(s)) for s in at])
+        there = np.array([route.line.heading_at(s) for s in at.tolist()])
         facing = (track.heading - there + math.pi) % (2 * math.pi) - math.pi
     _, drift = in_frame(track, track.x[0], track.y[0], track.heading[0])
     return Seen(
@@ -78,7 +86,8 @@ def watch(episode: Episode, route: Route, track: Track, until: int | None = None
         offset=offset,
         aside=offset + _left_by_route(route, at),
         beyond=at - _turned_at(route),
-        lead=at - _on_line(route.line, ego)[0],
+        at=at,
+        line=route.line,
         drift=drift,
         acceleration=track.acceleration(episode.dt),
         bearing=bearing,

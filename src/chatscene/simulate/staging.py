@@ -7,13 +7,14 @@ its parameters, places above all, it draws with the scene's seed, again and agai
 from __future__ import annotations
 
 import random
+import re
 import time
 from collections import Counter, OrderedDict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scenic.core.distributions import RejectionException
+from scenic.core.distributions import RejectionException, needsSampling
 from scenic.core.sample_checking import SampleChecker
 
 from chatscene.errors import MapError, ProgramError
@@ -27,6 +28,7 @@ from chatscene.world.places import EgoRoute
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
+_SETS_NAMES = re.compile(r"\bglobals?\b")  # in a program that may set names of its module while it runs
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
 
 
@@ -92,6 +94,8 @@ class Stage:
                     model=program.model,
                 )
             scenario.setSampleChecker(_InOrder(program.drawn))
+            if not _SETS_NAMES.search(program.source):
+                scenario.behaviorNamespaces = {n: _Drawn(names) for n, names in scenario.behaviorNamespaces.items()}
             self._compiled[key] = scenario
             while len(self._compiled) > COMPILED:
                 self._compiled.popitem(last=False)
@@ -158,6 +162,25 @@ class Stage:
         why = "; ".join(f"{times} times: {reason}" for reason, times in reasons.most_common(3))
         reason = f"none of {reasons.total()} draws in {spent:.0f} s of processor time meets the requirements ({why})"
         return Rejected(scene=scene, reason=reason), reasons.total()
+
+
+class _Drawn(dict[str, Any]):
+    """What of a module's names is drawn; Scenic's way to put every name of it in anew for each scene is long.
+
+    Args:
+        module: All its names, none of which is set while a scene runs.
+    """
+
+    def __init__(self, module: dict[str, Any]) -> None:
+        super().__init__((name, value) for name, value in module.items() if needsSampling(value))
+        self._module = module
+
+    def clear(self) -> None:
+        """Nothing is taken out: all that is there is put in again."""
+
+    def update(self, drawn: Any) -> None:
+        """Put them into the module."""
+        self._module.update(drawn)
 
 
 def _seed(seed: int, part: int) -> None:

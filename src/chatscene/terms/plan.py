@@ -7,7 +7,7 @@ needs no parser of code. Its words are closed: `PRIMITIVES` and `FUNCTIONS` are 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
 
@@ -397,16 +397,23 @@ def expressions_of(phase: Phase) -> Iterator[Expression]:
 
 def parts_of(expression: Expression) -> tuple[Expression, ...]:
     """The expressions that an expression is made of."""
-    if isinstance(expression, Comparison):
-        return (expression.first, *(right for _, right in expression.links))
-    if isinstance(expression, Boolean):
-        return expression.terms
-    if isinstance(expression, Call):
-        return expression.arguments
-    if isinstance(expression, (Negation, Not, Arithmetic, Conditional, AnyOf)):
-        own = (getattr(expression, field.name) for field in fields(expression))
-        return tuple(part for part in own if not isinstance(part, str))
-    return ()
+    match expression:
+        case Comparison(first, links):
+            return (first, *(right for _, right in links))
+        case Boolean(_, terms):
+            return terms
+        case Call(_, arguments):
+            return arguments
+        case Negation(of) | Not(of):
+            return (of,)
+        case Arithmetic(_, left, right):
+            return (left, right)
+        case Conditional(test, then, otherwise):
+            return (test, then, otherwise)
+        case AnyOf(_, actors, condition):
+            return (actors, condition)
+        case _:
+            return ()
 
 
 def walk(expression: Expression) -> Iterator[Expression]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ class Polyline:
         SettingsError: Fewer than two distinct points.
     """
 
-    __slots__ = ("_hx", "_hy", "_s", "_x", "_y", "length", "points")
+    __slots__ = ("_hx", "_hy", "_s", "_segments", "_x", "_y", "length", "points")
 
     def __init__(self, points: Iterable[Iterable[float]]) -> None:
         kept: list[tuple[float, float]] = []
@@ -47,6 +48,8 @@ class Polyline:
             self._hy.append((y1 - y0) / step)
             self._s.append(self._s[-1] + step)
         self.length: float = self._s[-1]
+        (x0, y0), (dx, dy) = self.points[:-1].T, np.diff(self.points, axis=0).T
+        self._segments = x0, y0, dx, dy, dx * dx + dy * dy
 
     def __len__(self) -> int:
         return len(self._x)
@@ -103,35 +106,46 @@ class Polyline:
             time.
         """
         if near is None:
-            p = self.points
-            d = p[1:] - p[:-1]
-            rel = np.array((x, y)) - p[:-1]
-            t = np.clip((rel * d).sum(1) / (d * d).sum(1), 0.0, 1.0)
-            near = int(np.argmin(((rel - t[:, None] * d) ** 2).sum(1)))
-        best = self._distance2(near, x, y)
-        last = len(self._hx) - 1
-        while near < last and (d2 := self._distance2(near + 1, x, y)) <= best:
-            near, best = near + 1, d2
-        while near > 0 and (d2 := self._distance2(near - 1, x, y)) < best:
-            near, best = near - 1, d2
-        rx, ry = x - self._x[near], y - self._y[near]
-        hx, hy = self._hx[near], self._hy[near]
-        along, across = rx * hx + ry * hy, hx * ry - hy * rx
-        start, end = self._s[near], self._s[near + 1]
+            near = int(self._nearest(x, y))
+        xs, ys, arcs, hxs, hys = self._x, self._y, self._s, self._hx, self._hy
+        last = len(hxs) - 1
+        best, step, i = math.inf, 1, near
+        along = across = length = 0.0
+        while True:  # ever nearer ahead, then ever nearer behind; every step of a simulation comes through here
+            hx, hy = hxs[i], hys[i]
+            rx, ry = x - xs[i], y - ys[i]
+            ahead, aside = rx * hx + ry * hy, hx * ry - hy * rx
+            whole = arcs[i + 1] - arcs[i]
+            beyond = ahead if ahead < 0.0 else ahead - whole if ahead > whole else 0.0
+            distance2 = beyond * beyond + aside * aside
+            if distance2 < best or (distance2 == best and step > 0):
+                near, best, along, across, length = i, distance2, ahead, aside, whole
+            elif step > 0:
+                step = -1
+            else:
+                break
+            i = near + step
+            if i > last:
+                step, i = -1, near - 1
+            if i < 0:
+                break
         if along < 0.0:  # outside a corner, unless it is the start of the line
-            return start, math.copysign(math.hypot(along, across), across) if near > 0 else across, near
-        if (beyond := along - (end - start)) > 0.0:
-            return end, math.copysign(math.hypot(beyond, across), across) if near < last else across, near
-        return start + along, across, near
+            return arcs[near], math.copysign(math.hypot(along, across), across) if near > 0 else across, near
+        if (beyond := along - length) > 0.0:
+            return arcs[near + 1], math.copysign(math.hypot(beyond, across), across) if near < last else across, near
+        return arcs[near] + along, across, near
 
-    def _distance2(self, i: int, x: float, y: float) -> float:
-        rx, ry = x - self._x[i], y - self._y[i]
-        hx, hy = self._hx[i], self._hy[i]
-        along = rx * hx + ry * hy
-        length = self._s[i + 1] - self._s[i]
-        beyond = along if along < 0.0 else along - length if along > length else 0.0
-        across = hx * ry - hy * rx
-        return beyond * beyond + across * across
+    def along(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Arc lengths [m] of the nearest points to points [m]: what `project` says of each, the whole line searched."""
+        near = self._nearest(x[:, None], y[:, None]).tolist()
+        return np.array([self.project(*each)[0] for each in zip(x.tolist(), y.tolist(), near, strict=True)])
+
+    def _nearest(self, x: Any, y: Any) -> NDArray[np.intp]:
+        """The segment nearest to a point; of points in a column, one each."""
+        x0, y0, dx, dy, length2 = self._segments
+        rx, ry = x - x0, y - y0
+        t = np.minimum(np.maximum((rx * dx + ry * dy) / length2, 0.0), 1.0)
+        return np.argmin((rx - t * dx) ** 2 + (ry - t * dy) ** 2, axis=-1)
 
     def resampled(self, spacing: float) -> Polyline:
         """The same line with points `spacing` [m] of arc length apart (the last gap may be shorter)."""

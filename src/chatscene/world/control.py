@@ -6,6 +6,7 @@ Source for pure pursuit: R. C. Coulter, "Implementation of the Pure Pursuit Path
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -20,7 +21,8 @@ CURVE_BRAKING = 3.0  # [m/s²], with which a driver slows for a curve ahead
 HELD_BACK = 0.8  # share of what the road holds that a driver who knows the road uses in and before a curve
 
 
-def curve_speeds(line: Polyline, grip: float = math.inf) -> list[float]:
+@lru_cache(maxsize=64)
+def curve_speeds(line: Polyline, grip: float = math.inf) -> tuple[float, ...]:
     """The speed [m/s] at which each segment can be driven with `CURVE_ACCELERATION`, slowing in time.
 
     Args:
@@ -45,7 +47,7 @@ def curve_speeds(line: Polyline, grip: float = math.inf) -> list[float]:
     for i in range(len(speeds) - 2, -1, -1):
         reachable = math.sqrt(speeds[i + 1] ** 2 + 2 * braking * float(length[i]))
         speeds[i] = min(speeds[i], reachable)
-    return speeds
+    return tuple(speeds)
 
 
 class Tracker:

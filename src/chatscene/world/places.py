@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
+import shapely
 from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 
@@ -33,7 +34,7 @@ FOLLOWING_SIGHT = 40.0  # [m], beyond which a driver in traffic need not care
 FOLLOWING_CORRIDOR = 1.3  # [m] beside a path that a driver keeps free
 FOLLOWING_BRAKE = 2.5  # [m/s²], comfortable
 STANDSTILL_GAP = 3.0  # [m], kept to a vehicle that stands
-_WIDTHS = [1.0 + 0.25 * i for i in range(200)]  # [m], where the edge of a road is looked for
+_WIDTHS = [1.0 + 0.25 * np.arange(i, i + 25) for i in range(0, 200, 25)]  # [m], where the edge of a road is looked for
 _LANE_WIDTH = 2.5  # [m] at least
 KERB_SHORT = 3.0  # [m] before a junction, where a kerb ends
 ROUTES = 10  # per geometry, as in the paper (section 4.2)
@@ -193,11 +194,13 @@ def besideRoad(route: EgoRoute, ahead: float, side: str, beyond: float) -> Vecto
     x, y = route.line.point_at(ahead)
     outward = route.line.heading_at(ahead) + (QUARTER if side == "left" else -QUARTER)
     dx, dy = math.cos(outward), math.sin(outward)
-    lanes = route.network.drivableRegion
-    edge = next((d for d in _WIDTHS if not lanes.containsPoint(Vector(x + d * dx, y + d * dy))), None)
-    if edge is None:
-        raise RejectionException(f"the road has no {side} edge {ahead:.1f} m along the ego's route")
-    return Vector(x + (edge + beyond) * dx, y + (edge + beyond) * dy)
+    lanes = route.network.drivableRegion.polygons
+    for some in _WIDTHS:
+        outside = some[~shapely.intersects_xy(lanes, x + some * dx, y + some * dy)]
+        if len(outside):
+            at = float(outside[0]) + beyond
+            return Vector(x + at * dx, y + at * dy)
+    raise RejectionException(f"the road has no {side} edge {ahead:.1f} m along the ego's route")
 
 
 def followingSpeed(path: Any, agent: Any, others: Sequence[Any], wish: float) -> float:  # noqa: N802

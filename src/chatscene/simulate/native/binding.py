@@ -16,6 +16,7 @@ from chatscene.ego.policy import PEDALS
 from chatscene.errors import ChatSceneError, SnippetError
 from chatscene.simulate.native import engine
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
+from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import ARRIVAL, SteppedSession
 from chatscene.terms.actors import Limits
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
@@ -47,6 +48,7 @@ ORDER = [
     "MoveAhead",
     "Halt",
 ]  # as engine.c numbers them
+POSE = ("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip")
 CONTACTS = 256
 _BEHAVIOR = re.compile(r"^behavior (\w+)\(\):\s*(?:#.*)?\n((?:[ \t]+.*\n|[ \t]*(?:#.*)?\n)+)", re.MULTILINE)
 
@@ -68,14 +70,16 @@ class Bound:
     def copy(self) -> Bound:
         """The same scene as far as it is now, to be stepped by itself; what stays as it is, is shared."""
         world = engine.World.from_buffer_copy(self.world)
-        rows, offsets = self.rows.copy(), self.offsets.copy()
-        bodies = (engine.Body * world.bodies)(*self.world.body[: world.bodies])
-        agents = (engine.Agent * max(world.agents, 1))(*self.world.agent[: world.agents])
-        contacts = (engine.Contact * CONTACTS)(*self.world.contact[:CONTACTS])
-        for name, array in (("body", bodies), ("agent", agents), ("contact", contacts)):
-            setattr(world, name, ctypes.cast(array, ctypes.POINTER(array._type_)))
+        rows, offsets = (_until(array, world.step) for array in (self.rows, self.offsets))
+        world.kept = [*self.world.kept, rows, offsets]
+        for name, count in (("body", world.bodies), ("agent", world.agents), ("contact", world.contacts)):
+            pointer = getattr(self.world, name)
+            room = CONTACTS if name == "contact" else max(count, 1)
+            array = (pointer._type_ * room)()
+            ctypes.memmove(array, pointer, ctypes.sizeof(pointer._type_) * count)
+            setattr(world, name, ctypes.cast(array, ctypes.POINTER(pointer._type_)))
+            world.kept.append(array)
         world.row, world.offsets = _pointer(rows), _pointer(offsets)
-        world.kept = [*self.world.kept, bodies, agents, contacts, rows, offsets]
         return Bound(world, rows, offsets)
 
 
@@ -119,7 +123,8 @@ class _Binder:
         session, world = self._session, engine.World()
         agents = [self._agent(i) for i, one in enumerate(self._objects) if one.behavior is not None]
         bodies = [self._body(i) for i in range(len(self._bodies))]
-        areas, rings, corners = self._areas()
+        areas, rings, corners = _areas_of(session.around)
+        self._kept += (areas, rings, corners)
         orders = [engine.Order(o.at_most, o.since, o.till, o.place, o.braking) for o in session.orders]
         moving = sum(body.moves for body in self._bodies)
         rows = np.zeros((session.limit + 1, moving, 4))
@@ -129,11 +134,10 @@ class _Binder:
         world.agent, world.agents = self._array(engine.Agent, agents), len(agents)
         world.line = self._array(engine.Line, [self._line(line) for line in self._lines])
         world.code = self._array(engine.Instruction, self._instructions)
-        world.area, world.areas = self._array(engine.Area, areas), len(areas)
-        world.ring, world.corner = self._array(engine.Ring, rings), self._doubles(corners)
+        world.area, world.areas, world.ring, world.corner = areas, len(areas), rings, _pointer(corners)
         world.order, world.orders = self._array(engine.Order, orders), len(orders)
         world.row, world.offsets = self._doubles(rows), self._doubles(offsets)
-        world.contact, world.most_contacts = self._array(engine.Contact, [engine.Contact()] * CONTACTS), CONTACTS
+        world.contact, world.most_contacts = self._array(engine.Contact, [], CONTACTS), CONTACTS
         world.limit, world.moving, world.through = session.limit, moving, session.through
         world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
@@ -142,9 +146,9 @@ class _Binder:
         world.kept = self._kept
         return Bound(world, rows, offsets)
 
-    def _array(self, kind: Any, items: list[Any]) -> Any:
-        """Structures, one after the other, that stay as long as the scene."""
-        array = (kind * max(len(items), 1))(*items)
+    def _array(self, kind: Any, items: list[Any], room: int = 1) -> Any:
+        """Structures, one after the other, with room for at least so many, that stay as long as the scene."""
+        array = (kind * max(len(items), room))(*items)
         self._kept.append(array)
         return ctypes.cast(array, ctypes.POINTER(kind))
 
@@ -154,25 +158,15 @@ class _Binder:
         return _pointer(array)
 
     def _line(self, line: Polyline) -> engine.Line:
-        return engine.Line(len(line), *(self._doubles(column) for column in line.columns))
+        found, columns = _line_of(line)
+        self._kept += columns
+        return found
 
     def _body(self, index: int) -> engine.Body:
         body: Any = self._bodies[index]
         thing, kind = self._objects[index], _kind_of(body)
         row = engine.Body()
-        for name in (
-            "x",
-            "y",
-            "heading",
-            "speed",
-            "before",
-            "cos",
-            "sin",
-            "half_length",
-            "half_width",
-            "radius",
-            "grip",
-        ):
+        for name in POSE:
             setattr(row, name, getattr(body, name))
         row.kind = kind
         row.limits = engine.Limits(length=body.length, width=body.width)
@@ -185,21 +179,6 @@ class _Binder:
             _, walks, sight = self._session.others[index - 1]
             row.walks, row.sight = walks, sight
         return row
-
-    def _areas(self) -> tuple[list[engine.Area], list[engine.Ring], list[Any]]:
-        """The lanes of the route as polygons, their rings and all corners."""
-        areas: list[engine.Area] = []
-        rings: list[engine.Ring] = []
-        corners: list[Any] = []
-        for lane, shape in enumerate(self._session.around.lanes):
-            for polygon in shapely.get_parts(shape).tolist():
-                outlines = [polygon.exterior, *polygon.interiors]
-                areas.append(engine.Area(len(rings), len(outlines), lane, *polygon.bounds))
-                for outline in outlines:
-                    points = np.array(outline.coords)[:, :2].tolist()
-                    rings.append(engine.Ring(len(corners), len(points)))
-                    corners += points
-        return areas, rings, corners
 
     def _agent(self, index: int) -> engine.Agent:
         behavior = self._objects[index].behavior
@@ -263,7 +242,7 @@ class _Binder:
             if len(compiler.places) == engine.LOCALS:
                 raise NotCovered("many values")
             row.value[row.values] = compiler.code(value.expression)
-            compiler.places[value.name] = row.first_local + row.values
+            compiler.put(value.name, row.first_local + row.values)
             row.values += 1
 
     def _told(self, compiler: Compiler, phase: Phase, row: engine.Phase) -> list[engine.Code]:
@@ -284,6 +263,37 @@ class _Binder:
         return numbers
 
 
+def _until(array: NDArray[np.float64], step: int) -> NDArray[np.float64]:
+    """A copy of what is kept of each state up to a step, with room for the rest."""
+    copied = np.zeros(array.shape)
+    copied[: step + 1] = array[: step + 1]
+    return copied
+
+
+@lru_cache(maxsize=256)
+def _line_of(line: Polyline) -> tuple[engine.Line, list[NDArray[np.float64]]]:
+    """A line in the engine's terms, and what that points at."""
+    columns = [np.array(column) for column in line.columns]
+    return engine.Line(len(line), *map(_pointer, columns)), columns
+
+
+@lru_cache(maxsize=64)
+def _areas_of(around: RouteSurroundings) -> tuple[Any, Any, NDArray[np.float64]]:
+    """The lanes of a route as polygons, their rings and all corners."""
+    areas: list[engine.Area] = []
+    rings: list[engine.Ring] = []
+    corners: list[Any] = []
+    for lane, shape in enumerate(around.lanes):
+        for polygon in shapely.get_parts(shape).tolist():
+            outlines = [polygon.exterior, *polygon.interiors]
+            areas.append(engine.Area(len(rings), len(outlines), lane, *polygon.bounds))
+            for outline in outlines:
+                points = np.array(outline.coords)[:, :2].tolist()
+                rings.append(engine.Ring(len(corners), len(points)))
+                corners += points
+    return (engine.Area * len(areas))(*areas), (engine.Ring * len(rings))(*rings), np.array(corners)
+
+
 def _kind_of(body: Any) -> int:
     return VEHICLE if isinstance(body, Vehicle) else WALKER if isinstance(body, Walker) else THING
 
@@ -292,6 +302,7 @@ def _pointer(array: NDArray[np.float64]) -> Any:
     return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
 
 
+@lru_cache(maxsize=64)
 def limits_of(limits: Limits) -> engine.Limits:
     """What a body can do, in the engine's terms."""
     names = [name for name, *_ in engine.Limits._fields_]  # pyright: ignore[reportPrivateUsage] - ctypes calls it so

@@ -25,7 +25,7 @@ from chatscene.terms.plan import (
     Parameter,
     Text,
     Texts,
-    walk,
+    parts_of,
 )
 from chatscene.terms.polyline import Polyline
 from chatscene.world.places import against, extended, line_of, ownLane
@@ -122,6 +122,7 @@ class Compiler:
         around: What names stand for.
         places: Where the values are that the plan computes when a phase begins, by name.
         bound: What else names of the plan itself stand for: values that stay, actors of a condition over several.
+        known: Whether an expression changes while the scene runs, by its identity; with it, so that it stays.
     """
 
     instructions: list[Instruction]
@@ -129,14 +130,24 @@ class Compiler:
     around: Surrounding
     places: dict[str, int] = field(default_factory=dict[str, int])
     bound: dict[str, Any] = field(default_factory=dict[str, Any])
+    known: dict[int, tuple[bool, Expression]] = field(default_factory=dict[int, tuple[bool, Expression]])
 
     def is_live(self, expression: Expression) -> bool:
         """Whether its value changes while the scene runs."""
-        return any(
-            (isinstance(part, Call) and FUNCTIONS[part.function].live)
-            or (isinstance(part, Name) and part.id in self.places)
-            for part in walk(expression)
-        )
+        known = self.known.get(id(expression))
+        if known is None:
+            live = (
+                (isinstance(expression, Call) and FUNCTIONS[expression.function].live)
+                or (isinstance(expression, Name) and expression.id in self.places)
+                or any(map(self.is_live, parts_of(expression)))
+            )
+            known = self.known[id(expression)] = live, expression
+        return known[0]
+
+    def put(self, name: str, place: int) -> None:
+        """Say where the value is from now on that the plan computes under a name."""
+        self.places[name] = place
+        self.known.clear()
 
     def code(self, expression: Expression) -> Code:
         """A number or a truth as code.
