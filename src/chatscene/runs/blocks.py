@@ -89,7 +89,7 @@ def write_block(run: Workspace, block: Block) -> None:
     """
     where = (block.scenario_id, block.route, block.number)
     tracks = write_table(run.episodes(*where), episodes_table([ran.episode for ran in block.ran]))
-    write_sealed(run.part(*where), _part(block, tracks).model_dump(exclude={"digest"}))
+    write_sealed(run.part(*where), _part(block, tracks).model_dump(exclude={"digest"}), for_a_person=False)
 
 
 def _part(block: Block, tracks: str) -> Part:

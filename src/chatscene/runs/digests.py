@@ -58,18 +58,25 @@ def is_drawn(name: str) -> bool:
     return any(Path(name).match(pattern) for pattern in DRAWN)
 
 
-def write_sealed(path: Path, content: Mapping[str, Any]) -> None:
+def write_sealed(path: Path, content: Mapping[str, Any], *, for_a_person: bool = True) -> None:
     """Write a JSON object that ends with a digest of itself.
+
+    Args:
+        path: Where.
+        content: The object.
+        for_a_person: Whether somebody may read it, a member a line, which takes ten times as long to write.
 
     Raises:
         RunError: It holds what is no text, or the file system refuses.
     """
+    blank = json.dumps({**content, "digest": ""}, indent=1 if for_a_person else None, ensure_ascii=False) + "\n"
     try:
-        digest = hashlib.sha256(_text(content, "").encode()).hexdigest()
+        digest = hashlib.sha256(blank.encode()).hexdigest()
     except UnicodeEncodeError as error:
         wrong = error.object[max(0, error.start - 20) : error.end]
         raise RunError(f"cannot write {path}: {wrong!r} ends in what is no character; write it in UTF-8") from error
-    write_bytes(path, _text(content, digest).encode())
+    before, _, after = blank.rpartition(_BLANK.format(""))
+    write_bytes(path, f"{before}{_BLANK.format(digest)}{after}".encode())
 
 
 def is_sealed(content: bytes, digest: object) -> bool:
@@ -81,7 +88,3 @@ def is_sealed(content: bytes, digest: object) -> bool:
     """
     told, blank = _BLANK.format(digest).encode(), _BLANK.format("").encode()
     return hashlib.sha256(content.replace(told, blank)).hexdigest() == digest
-
-
-def _text(content: Mapping[str, Any], digest: str) -> str:
-    return json.dumps({**content, "digest": digest}, indent=1, ensure_ascii=False) + "\n"
