@@ -58,7 +58,9 @@ _PATTERNS: tuple[tuple[Measure, re.Pattern[str]], ...] = (
 
 
 # A speed right behind the ego's name is the ego's, whoever's clause it is in.
-_OF_EGO = re.compile(rf"\b{_EGO}(?: (?:drives?|drive on|goes?|travels?|moves?))?(?: at| with|:|,)? (?:about |some |around |roughly )?{_NUMBER} ?{_SPEED}")
+_OF_EGO = re.compile(
+    rf"\b{_EGO}(?: (?:drives?|drive on|goes?|travels?|moves?))?(?: at| with|:|,)? (?:about |some |around |roughly )?{_NUMBER} ?{_SPEED}"
+)
 
 
 def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
