@@ -54,6 +54,7 @@ def farthest(library: Path, path: Path, tracks: dict[str, Any], step: float, nea
     """How far centres [cm] and headings [rad] are from the track, in words."""
     esmini = loaded(library)
     esmini.SE_SetOption(b"disable_stdout")
+    esmini.SE_SetOption(b"disable_log")
     esmini.SE_SetOptionValue(b"traj_filter", str(near).encode())
     assert esmini.SE_Init(str(path).encode(), 0, 0, 0, 0) == 0, "esmini takes the scenario"
     turned = 0.0
