@@ -21,7 +21,6 @@ from chatscene import pipeline
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.crash_type import STANDING
-from chatscene.measure.instead import STANDSTILL
 from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore
@@ -29,6 +28,7 @@ from chatscene.search.generator import load_generator
 from chatscene.search.sampler import SAMPLERS
 from chatscene.settings import SearchSettings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator, routes_of
+from chatscene.terms.braking import STANDSTILL
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
 

@@ -7,7 +7,7 @@ Neither is an extra of ours for this: this file needs them alone, and nothing of
 
 SUMO in this process, without its socket (`libsumo`), at 10 Hz. *Straight*: a road of four lanes, everybody by IDM and
 SUMO's own lane changes. *Grid*: a town of 5 by 5 junctions, in which all go round the same streets. *Asked* also asks
-for the pose and speed of each vehicle at each step, as a scene that is judged must be. A step of one vehicle counts one.
+for the pose and speed of each vehicle at each step, as of a scene that is judged. A step of one vehicle counts one.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ def straight(folder: Path, vehicles: int) -> tuple[Path, Path]:
     (folder / "a.edg.xml").write_text(f"<edges>{edge}</edges>")
     _call("netconvert", "-n", folder / "a.nod.xml", "-e", folder / "a.edg.xml", "-o", net)
     each = "".join(
-        f'<vehicle id="v{i}" type="car" route="r" depart="0" departLane="{i % LANES}" departPos="{10 + 20 * (i // LANES)}"'
-        ' departSpeed="10"/>'
+        f'<vehicle id="v{i}" type="car" route="r" depart="0" departSpeed="10" departLane="{i % LANES}"'
+        f' departPos="{10 + 20 * (i // LANES)}"/>'
         for i in range(vehicles)
     )
     routes.write_text(f'<routes>{TYPE}<route id="r" edges="e"/>{each}</routes>')
@@ -60,7 +60,7 @@ def grid(folder: Path, vehicles: int) -> tuple[Path, Path]:
 
 
 def _call(tool: str, *told: object) -> None:
-    subprocess.run([TOOLS / tool, *map(str, told)], check=True, capture_output=True)  # noqa: S603
+    subprocess.run([TOOLS / tool, *map(str, told)], check=True, capture_output=True)
 
 
 def rate(net: Path, routes: Path, vehicles: int, *, asked: bool) -> float:

@@ -14,12 +14,13 @@ from chatscene.ego.policy import PEDALS, EgoPolicy, begin, observation_of, pedal
 from chatscene.errors import ProgramError
 from chatscene.measure.avoidability import crashes_braking_from
 from chatscene.measure.criticality import least_gap
-from chatscene.measure.instead import STANDING, Driver, drive_instead
+from chatscene.measure.instead import Driver, drive_instead
 from chatscene.measure.minimal import minimal
 from chatscene.program.without import Placing, placings, without
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.simulate.watchdog import time_limit
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.braking import STANDING
 from chatscene.terms.episode import Episode, Event, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram

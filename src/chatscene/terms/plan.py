@@ -395,7 +395,7 @@ def expressions_of(phase: Phase) -> Iterator[Expression]:
         yield phase.end.condition if isinstance(phase.end, Until) else phase.end.seconds
 
 
-def parts_of(expression: Expression) -> tuple[Expression, ...]:
+def parts_of(expression: Expression) -> tuple[Expression, ...]:  # noqa: PLR0911
     """The expressions that an expression is made of."""
     match expression:
         case Comparison(first, links):
