@@ -178,9 +178,9 @@ class _Drawn(dict[str, Any]):
     def clear(self) -> None:
         """Nothing is taken out: all that is there is put in again."""
 
-    def update(self, drawn: Any) -> None:
+    def update(self, *drawn: Any, **named: Any) -> None:
         """Put them into the module."""
-        self._module.update(drawn)
+        self._module.update(*drawn, **named)
 
 
 def _seed(seed: int, part: int) -> None:
