@@ -35,6 +35,11 @@ CASES = (
     ("A car runs the red light from the left.", "planner"),
     ("A car pulls out from the left kerb.", "planner"),
     ("A car from the right runs the red light while we turn left.", "idm"),
+    (
+        "We try to overtake a slow leader by changing lanes; the car in the next lane drops to the speed of the leader "
+        "and keeps us from getting in.",
+        "planner",
+    ),
 )
 BATCH = 500
 
