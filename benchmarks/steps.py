@@ -5,7 +5,8 @@
 Each program has an ego that a policy drives and one adversary. Both simulators run the same program text for the
 same number of steps; ours also records tracks, detects events and computes the ten metrics. The ego policy costs
 the opponent the same: it is called once per step there too. Then what the physics lagged costs beside the kinematic,
-in pairs, one after the other; at the end, where our own time goes.
+in pairs, one after the other; what the engine of `native` steps where the adversary follows the lane by a plan, placing
+and judging not counted; at the end, where our own time goes.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from chatscene.ego.policy import EgoPolicy, controls, load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.score import columns, measure
 from chatscene.settings import PHYSICS, SimulationSettings
+from chatscene.simulate.native.simulator import NativeSession
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scene import Scene, ScenicProgram
@@ -46,6 +48,7 @@ CASES = {
     "lane-following adversary": ("do FollowLaneBehavior(target_speed=9)", "rule-based"),
     "lane-following adversary, SAC at the wheel": ("do FollowLaneBehavior(target_speed=9)", "sac"),
 }
+PLAN = "do DrivePath(egoRoute, 9)"  # as the lane-following adversary, in words that the engine knows
 PARTS = {
     "policy": ("ego/network.py", "ego/rule_based.py"),
     "observation": ("ego/observation.py", "same_lane", "_vehicle_ahead"),
@@ -55,6 +58,7 @@ PARTS = {
     "Scenic's loop and recording": ("simulate/", "scenic/"),
 }
 ROUNDS = 9
+COPIES = 500  # of a scene, stepped in the engine
 LOADED: dict[str, EgoPolicy] = {}
 
 
@@ -75,6 +79,21 @@ def ours(
     if profile:
         profile.disable()
     return (time.process_time() - began) / (len(episode.ego_track.x) - 1)
+
+
+def in_engine(source: str, map_path: Path, ego: EgoPolicy) -> float:
+    """Seconds per step of `native`, from opened scenes to their ends."""
+    simulator = load_simulator(map_path, SimulationSettings(simulator="native"))
+    program = ScenicProgram(scenario_id="bench", source=source, parameters=(), snippet_ids=())
+    scene = Scene(id="bench", scenario_id="bench", route=0, block=0, seed=0, values={})
+    sessions = [simulator.open(program, scene) for _ in range(COPIES)]
+    began = time.process_time()
+    steps = 0
+    for session in sessions:
+        assert isinstance(session, NativeSession)
+        assert session.drive(ego)
+        steps += session.step_number
+    return (time.process_time() - began) / steps
 
 
 def shares(profile: cProfile.Profile) -> dict[str, float]:
@@ -133,6 +152,12 @@ def main() -> None:
         a, b = statistics.median(fast), statistics.median(slow)
         print(f"{name}: ours {1 / a:,.0f} steps/s, Newtonian {1 / b:,.0f} steps/s, ratio {b / a:.1f}")
         print(f"{name}: a step of the physics lagged costs {lag:.2f} of one of the kinematic")
+    plan, lane = (PROGRAM.format(behavior=each) for each in (PLAN, CASES["lane-following adversary"][0]))
+    for driver in ("rule-based", "sac"):
+        a = statistics.median(in_engine(plan, map_path, load_ego(driver)) for _ in range(ROUNDS))
+        b = statistics.median(newtonian(lane, map_path, driver, 100) for _ in range(3))
+        told = f"engine {1 / a:,.0f} steps/s, Newtonian {1 / b:,.0f} steps/s, ratio {b / a:,.0f}"
+        print(f"lane-following adversary, {driver} at the wheel: {told}")
     profile = cProfile.Profile()
     for _ in range(ROUNDS):
         ours(source, map_path, load_ego(ego), profile)
