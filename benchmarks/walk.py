@@ -18,8 +18,9 @@ from types import FrameType
 from typing import Any
 
 import chatscene
-from chatscene import runs
-from chatscene.pipeline import run, understand
+from chatscene import pipeline, runs
+from chatscene.pipeline import understand
+from chatscene.runs.searching import Desk
 from chatscene.settings import SearchSettings, Settings
 
 ROOT = Path(chatscene.__file__).parent
@@ -83,22 +84,20 @@ def main() -> None:
     show(f"sentence: {SENTENCE}", walked(lambda: understand(SENTENCE)))
     small = Settings(search=SearchSettings(scenes=1, block=1, keep=1))
     with tempfile.TemporaryDirectory() as folder:
-        run(SENTENCE, Path(folder) / "first", settings=small)
-        from chatscene.runs import parallel
-
-        worker = parallel._Worker
+        asked = runs.asked_run(SENTENCE, settings=small)
+        pipeline.run(asked, Path(folder) / "first")
         blocks: list[list[tuple[str, str, str]]] = []
-        plain = worker.run_block
+        plain = Desk.block
 
         def watched(self: Any, *given: Any) -> Any:
             kept: list[Any] = []
             blocks.append(walked(lambda: kept.append(plain(self, *given))))
             return kept[0]
 
-        worker.run_block = watched
-        run(SENTENCE, Path(folder) / "second", settings=small)
+        Desk.block = watched
+        pipeline.run(asked, Path(folder) / "second")
         show("scene: one block of one scene", blocks[0])
-        assert runs.read_scenes(runs.Workspace(Path(folder) / "second"))
+        assert runs.read_scenes(runs.open_run(Path(folder) / "second"))
 
 
 if __name__ == "__main__":
