@@ -170,3 +170,24 @@ def test_a_stranger_s_drive_is_judged_behind_the_walls_as_before_them(simulator:
         ):
             program = foreign_program("toy", PROGRAM.format(behavior=ENDINGS[name][0], rest=ENDINGS[name][1]))
             assert by_us(confined, program) == by_us(simulator, program)
+
+
+def test_a_name_that_a_program_sets_while_it_runs_is_as_it_was_in_the_next_scene() -> None:
+    source = """
+model chatscene.world.model
+times = 0
+egoRoute = selectRoute(maneuver="straight")
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute
+behavior Counting():
+    global times
+    times = times + 1
+    do MoveAhead(times)
+other = new Car at pointOn(egoRoute, 60), facing directionOn(egoRoute, 60), with behavior Counting()
+"""
+    program = ScenicProgram(scenario_id="counting", source=source, parameters=(), snippet_ids=())
+    scene = Scene(id="counting/0", scenario_id="counting", route=0, block=0, seed=0, values={})
+    simulator = load_simulator(resolve_map("town"), SimulationSettings())
+    first, second = (simulate(simulator, program, scene, RuleBased()) for _ in range(2))
+    assert isinstance(first, Episode)
+    assert isinstance(second, Episode)
+    assert first.tracks[1].speed.max() == second.tracks[1].speed.max() > 0.5

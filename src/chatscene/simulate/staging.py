@@ -28,8 +28,8 @@ from chatscene.world.places import EgoRoute
 NO_PLACE = "a place that the program asks for, such as the edge of the road, is not there"
 COMPILED = 16  # programs kept per process; a compiled one holds a few MB
 PLACED = 64  # drawn scenes kept per process, since many egos drive the same
-_SETS_NAMES = re.compile(r"\bglobals?\b")  # in a program that may set names of its module while it runs
 DRAWING = 15.0  # [s] of processor time in which a scene is to be drawn
+_SETS_NAMES = re.compile(r"^\s*global\s|\bglobals\(", re.MULTILINE)  # in a module: names may be set in a drive
 
 
 class _InOrder(SampleChecker):
@@ -94,8 +94,10 @@ class Stage:
                     model=program.model,
                 )
             scenario.setSampleChecker(_InOrder(program.drawn))
-            if not _SETS_NAMES.search(program.source):
-                scenario.behaviorNamespaces = {n: _Drawn(names) for n, names in scenario.behaviorNamespaces.items()}
+            scenario.behaviorNamespaces = {  # of a module that is imported Scenic keeps the text in it
+                name: names if _SETS_NAMES.search(names.get("_source", program.source)) else _Drawn(names)
+                for name, names in scenario.behaviorNamespaces.items()
+            }
             self._compiled[key] = scenario
             while len(self._compiled) > COMPILED:
                 self._compiled.popitem(last=False)
