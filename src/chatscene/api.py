@@ -224,8 +224,16 @@ class Run:
         joining = replace(self._repeated, sampler=(), embedder=(), language_model=())  # no text is read for a scene
         return DrivenScene(row=row, _workspace=self._workspace, _repeated=joining)
 
+    def _unread(self) -> list[str]:
+        """A line for each of its scenarios of which words were not read."""
+        from chatscene.report.accounting import unread_in_words
+        from chatscene.runs.explanation import read_explanation
+
+        told = read_explanation(self._workspace).get("scenarios", [])
+        return [line for one in told if (line := unread_in_words(one["text"], one.get("words", [])))]
+
     def __str__(self) -> str:
-        return f"{self.summary.in_words()}\nreport: {self.report}"
+        return "\n".join([self.summary.in_words(), *self._unread(), f"report: {self.report}"])
 
     def __repr__(self) -> str:
         counts = self._record.counts

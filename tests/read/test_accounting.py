@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
 from chatscene.read.accounting import words_of
-from chatscene.report.accounting import in_words, parts_of
+from chatscene.report.accounting import in_words, parts_of, unread_in_words
 from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.edit import with_edits
@@ -107,6 +107,12 @@ def test_a_person_reads_the_marks_in_words() -> None:
     told = words("A cyclist crosses from the left.")
     shown = in_words(parts_of("A cyclist crosses from the left.", [one.as_dict() for one in told]))
     assert shown == "(adversary: A cyclist) (actions: crosses) (side: from the left)."
+
+
+def test_a_run_says_in_one_line_what_it_does_not_show() -> None:
+    told = [one.as_dict() for one in words(CLAIM)]
+    assert unread_in_words(CLAIM, told) == "not read, so not shown: 'pigeon flew away'"
+    assert not unread_in_words("A cyclist crosses from the left.", [])
 
 
 @settings(max_examples=40, deadline=None)

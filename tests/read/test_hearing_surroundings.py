@@ -24,6 +24,8 @@ def around(light: str = "day", weather: str = "clear", surface: str = "dry") -> 
         ("In the rain the car ahead brakes.", around(weather="rain", surface="wet")),
         ("The road is dry; the car ahead brakes in the rain.", around(weather="rain")),
         ("After the rain the car ahead brakes.", around(surface="wet")),
+        ("Road wet. The car ahead brakes.", around(surface="wet")),
+        ("Road icy: the car ahead brakes.", around(surface="ice")),
         ("The car ahead brakes while it is foggy.", around(weather="fog")),
         ("On a foggy night the car ahead brakes.", around("night", "fog")),
         ("The road is icy and the car ahead brakes.", around(surface="ice")),

@@ -331,6 +331,10 @@ def _drives(party: Party) -> bool:
     return party.kind.row.manner is Manner.DRIVES
 
 
+def _turns_in_its_lane(party: Party) -> bool:
+    return _drives(party) and Action.CROSS not in party.acts
+
+
 def _stands(party: Party) -> bool:
     return Action.STAND in party.acts
 
@@ -352,7 +356,7 @@ _INSTEADS = (
     _Instead(Action.CROSS, re.compile(r"^appear"), Action.STAND, _stands),
     _Instead(Action.CROSS, re.compile(r"kerb|curb"), Action.PULL_OUT, _drives),
     _Instead(Action.PULL_OUT, re.compile(r"^(?:set|mov|pull)\w* (?:off|away)"), Action.FOLLOW, _is_ahead_in_traffic),
-    _Instead(Action.TURN_BACK, re.compile(r"^turn\w* a?round"), Action.U_TURN, _drives),
+    _Instead(Action.TURN_BACK, re.compile(r"^turn\w* (?:a?round|back)"), Action.U_TURN, _turns_in_its_lane),
     _Instead(Action.RUN_LIGHT, re.compile(r"^on "), Action.STAND, _stands),
 )
 

@@ -39,6 +39,9 @@ _LEAD_ASIDE = _TO_A_SIDE | {
 }  # behind these, "in front of us" says where they lead
 # Who does one of these is in the way by it.
 IN_THE_WAY = frozenset((Action.STOP, Action.BRAKE, Action.SLOW, Action.PACE, Action.CUT_IN))
+# Who turns round in a lane goes back along it; who does so on the way into it goes back to where it came from.
+_ON_ITS_WAY = frozenset((Action.CROSS, Action.PULL_OUT, Action.CUT_IN))
+_IN_A_LANE = frozenset((Where.AHEAD, Where.OPPOSITE, Where.OWN_LANE, Where.NEXT_LANE))
 _QUIET = frozenset((Action.STAND, Action.FOLLOW, Action.SLOW, Action.FAST, Action.BLOCK, Action.NARROW))
 _OF_LANE = frozenset((Action.BLOCK, Action.NARROW))  # who stands so stands in the ego's lane
 _OF_MOTORWAYS = (Site.ON_RAMP, Site.OFF_RAMP, Site.PAST_ON_RAMP, Site.PAST_OFF_RAMP)
@@ -192,7 +195,11 @@ def _measure(told: _Told, quantity: Quantity) -> None:
 def _act(told: _Told, action: Action) -> None:
     if told.subject is None:
         raise _UnreadError(action)
-    acts = told.actors[told.subject].acts
+    one = told.actors[told.subject]
+    acts = one.acts
+    drives = one.kind.row.manner is Manner.DRIVES and _IN_A_LANE & one.where
+    if action is Action.TURN_BACK and drives and not _ON_ITS_WAY.intersection(acts):
+        action = Action.U_TURN
     if action not in acts:
         acts.append(action)
         told.order.append((told.subject, action))

@@ -61,3 +61,9 @@ def in_words(parts: Sequence[Part]) -> str:
         shown = f"({part.fact.replace('_', ' ')}: {part.text})" if part.fact else part.text
         told += [part.before, f"{{not read: {part.text}}}" if part.unread else shown]
     return "".join(told)
+
+
+def unread_in_words(text: str, words: Sequence[Mapping[str, Any]]) -> str:
+    """One line: which words of a text were not read; empty if every one was."""
+    unread = [repr(part.text) for part in parts_of(text, words) if part.unread]
+    return f"not read, so not shown: {', '.join(unread)}" if unread else ""
