@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
-from chatscene.ego.planner import Caution, Planner
+from chatscene.ego.planner import Caution, Planner, carried_out
 
 Array = NDArray[np.float64]
 
@@ -37,6 +37,11 @@ def test_an_empty_street_is_driven_at_the_wanted_speed_along_the_route() -> None
     assert Planner().act(street()) == pytest.approx((0.0, 0.0), abs=1e-6)
     assert Planner().act(street(speed=WISH - 2.0))[0] > 0.4
     assert Planner().act(street(speed=WISH + 3.0))[0] < 0.0
+
+
+def test_what_it_does_is_the_way_that_it_chooses() -> None:
+    one, blocked = Planner(), street(car(22.0, 0.0), car(22.0, 3.2))
+    assert one.act(blocked) == carried_out(blocked, one.choose(blocked), WISH)
 
 
 @pytest.mark.parametrize(("offset", "turn"), [(1.5, 1.0), (-1.5, -1.0)])

@@ -23,6 +23,7 @@ from gymnasium import spaces
 from chatscene import api, pipeline, runs
 from chatscene.commands.finetune import finetune as command
 from chatscene.ego.network import load_network
+from chatscene.ego.planner import ACCELERATION, Caution, Planner, carried_out
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.ego.trained import sac
 from chatscene.errors import EgoError, RunError, SettingsError
@@ -277,6 +278,22 @@ def test_a_pupil_does_as_its_teacher_would_where_it_has_been(scenes: Path, monke
     for speed in (3.0, 4.0, 5.0):
         observation = np.array([0.1, 0.0, speed, 0.0])
         assert ego.act(observation) == pytest.approx(Slow().act(observation), abs=0.1)
+
+
+def test_of_two_ways_a_pupil_takes_one_and_not_their_mean(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lessons = kept_scenes([scenes])
+    schedule = Schedule(scenes=lessons.scenes, ordinary=(), share=0.0, seed=0)
+    monkeypatch.setattr(learning, "STEPS", 300)
+    teacher = Planner(Caution(speed=5.5))
+    one = Pupil(teacher, TINY, schedule, lessons.map_name, lessons.simulation)
+    one.learn(0, range(2))
+    ego, seen = one.ego(), one._seen.numpy().astype(np.float64)  # pyright: ignore[reportPrivateUsage]
+    assert (ego.network.output, ego.network.at_most) == ("ways", 5.5)
+    taken = [ego.act(observation) for observation in seen]
+    offered = [[carried_out(observation, way, 5.5) for way in range(len(ACCELERATION))] for observation in seen]
+    assert all(action in actions for action, actions in zip(taken, offered, strict=True))
+    same = np.mean([action == teacher.act(observation) for action, observation in zip(taken, seen, strict=True)])
+    assert same > 0.5
 
 
 def test_a_pupil_drives_itself_once_it_has_been_led(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:

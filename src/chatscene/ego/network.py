@@ -20,7 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import Observation
+from chatscene.ego.observation import OBSERVATIONS, Observation
+from chatscene.ego.planner import ACCELERATION, carried_out
 from chatscene.errors import EgoError
 from chatscene.files.bounded import MOST_BYTES, check_archive, parse_json
 
@@ -28,7 +29,7 @@ Weights = NDArray[np.float32]
 DECIMALS = 6  # of an action: more means nothing to pedals and wheel
 NARROW = 8  # outputs below which a layer's sums run along its rows; numpy would add a single column in pairs
 HIDDEN = ("relu", "tanh")
-OUTPUTS = ("tanh", "clip", "sigmoid")
+OUTPUTS = ("tanh", "clip", "sigmoid", "ways")
 # What numpy and zipfile raise for files with flipped or missing bytes, or with something else in them.
 _DAMAGED = (
     OSError, ValueError, TypeError, KeyError, EOFError, MemoryError, RecursionError, NotImplementedError,
@@ -41,14 +42,18 @@ class Network:
     """A deterministic policy.
 
     Attributes:
-        layers: For each layer its weights, (out, in), and bias, (out,), float32; the last has two outputs.
+        layers: For each layer its weights, (out, in), and bias, (out,), float32; the last has two outputs, or
+            one for each way.
         hidden: What comes after each layer but the last: ``relu`` or ``tanh``.
-        output: What comes after the last: ``tanh``; ``clip`` to [-1, 1]; or ``sigmoid``, stretched to [-1, 1].
+        output: What comes after the last: ``tanh``; ``clip`` to [-1, 1]; ``sigmoid``, stretched to [-1, 1]; or
+            ``ways``: of the planner's ways (`chatscene.ego.planner`) the one with the greatest number is carried out.
+        at_most: The speed that ways do not exceed [m/s].
     """
 
     layers: tuple[tuple[Weights, Weights], ...]
     hidden: str = "relu"
     output: str = "tanh"
+    at_most: float = 0.0
     _columns: tuple[Weights, ...] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -66,8 +71,12 @@ class Network:
             if not (np.isfinite(weights).all() and np.isfinite(bias).all()):
                 raise EgoError("a network has weights that are not finite; its training diverged")
             width = weights.shape[0]
-        if width != 2:
-            raise EgoError(f"a network must answer with acceleration and steering, not with {width} numbers")
+        answers = len(ACCELERATION) if self.output == "ways" else 2
+        if width != answers:
+            meant = "a number for each way" if self.output == "ways" else "acceleration and steering"
+            raise EgoError(f"a network must answer with {meant}, {answers}, not with {width} numbers")
+        if self.output == "ways" and self.size != OBSERVATIONS["actors"]:
+            raise EgoError(f"a network that chooses a way looks at {OBSERVATIONS['actors']} numbers, not {self.size}")
         object.__setattr__(self, "_columns", tuple(np.ascontiguousarray(weights.T) for weights, _ in self.layers))
 
     @property
@@ -86,6 +95,8 @@ class Network:
                 x = np.array([math.tanh(value) for value in x.tolist()], np.float32)
             x = _summed(weights, self._columns[i], x)
             x += bias
+        if self.output == "ways":
+            return carried_out(observation, int(x.argmax()), self.at_most)
         first, second = x.tolist()
         return _squashed(first, self.output), _squashed(second, self.output)
 
@@ -95,7 +106,7 @@ class Network:
             f"{kind}{i}": array for i, layer in enumerate(self.layers) for kind, array in zip("wb", layer, strict=True)
         }
         sink = io.BytesIO()
-        description = json.dumps({"hidden": self.hidden, "output": self.output, **about})
+        description = json.dumps({"hidden": self.hidden, "output": self.output, "at_most": self.at_most, **about})
         np.savez_compressed(sink, about=np.array(description), **arrays)
         return sink.getvalue()
 
@@ -111,13 +122,14 @@ def load_network(path: Path) -> tuple[Network, dict[str, Any]]:
         with np.load(path, allow_pickle=False) as stored:
             about: dict[str, Any] = dict(parse_json(str(stored["about"])))
             hidden, output = str(about.pop("hidden")), str(about.pop("output"))
+            at_most = float(about.pop("at_most", 0.0))  # files of before there were ways have none
             layers = tuple(
                 (_float32(stored[f"w{i}"]), _float32(stored[f"b{i}"])) for i in range((len(stored.files) - 1) // 2)
             )
     except _DAMAGED as error:
         raise EgoError(f"cannot read a network from {path}: {error}; save or train it again") from error
     try:
-        return Network(layers=layers, hidden=hidden, output=output), about
+        return Network(layers=layers, hidden=hidden, output=output, at_most=at_most), about
     except EgoError as error:
         raise EgoError(f"{path}: {error}") from error
 

@@ -137,6 +137,10 @@ class Planner:
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
+        return carried_out(observation, self.choose(observation), self.caution.speed)
+
+    def choose(self, observation: Observation) -> int:
+        """The way that costs least, an index into `ACCELERATION` and `SHIFT`."""
         c = self.caution
         speed, offset = float(observation[0]), float(observation[1])
         wish = min(c.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
@@ -150,13 +154,7 @@ class Planner:
         rows = observation[OWN:].reshape(-1, PER_ACTOR)
         if len(rows := rows[rows[:, 0] > 0.0]):
             cost += self._danger(self._others(observation, rows), offset, speeds, gone, beside)
-        best = int(cost.argmin())
-        acceleration = float(ACCELERATION[best])
-        if acceleration >= 0.0 and speed >= wish - 0.05:
-            acceleration = max(-3.0, 2.0 * (wish - speed))
-        pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
-        shift = offset + max(-AT_ONCE, min(AT_ONCE, float(SHIFT[best]) - offset))
-        return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
+        return int(cost.argmin())
 
     def _others(self, observation: Observation, rows: Array) -> _Others:
         caution, count = self.caution, len(rows)
@@ -213,6 +211,24 @@ class Planner:
         close = (gap < c.room + 0.5) & (berth < c.side + c.berth)
         haste = c.haste * np.add.reduce(close * speeds[:, None], axis=0) * DT
         return np.add.reduce((crash + haste) * others.belief[:, None], axis=0)
+
+
+def carried_out(observation: Observation, way: int, at_most: float) -> tuple[float, float]:
+    """Acceleration and steering in [-1, 1] of one step of a way.
+
+    Args:
+        observation: The preset ``actors``.
+        way: Index into `ACCELERATION` and `SHIFT`.
+        at_most: The speed that is not to be exceeded [m/s]; curves may allow less.
+    """
+    speed, offset = float(observation[0]), float(observation[1])
+    wish = min(at_most, curve_speed(observation[4:OWN].reshape(-1, 2)))
+    acceleration = float(ACCELERATION[way])
+    if acceleration >= 0.0 and speed >= wish - 0.05:
+        acceleration = max(-3.0, 2.0 * (wish - speed))
+    pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
+    shift = offset + max(-AT_ONCE, min(AT_ONCE, float(SHIFT[way]) - offset))
+    return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
 
 
 def _along_the_route(points: list[list[float]], row: list[float]) -> tuple[float, ...]:

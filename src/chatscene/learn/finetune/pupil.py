@@ -1,5 +1,8 @@
 """A learner that is shown what to do: at each step of its own drives, a teacher says what it would have done.
 
+Of a teacher that chooses among ways (`chatscene.ego.planner`) the choice is learned, so that between two of them the
+pupil takes one; of any other, what it does, and between two actions their mean.
+
 S. Ross, G. Gordon, J. A. Bagnell, "A Reduction of Imitation Learning and Structured Prediction to No-Regret Online
 Learning", AISTATS 2011 (DAgger). The first round is driven by the teacher, every later one by the pupil as it is, so
 that it learns what to do where its own mistakes take it.
@@ -13,10 +16,11 @@ from typing import Any
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from torch import nn
+from torch import Tensor, nn
 
 from chatscene.ego.network import Network, NetworkEgo
-from chatscene.ego.observation import OBSERVATIONS
+from chatscene.ego.observation import OBSERVATIONS, Observation
+from chatscene.ego.planner import ACCELERATION, Planner, carried_out
 from chatscene.ego.policy import EgoPolicy, begin, observation_of, pedals_of
 from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.learner import Schedule
@@ -29,6 +33,51 @@ HIDDEN = 512  # units of either layer: what a planner does is hard to put into f
 STEPS, BATCH, RATE = 4_000, 256, 1e-3  # gradient steps after a round, rows of each, and Adam's first rate
 NOISE = np.array([0.3, 0.2])  # standard deviation of what is added to acceleration and steering, so that slips occur …
 LASTING = 0.9  # … and last: the share of it that stays from step to step
+
+
+class _Actions:
+    """What a teacher does, acceleration and steering."""
+
+    output, at_most, outputs, empty = "tanh", 0.0, 2, torch.empty((0, 2))
+    kept_as = np.float32
+
+    def __init__(self, teacher: EgoPolicy) -> None:
+        self._teacher = teacher
+
+    def shown(self, observation: Observation) -> tuple[Any, tuple[float, float]]:
+        """What is to be learned, and the action."""
+        told = self._teacher.act(observation)
+        return told, told
+
+    def action(self, answer: Tensor, _: Observation) -> tuple[float, float]:
+        """What an answer of the network comes to."""
+        acceleration, steering = answer.tanh().tolist()
+        return acceleration, steering
+
+    def loss(self, answers: Tensor, shown: Tensor) -> Tensor:
+        return (answers.tanh() - shown).square().mean()
+
+
+class _Ways:
+    """Which way a teacher chooses."""
+
+    output, outputs, empty = "ways", len(ACCELERATION), torch.empty(0, dtype=torch.int64)
+    kept_as = np.int64
+
+    def __init__(self, teacher: Planner) -> None:
+        self._teacher, self.at_most = teacher, teacher.caution.speed
+
+    def shown(self, observation: Observation) -> tuple[Any, tuple[float, float]]:
+        """What is to be learned, and the action."""
+        way = self._teacher.choose(observation)
+        return way, carried_out(observation, way, self.at_most)
+
+    def action(self, answer: Tensor, observation: Observation) -> tuple[float, float]:
+        """What an answer of the network comes to."""
+        return carried_out(observation, int(answer.argmax()), self.at_most)
+
+    def loss(self, answers: Tensor, shown: Tensor) -> Tensor:
+        return nn.functional.cross_entropy(answers, shown)
 
 
 class Pupil:
@@ -63,11 +112,12 @@ class Pupil:
         )
         size = OBSERVATIONS[observation_of(teacher)]
         torch.manual_seed(settings.seed)
-        layers = nn.Linear(size, HIDDEN), nn.Linear(HIDDEN, HIDDEN), nn.Linear(HIDDEN, 2)
-        self._net = nn.Sequential(layers[0], nn.ReLU(), layers[1], nn.ReLU(), layers[2], nn.Tanh())
+        self._lesson = _Ways(teacher) if isinstance(teacher, Planner) else _Actions(teacher)
+        layers = nn.Linear(size, HIDDEN), nn.Linear(HIDDEN, HIDDEN), nn.Linear(HIDDEN, self._lesson.outputs)
+        self._net = nn.Sequential(layers[0], nn.ReLU(), layers[1], nn.ReLU(), layers[2])
         self._scale = torch.ones(size)
         self._seen = torch.empty((0, size))
-        self._shown = torch.empty((0, 2))
+        self._shown = self._lesson.empty
         self.updates = 0
 
     @property
@@ -99,7 +149,7 @@ class Pupil:
         self._fit(rng)
         return collisions
 
-    def _drive(self, episode: int, rng: np.random.Generator, *, led: bool) -> tuple[Array, Array, bool]:
+    def _drive(self, episode: int, rng: np.random.Generator, *, led: bool) -> tuple[Array, NDArray[Any], bool]:
         """One episode: what was seen, what the teacher says to it, and whether it ended in a collision."""
         seed = int(np.random.SeedSequence((self._seed, episode)).generate_state(1)[0])
         observation, _ = self._env.reset(seed=seed, options=self._schedule.options(episode))
@@ -107,15 +157,16 @@ class Pupil:
         begin(self._teacher)
         terminated = truncated = False
         while not (terminated or truncated):
-            told = self._teacher.act(observation.astype(np.float64))
+            exact = observation.astype(np.float64)
+            lesson, told = self._lesson.shown(exact)
             seen.append(observation)
-            shown.append(told)
+            shown.append(lesson)
             with torch.no_grad():
-                own = self._net(torch.from_numpy(observation) / self._scale).numpy()
+                own = self._lesson.action(self._net(torch.from_numpy(observation) / self._scale), exact)
             noise = LASTING * noise + rng.normal(0.0, NOISE * np.sqrt(1.0 - LASTING**2))
-            action = np.clip((np.array(told) if led else own) + noise, -1.0, 1.0).astype(np.float32)
+            action = np.clip(np.array(told if led else own) + noise, -1.0, 1.0).astype(np.float32)
             observation, _, terminated, truncated, _ = self._env.step(action)
-        return np.array(seen, np.float32), np.array(shown, np.float32), terminated
+        return np.array(seen, np.float32), np.array(shown, self._lesson.kept_as), terminated
 
     def _fit(self, rng: np.random.Generator) -> None:
         seen = self._seen / self._scale
@@ -123,7 +174,7 @@ class Pupil:
         for step in range(STEPS):
             optimizer.param_groups[0]["lr"] = RATE * (1.0 - step / STEPS)
             rows = torch.from_numpy(rng.integers(len(seen), size=BATCH))
-            loss = (self._net(seen[rows]) - self._shown[rows]).square().mean()
+            loss = self._lesson.loss(self._net(seen[rows]), self._shown[rows])
             optimizer.zero_grad()
             loss.backward()
             optimizer.step()
@@ -134,7 +185,11 @@ class Pupil:
         layers = [module for module in self._net if isinstance(module, nn.Linear)]
         arrays = [[layer.weight.detach().clone(), layer.bias.detach().clone()] for layer in layers]
         arrays[0][0] /= self._scale
-        network = Network(layers=tuple((weights.numpy(), bias.numpy()) for weights, bias in arrays), output="tanh")
+        network = Network(
+            layers=tuple((weights.numpy(), bias.numpy()) for weights, bias in arrays),
+            output=self._lesson.output,
+            at_most=self._lesson.at_most,
+        )
         teacher = self._teacher
         return NetworkEgo(network, name="pupil", observation=observation_of(teacher), pedals=pedals_of(teacher))
 

@@ -40,7 +40,7 @@ enum { SAFEBENCH, ACTORS };
 
 enum { RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER };
 enum { RELU, TANH };             /* what comes after each layer of a network but the last */
-enum { BY_TANH, BY_CLIP, BY_SIGMOID }; /* what comes after the last */
+enum { BY_TANH, BY_CLIP, BY_SIGMOID, BY_WAY }; /* what comes after the last */
 enum { NO_FAULT, TURNS_IN_PLACE };
 
 typedef struct {
@@ -1070,6 +1070,19 @@ static double between(double ahead, const double *values) {
     return (values[2 * i + 2] - values[2 * i]) / (AHEAD[i + 1] - AHEAD[i]) * (ahead - AHEAD[i]) + values[2 * i];
 }
 
+/* One step of a way, no faster than is wished. */
+static void carry_out(const Limits *car, const double *seen, int chosen, double wish, double *acceleration,
+                      double *steer) {
+    double speed = seen[0], offset = seen[1], a = ACCELERATIONS[chosen / 7];
+    if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
+    double shift = offset + larger(-1.6, smaller(1.6, SHIFTS[chosen % 7] - offset));
+    double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
+    double x = between(look, seen + 4) - sin(way) * shift, y = between(look, seen + 5) + cos(way) * shift;
+    double chord2 = x * x + y * y, wheel = atan(car->wheelbase * 2.0 * y / larger(chord2, 1.0));
+    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
+    *steer = within_one(-wheel / car->wheel_angle / 0.3);
+}
+
 static void planner(const Limits *car, const Caution *c, const double *seen, double *acceleration, double *steer) {
     double speed = seen[0], offset = seen[1], wish = smaller(c->speed, curve_speed(seen));
     double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0};
@@ -1113,14 +1126,7 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
         if (count) cost[w] += danger[w];
         if (cost[w] < cost[best]) best = w;
     }
-    double a = ACCELERATIONS[best / 7];
-    if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
-    double shift = offset + larger(-1.6, smaller(1.6, SHIFTS[best % 7] - offset));
-    double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
-    double x = between(look, seen + 4) - sin(way) * shift, y = between(look, seen + 5) + cos(way) * shift;
-    double chord2 = x * x + y * y, wheel = atan(car->wheelbase * 2.0 * y / larger(chord2, 1.0));
-    *acceleration = within_one(a > 0.0 ? a / 3.0 : a / car->brake);
-    *steer = within_one(-wheel / car->wheel_angle / 0.3);
+    carry_out(car, seen, best, wish, acceleration, steer);
 }
 
 /* chatscene.ego.network: products added one after the other, in the order of the inputs. Those that are zero are left
@@ -1163,6 +1169,12 @@ static void network(const Policy *policy, const double *seen, double *accelerati
         float *swapped = in;
         in = out;
         out = swapped;
+    }
+    if (policy->output == BY_WAY) {
+        int chosen = 0;
+        for (int way = 1; way < WAYS; way++) if (in[way] > in[chosen]) chosen = way;
+        carry_out(&policy->car, seen, chosen, smaller(policy->caution.speed, curve_speed(seen)), acceleration, steer);
+        return;
     }
     *acceleration = squashed(in[0], policy->output);
     *steer = squashed(in[1], policy->output);

@@ -103,6 +103,8 @@ def network_policy(network: Network) -> Policy:
         hidden=HIDDEN.index(network.hidden),
         output=OUTPUTS.index(network.output),
         every=1,
+        car=limits_of(LIMITS["Car"]),
+        caution=Caution(speed=network.at_most),
         layers=len(layers),
         layer=layers,
         one=pointer(np.empty(widest, np.float32), c_float),
