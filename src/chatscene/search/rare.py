@@ -25,6 +25,10 @@ Flags = NDArray[np.bool_]
 ROUNDS = 5  # of drives; where the next looks depends on what came of those before
 COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
 CONFIDENCE = 0.95  # of intervals
+# Drives that led to where later ones were drawn count a little too seldom, so that shares come out low by some hundredths
+# of themselves, which no variance shows; intervals that would be of 99 % then hold what is true in 95 to 99 of 100
+# (decision 0105).
+CONFIDENCE_AIMED = 0.99
 FEWEST = 30  # effective crashes of which a share is told
 DEFENSIVE = 0.35  # share of the draws of an aimed batch that are left to the exposure, so that nothing is overlooked
 CENTRES = 50  # at most, of an aimed batch
@@ -157,6 +161,12 @@ class Batch:
     density: Density
     route: int | None = None
 
+    @property
+    def aimed(self) -> bool:
+        """Whether earlier drives led to where it was drawn."""
+        narrowed = isinstance(self.density, Box) and bool((self.density.high - self.density.low < 1).any())
+        return narrowed or isinstance(self.density, Aimed)
+
 
 def weights_of(points: Array, routes: NDArray[np.intp], exposure: Exposure, batches: Sequence[Batch]) -> Array:
     """(N,) how often each point counts; on every route that was driven alike.
@@ -175,7 +185,7 @@ def weights_of(points: Array, routes: NDArray[np.intp], exposure: Exposure, batc
     return exposure.density(points) / mixture
 
 
-def share_of(happened: Flags, weights: Array) -> Share:
+def share_of(happened: Flags, weights: Array, *, aimed: bool = False) -> Share:
     """How often something happens.
 
     The interval is Wilson's for as many drives as would have the same variance without weights.
@@ -183,6 +193,7 @@ def share_of(happened: Flags, weights: Array) -> Share:
     Args:
         happened: (N,) in which drives.
         weights: (N,) of the drives.
+        aimed: Whether some were drawn where others had led.
     """
     seen, total = int(happened.sum()), float(weights.sum())
     if not seen:
@@ -196,12 +207,12 @@ def share_of(happened: Flags, weights: Array) -> Share:
     p = float(hit.sum()) / total
     variance = float((weights**2 * (happened - p) ** 2).sum()) / total**2
     alike = p * (1 - p) / variance if variance > 0 else effective
-    low, high = _wilson(p, alike)
+    low, high = _wilson(p, alike, CONFIDENCE_AIMED if aimed else CONFIDENCE)
     return Share(seen=seen, effective=effective, probability=p, low=low, high=high)
 
 
-def _wilson(p: float, count: float) -> tuple[float, float]:
-    z = float(stats.norm.ppf(0.5 + CONFIDENCE / 2))
+def _wilson(p: float, count: float, confidence: float) -> tuple[float, float]:
+    z = float(stats.norm.ppf(0.5 + confidence / 2))
     middle = (p + z * z / (2 * count)) / (1 + z * z / count)
     half = z / (1 + z * z / count) * np.sqrt(p * (1 - p) / count + z * z / (4 * count * count))
     return max(0.0, float(middle - half)), min(1.0, float(middle + half))
@@ -272,8 +283,9 @@ class Tally:
 
     def shares(self) -> tuple[Share, Share]:
         """Of crashes with an adversary, and of those that were avoidable."""
-        weights = self._weights()
-        return share_of(self._flags("crashed"), weights), share_of(self._flags("avoidable"), weights)
+        weights, aimed = self._weights(), any(batch.aimed for batch in self._batches)
+        crashed, avoidable = (share_of(self._flags(name), weights, aimed=aimed) for name in ("crashed", "avoidable"))
+        return crashed, avoidable
 
     def _weights(self) -> Array:
         return weights_of(self._points, self._routes, self._exposure, self._batches)
