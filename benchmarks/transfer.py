@@ -5,8 +5,9 @@
 A cell is a generator, the ego that it searches against and a seed: 800 simulations over the eight base scenarios in
 the native simulator, forty pairs of a scenario and a route, 20 simulations and two kept scenes each. ChatScene has five
 sentences a base scenario, and `random-triple` five draws, on one route each; the other baselines have one scenario, on
-five routes. All egos then drive what was kept. A cell that is done is not done again, so processes may share the
-folder, a seed each; `--tables` alone reads it.
+five routes. `by-others` is ChatScene with sentences by four other writers, of `texts/by-base.jsonl` the first five of
+each base scenario that are served. All egos then drive what was kept. A cell that is done is not done again, so
+processes may share the folder, a seed each; `--tables` alone reads it.
 
 Of each generator, over all pairs of two different egos (what an ego does on scenes kept for it says how well they were
 searched): how often the ego collides with the adversary, how often in a crash that a careful driver would have
@@ -17,27 +18,35 @@ from ChatScene are tested by the same draws, and the p-values of an endpoint cor
 
 from __future__ import annotations
 
+import json
 from collections import defaultdict
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from statistics import fmean
 
 import click
 import numpy as np
 
-from chatscene import runs
+from chatscene import pipeline, runs
+from chatscene.errors import ChatSceneError
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import silent
+from chatscene.search.generators.retrieved import Retrieved
 from chatscene.settings import PAPER
 from chatscene.studies.benchmark import BUDGETS, Budget, benchmark
 from chatscene.terms.criticality import Fault
+from chatscene.terms.scenario import BaseScenario
 
 EGOS = ("sac", "ppo", "td3", "idm", "planner")
 OURS = "chatscene"
+BY_OTHERS = "by-others"
 GENERATORS = (
     OURS, "learning-to-collide", "advsim", "carla-scenario-generator", "adversarial-trajectory", "random-triple",
+    BY_OTHERS,
 )  # fmt: skip
-FIVE = (OURS, "random-triple")  # that have five scenarios a base scenario
+FIVE = (OURS, "random-triple", BY_OTHERS)  # that have five scenarios a base scenario
+TEXTS = Path(__file__).with_name("texts") / "by-base.jsonl"
 FORTY = {  # pairs of a scenario and a route
     "five sentences": Budget(scenarios=5, search=replace(PAPER, scenes=20, routes=1)),
     "five routes": Budget(scenarios=1, search=replace(PAPER, scenes=20, routes=5)),
@@ -45,6 +54,30 @@ FORTY = {  # pairs of a scenario and a route
 ADVERSARY = (Fault.ADVERSARY_INTO_EGO, Fault.EGO_INTO_ADVERSARY)
 ENDPOINTS = ("hits the adversary", "avoidably", "does not arrive unhurt")
 DRAWS = 10_000
+
+
+class ByOthers(Retrieved):
+    """ChatScene with sentences by others."""
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:
+        """The first five that are served."""
+        return served()[base]
+
+
+@cache
+def served() -> dict[BaseScenario, tuple[str, ...]]:
+    """Of the sentences by others the first five of each base scenario that the library serves."""
+    found: dict[BaseScenario, list[str]] = {base: [] for base in BaseScenario}
+    for line in TEXTS.read_text().splitlines():
+        row = json.loads(line)
+        some = found[BaseScenario(row["base"])]
+        if len(some) < FORTY["five sentences"].scenarios:
+            try:
+                pipeline.understand(row["text"])
+            except ChatSceneError:
+                continue
+            some.append(row["text"])
+    return {base: tuple(some) for base, some in found.items()}
 
 
 @dataclass(frozen=True)
@@ -87,7 +120,7 @@ def main(
                 if not tables:
                     benchmark(
                         folder,
-                        generator=generator,
+                        generator="transfer:ByOthers" if generator == BY_OTHERS else generator,
                         budget="five sentences" if generator in FIVE else "five routes",
                         egos=EGOS,
                         surrogate=surrogate,

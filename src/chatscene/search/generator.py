@@ -140,6 +140,12 @@ GENERATORS: Kind[Generator] = Kind(
         "learning-to-collide": "chatscene.search.generators.baselines.learning_to_collide:LearningToCollide",
         "advsim": "chatscene.search.generators.baselines.advsim:AdvSim",
         "adversarial-trajectory": "chatscene.search.generators.baselines.adversarial_trajectory:AdversarialTrajectory",
+        "learning-to-collide-safebench": (
+            "chatscene.search.generators.baselines.learning_to_collide:LearningToCollideCited"
+        ),
+        "adversarial-trajectory-safebench": (
+            "chatscene.search.generators.baselines.adversarial_trajectory:AdversarialTrajectoryCited"
+        ),
         "carla-scenario-generator": "chatscene.search.generators.baselines.scenario_runner:ScenarioRunner",
         "random-triple": "chatscene.search.generators.baselines.random_triple:RandomTriple",
         "program": "chatscene.search.generators.own_program:OwnProgram",

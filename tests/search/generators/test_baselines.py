@@ -134,6 +134,29 @@ def test_what_a_baseline_varies_is_its_own() -> None:
     assert varied["adversarial-trajectory"] == {f"OPT_OFFSET_{i:02d}" for i in range(20)}
 
 
+@pytest.mark.parametrize("base", list(BaseScenario))
+@pytest.mark.parametrize("name", ["learning-to-collide", "adversarial-trajectory"])
+def test_what_safebench_varies_is_beside_ours(name: str, base: BaseScenario) -> None:
+    ours, cited = ({p.name: p for p in program_of(n, base).parameters} for n in (name, f"{name}-safebench"))
+    assert list(ours) == list(cited)
+    told = NOMINAL[base].cited
+    if name == "adversarial-trajectory":
+        assert {p.high for p in cited.values()} == {told.offset} == {-p.low for p in cited.values()}
+        assert f"< {told.trigger:g}" in program_of(f"{name}-safebench", base).source
+    else:
+        assert (cited["OPT_ADV_DISTANCE"].low, cited["OPT_ADV_DISTANCE"].high) == told.triggers
+        starts = [p for p in cited.values() if p.name.startswith("OPT_GEO")]
+        assert all(p.high - p.low <= 2 * told.start for p in starts if told.start is not None)
+        assert all(ours[p.name].low <= p.low < p.high <= ours[p.name].high for p in starts)
+
+
+@pytest.mark.parametrize("base", [BaseScenario.VEHICLE_PASSING, BaseScenario.RIGHT_TURN])
+@pytest.mark.parametrize("name", ["learning-to-collide-safebench", "adversarial-trajectory-safebench"])
+def test_within_safebenchs_ranges_it_climbs_the_ladder_too(name: str, base: BaseScenario) -> None:
+    simulator = simulator_of(load_generator(name), resolve_map("town"), Settings())
+    assert check(program_of(name, base), Slots(), simulator, RuleBased(), drives=1).episodes[0].adversaries
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_what_a_baselines_adversary_does_is_a_plan_but_where_it_has_no_path_to_be_beside(name: str) -> None:
     for base, nominal in NOMINAL.items():

@@ -1,8 +1,8 @@
 """Adversarial trajectory optimisation: black-box search over how far the adversary strays from its nominal path.
 
 Source: Q. Zhang, S. Hu, J. Sun, Q. A. Chen, Z. M. Mao, "On Adversarial Robustness of Trajectory Prediction for
-Autonomous Vehicles", CVPR 2022; offsets as SafeBench has them, whose limits are narrower for cars that no junction
-is near (decision 0022).
+Autonomous Vehicles", CVPR 2022. Limits are wider than SafeBench's for cars that no junction is near (decision 0022);
+SafeBench's, with its triggers, are beside them.
 """
 
 from __future__ import annotations
@@ -21,11 +21,15 @@ class AdversarialTrajectory(Baseline):
     title = "Adversarial Trajectory Optimization"
     sampler = "cma-es"
 
+    def limits(self, nominal: Nominal) -> tuple[float, float]:
+        """How far it strays to either side [m], and when it sets off [m]."""
+        return VULNERABLE_LIMIT if nominal.adversary.is_vulnerable else LIMIT, nominal.trigger
+
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
         """Waits, then moves at the nominal speed beside its path, as far as the offsets say."""
-        limit = VULNERABLE_LIMIT if nominal.adversary.is_vulnerable else LIMIT
+        limit, trigger = self.limits(nominal)
         speed = f"{nominal.speed:g}"
-        body = f"do {nominal.waits} until {nominal.acts(f'{nominal.trigger:g}')}\n"
+        body = f"do {nominal.waits} until {nominal.acts(f'{trigger:g}')}\n"
         if nominal.path:
             moves = [nominal.moves(speed, f"globalParameters.OPT_OFFSET_{i:02d}") for i in range(STRETCHES)]
             body += "".join(f"do {one} for {SECONDS} seconds\n" for one in moves) + f"do {moves[-1]}"
@@ -46,3 +50,14 @@ class AdversarialTrajectory(Baseline):
             )
             for i in range(STRETCHES)
         )  # fmt: skip
+
+
+class AdversarialTrajectoryCited(AdversarialTrajectory):
+    """The same within SafeBench's limits."""
+
+    name = "adversarial-trajectory-safebench"
+    title = "Adversarial Trajectory Optimization within SafeBench's limits"
+
+    def limits(self, nominal: Nominal) -> tuple[float, float]:
+        """How far it strays to either side [m], and when it sets off [m]."""
+        return nominal.cited.offset, nominal.cited.trigger

@@ -28,6 +28,28 @@ from chatscene.terms.snippet import ParameterRange, Snippet, Tried
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Cited:
+    """What SafeBench's baselines vary of it (SafeBench v1, ``lc.yaml`` and ``scenario_policy``, ``advtraj.json``).
+
+    Its lane-changing adversary leads the ego and has no counterpart here.
+
+    Attributes:
+        triggers: Of Learning-to-Collide [m].
+        speeds: Of Learning-to-Collide [m/s].
+        start: How far to either side of the middle it starts there [m]; None where the start is told otherwise, and
+            ours is kept.
+        offset: How far to either side of its path it strays as an adversarial trajectory [m].
+        trigger: When it sets off there [m].
+    """
+
+    triggers: tuple[float, float]
+    speeds: tuple[float, float]
+    start: float | None = None
+    offset: float
+    trigger: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Nominal:
     """The undisturbed adversary of a base scenario.
 
@@ -42,6 +64,7 @@ class Nominal:
         trigger: That distance [m].
         once: What else must hold before it acts, as Scenic; empty for nothing.
         turns: Where it goes at a junction, best first; empty if it meets none.
+        cited: What SafeBench's baselines vary of it.
     """
 
     adversary: AdversaryKind
@@ -54,6 +77,7 @@ class Nominal:
     trigger: float
     once: str = ""
     turns: tuple[str, ...] = ()
+    cited: Cited
 
     def moves(self, speed: str, aside: str = "") -> str:
         """Scenic that lets it move on at a speed; `aside`: to the left of its path [m], or of its course [rad]."""
@@ -74,35 +98,43 @@ NOMINAL: dict[BaseScenario, Nominal] = {
     BaseScenario.STRAIGHT_OBSTACLE: Nominal(
         adversary=AdversaryKind.PEDESTRIAN, geometry="straight-road", spawn="roadside-right", path="",
         left=_TO_ADVERSARY, speed=2.5, trigger=20.0,
+        cited=Cited(triggers=(15.0, 50.0), speeds=(1.25, 3.75), offset=1.0, trigger=35.0),
     ),
     BaseScenario.TURNING_OBSTACLE: Nominal(
         adversary=AdversaryKind.BICYCLE, geometry="left-turn", spawn="exit-corner-right", path="",
         left=_TO_ADVERSARY, speed=5.0, trigger=17.0,
+        cited=Cited(triggers=(10.0, 50.0), speeds=(2.5, 7.5), offset=1.0, trigger=17.0),
     ),
     BaseScenario.LANE_CHANGING: Nominal(
         adversary=AdversaryKind.CAR, geometry="lane-change-left", spawn="adjacent-lane-ahead-leader",
         waits="KeepStation(advTrajectory, ego)", left="distanceLeft(egoRoute, ego, egoRoute.eventAt)",
         speed=3.0, trigger=15.0,
+        cited=Cited(triggers=(5.0, 30.0), speeds=(1.5, 4.5), offset=2.0, trigger=15.0),  # but for the offset ours
     ),
     BaseScenario.VEHICLE_PASSING: Nominal(
         adversary=AdversaryKind.CAR, geometry="bypass", spawn="oncoming-beyond-blocker",
         left="gap(self, ego)", speed=8.0, trigger=45.0,
+        cited=Cited(triggers=(40.0, 50.0), speeds=(6.0, 10.0), offset=2.0, trigger=45.0),
     ),
     BaseScenario.RED_LIGHT_RUNNING: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-signalised", spawn="crossing-from-left",
         speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, turns=_CROSSES,
+        cited=Cited(triggers=(30.0, 40.0), speeds=(5.0, 15.0), start=5.0, offset=3.0, trigger=40.0),
     ),
     BaseScenario.UNPROTECTED_LEFT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="left-turn-four-way", spawn="oncoming-at-junction",
         speed=12.0, trigger=45.0, left=_TO_MEETING, turns=_CROSSES,
+        cited=Cited(triggers=(40.0, 50.0), speeds=(7.0, 17.0), start=5.0, offset=3.0, trigger=50.0),
     ),
     BaseScenario.RIGHT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="right-turn", spawn="crossing-from-left",
         speed=12.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+        cited=Cited(triggers=(30.0, 40.0), speeds=(7.0, 17.0), start=5.0, offset=3.0, trigger=45.0),
     ),
     BaseScenario.CROSSING_NEGOTIATION: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-junction-unsignalised", spawn="crossing-from-right",
         speed=10.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+        cited=Cited(triggers=(30.0, 40.0), speeds=(5.0, 15.0), start=5.0, offset=3.0, trigger=40.0),
     ),
 }  # fmt: skip
 
@@ -158,11 +190,11 @@ class Baseline:
         """Behavior, geometry and spawn: what this baseline does, where the nominal adversary would."""
         library = load_library()
         spawn = library.get(f"spawn/{nominal.spawn}")
-        return (
-            self._snippet(nominal),
-            library.get(f"geometry/{nominal.geometry}"),
-            spawn if self.starts else _fixed(spawn),
-        )
+        return self._snippet(nominal), library.get(f"geometry/{nominal.geometry}"), self.start(spawn, nominal)
+
+    def start(self, spawn: Snippet, nominal: Nominal) -> Snippet:  # noqa: ARG002 - SafeBench's differ by it
+        """Where the adversary starts: anywhere that its snippet says, or in the middle of that."""
+        return spawn if self.starts else fixed(spawn)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The same as before: it depends on the base scenario alone."""
@@ -206,7 +238,20 @@ class Baseline:
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 
-def _fixed(spawn: Snippet) -> Snippet:
+def narrowed(spawn: Snippet, room: float) -> Snippet:
+    """A spawn whose adversary starts no farther than so many metres from the middle of each range."""
+    source, parameters = spawn.source, list[ParameterRange]()
+    for p in spawn.parameters:
+        middle = (p.low + p.high) / 2
+        low, high = max(p.low, round(middle - room, 3)), min(p.high, round(middle + room, 3))
+        source = re.sub(
+            rf"^param {p.name} = .*$", f"param {p.name} = Range({low:g}, {high:g})", source, flags=re.MULTILINE
+        )
+        parameters.append(replace(p, low=low, high=high))
+    return replace(spawn, parameters=tuple(parameters), source=source)
+
+
+def fixed(spawn: Snippet) -> Snippet:
     """A spawn whose adversary starts in the middle of every range."""
     source = spawn.source
     for p in spawn.parameters:
