@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
@@ -79,19 +79,24 @@ class Attack:
     seed: int
 
 
-class Driver:
-    """Does either in one process."""
+def judges(_: None) -> Callable[[Judging], tuple[int, Array]]:
+    """Drives lessons, in one process."""
+    return Driver().judged
 
-    def __init__(self, _: None) -> None:
+
+def attackers(_: None) -> Callable[[Attack], tuple[int, Lesson | None]]:
+    """Searches for adversaries, in one process."""
+    return Driver().attacked
+
+
+class Driver:
+    """Drives, in one process."""
+
+    def __init__(self) -> None:
         self._simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator="native"))
 
-    def __call__(self, task: Judging | Attack) -> tuple[int, Array] | tuple[int, Lesson | None]:
-        """(kinds, cautions, 5) sums of drives, crashes, drives without an end, time aside and speed; or a crash."""
-        if isinstance(task, Judging):
-            return task.part, self._judged(task)
-        return task.number, self._attacked(task)
-
-    def _judged(self, task: Judging) -> Array:
+    def judged(self, task: Judging) -> tuple[int, Array]:
+        """(kinds, cautions, 5) sums of drives, crashes, drives without an end, time aside and speed."""
         sums = np.zeros((len(KINDS), len(task.cautions), 5))
         for lesson in task.lessons:
             for number, caution in enumerate(task.cautions):
@@ -100,9 +105,10 @@ class Driver:
                     crash, stuck = driven.collision is not None, driven.ending is Ending.TIMEOUT
                     speed = float(np.abs(driven.ego_track.speed).mean())
                     sums[KINDS.index(lesson.kind), number] += (1.0, crash, stuck, aside, speed)
-        return sums
+        return task.part, sums
 
-    def _attacked(self, task: Attack) -> Lesson | None:
+    def attacked(self, task: Attack) -> tuple[int, Lesson | None]:
+        """A crash, if one is found."""
         rng, ego = np.random.default_rng(task.seed), Planner(task.caution)
         seen: list[tuple[float, dict[str, float]]] = []
         for number in range(task.tries):
@@ -112,9 +118,9 @@ class Driver:
             if (driven := self.drive(replace(task.course, values=values), ego)) is None:
                 continue
             if driven.collision is not None:
-                return Lesson("hard", replace(task.course, values=values))
+                return task.number, Lesson("hard", replace(task.course, values=values))
             seen.append((nearest(driven), values))
-        return None
+        return task.number, None
 
     def drive(self, course: Course, ego: EgoPolicy) -> Episode | None:
         """A course with values, driven; None where it cannot be placed."""
@@ -148,7 +154,7 @@ def nearest(driven: Episode) -> float:
 
 def first_lessons(courses: Sequence[Course], ordinary: Sequence[Course], rng: np.random.Generator) -> list[Lesson]:
     """Scenes that one of two egos crashes in, a few that neither does, and ordinary ones."""
-    driver, hard, easy = Driver(None), list[Lesson](), list[Lesson]()
+    driver, hard, easy = Driver(), list[Lesson](), list[Lesson]()
     egos = [load_ego("idm"), Planner(START)]
     for course in courses:
         for _ in range(DRAWN):
@@ -213,7 +219,7 @@ def main(out: Path, seed: int, rounds: int, generations: int, population: int, t
 
     def judged(cautions: tuple[Caution, ...]) -> Array:
         parts = [Judging(k, tuple(lessons[k::PARTS]), cautions) for k in range(PARTS)]
-        done = dict(spread(Driver, None, parts, workers=workers))
+        done = dict(spread(judges, None, parts, workers=workers))
         return np.sum([done[k] for k in range(PARTS)], axis=0)
 
     mean = np.zeros(sum(2 if isinstance(getattr(START, f.name), tuple) else 1 for f in fields(START)))
@@ -228,8 +234,8 @@ def main(out: Path, seed: int, rounds: int, generations: int, population: int, t
         print(f"round {number}: {in_words(judged((caution,))[:, 0])}", flush=True)
         seeds = np.random.SeedSequence((seed, number)).generate_state(len(courses)).tolist()
         attacks = [Attack(k, course, caution, tries, seeds[k]) for k, course in enumerate(courses)]
-        done = dict(spread(Driver, None, attacks, workers=workers))
-        found = [one for _, one in sorted(done.items()) if isinstance(one, Lesson)]
+        done = dict(spread(attackers, None, attacks, workers=workers))
+        found = [one for k in range(len(attacks)) if (one := done[k]) is not None]
         print(f"  crashes on {len(found)} of {len(courses)} courses", flush=True)
         lessons += found
 

@@ -25,9 +25,9 @@ Flags = NDArray[np.bool_]
 ROUNDS = 5  # of drives; where the next looks depends on what came of those before
 COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
 CONFIDENCE = 0.95  # of intervals
-# Drives that led to where later ones were drawn count a little too seldom, which no variance shows: shares come out some
-# hundredths of themselves low. Intervals as wide as those of 99 % then hold what is true in 97 to 99 of 100 (decision
-# 0105).
+# Drives that led to where later ones were drawn count a little too seldom, which no variance shows: shares come out
+# some hundredths of themselves low. Intervals as wide as those of 99 % then hold what is true in 97 to 99 of 100
+# (decision 0105).
 CONFIDENCE_AIMED = 0.99
 FEWEST = 30  # effective crashes of which a share is told
 DEFENSIVE = 0.35  # share of the draws of an aimed batch that are left to the exposure, so that nothing is overlooked
