@@ -4,7 +4,7 @@
 #   make docs   build the site, leave site/index.html
 PYTHON ?= python3
 PY := .venv/bin/python
-PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
+PIP := $(PY) -m pip install --quiet --no-compile --disable-pip-version-check -c constraints.txt
 SENTENCE ?= A car runs the red light from the left.
 
 .PHONY: demo test check suite docs clean

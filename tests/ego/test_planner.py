@@ -7,7 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
-from chatscene.ego.planner import Caution, Planner, carried_out
+from chatscene.ego.planner import HARDENED, Caution, Planner, carried_out
+from chatscene.ego.policy import load_ego
 
 Array = NDArray[np.float64]
 
@@ -80,3 +81,10 @@ def test_what_it_does_depends_on_nothing_but_what_it_sees() -> None:
     for offset in (-2.0, 2.0):
         one.act(street(car(8.0, 0.0), offset=offset))
     assert one.act(seen) == first == Planner().act(seen)
+
+
+def test_the_hardened_driver_is_one_of_its_kind_by_another_name() -> None:
+    one = load_ego("hardened")
+    assert isinstance(one, Planner)
+    assert (one.name, one.caution) == ("hardened", HARDENED)
+    assert one.act(street(speed=WISH))[0] > Planner().act(street(speed=WISH))[0]  # it is the faster of the two

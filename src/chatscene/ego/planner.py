@@ -87,6 +87,14 @@ class Caution:
     drift: float = 1.34
 
 
+HARDENED = Caution(
+    speed=7.63, crash=11.3, graze=0.0781, patience=1.71, braking=(5.57, 0.205), starting=(0.721, 0.946),
+    stepping=(1.53, 0.0311), room=2.23, side=0.0765, widening=0.223, berth=0.533, haste=8.47, offset=0.0429,
+    astray=0.118, jerk=0.0655, resolve=0.109, agility=0.99, drift=1.79,
+)  # fmt: skip
+"""Found by CMA-ES against adversaries that were searched for again after each round (decision 0106)."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class _Others:
     """What everybody near may do: (H,) expectations, (T, H) over time, in route coordinates.
@@ -121,17 +129,18 @@ class Planner:
 
     Args:
         caution: What its ways are weighed by.
+        name: How it is called in tables.
 
     Attributes:
         caution: As it was given.
         discount: (T,) what a crash that is expected then counts.
     """
 
-    name = "planner"
     observation = "actors"
     pedals = "full-brake"
 
-    def __init__(self, caution: Caution | None = None) -> None:
+    def __init__(self, caution: Caution | None = None, *, name: str = "planner") -> None:
+        self.name = name
         self.caution = caution or Caution()
         self.discount = np.array([math.exp(-time / self.caution.patience) for time in TIMES.tolist()])
 
@@ -211,6 +220,11 @@ class Planner:
         close = (gap < c.room + 0.5) & (berth < c.side + c.berth)
         haste = c.haste * np.add.reduce(close * speeds[:, None], axis=0) * DT
         return np.add.reduce((crash + haste) * others.belief[:, None], axis=0)
+
+
+def hardened() -> Planner:
+    """The driver that was hardened against its own adversaries."""
+    return Planner(HARDENED, name="hardened")
 
 
 def carried_out(observation: Observation, way: int, at_most: float) -> tuple[float, float]:

@@ -95,6 +95,7 @@ EGOS: Kind[EgoPolicy] = Kind(
         "rule-based": "chatscene.ego.rule_based:RuleBased",
         "idm": "chatscene.ego.intelligent_driver:IntelligentDriver",
         "planner": "chatscene.ego.planner:Planner",
+        "hardened": "chatscene.ego.planner:hardened",
         "sac": "chatscene.ego.trained:sac",
         "ppo": "chatscene.ego.trained:ppo",
         "td3": "chatscene.ego.trained:td3",
