@@ -33,10 +33,10 @@ from chatscene.errors import ChatSceneError
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import silent
 from chatscene.search.generators.retrieved import Retrieved
-from chatscene.settings import PAPER
+from chatscene.settings import PAPER, RetrievalSettings
 from chatscene.studies.benchmark import BUDGETS, Budget, benchmark
 from chatscene.terms.criticality import Fault
-from chatscene.terms.scenario import BaseScenario
+from chatscene.terms.scenario import BaseScenario, Scenario
 
 EGOS = ("sac", "ppo", "td3", "idm", "planner")
 OURS = "chatscene"
@@ -62,6 +62,11 @@ class ByOthers(Retrieved):
     def texts(self, base: BaseScenario) -> tuple[str, ...]:
         """The first five that are served."""
         return served()[base]
+
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:
+        """As ever, of the base scenario that it was written for, whatever it reads like."""
+        base = next((base for base, texts in served().items() if text in texts), None)
+        return replace(super().read(text, settings), base=base)
 
 
 @cache

@@ -90,6 +90,17 @@ def test_a_network_that_cannot_drive_is_refused() -> None:
         Network(layers=((np.zeros((2, 4), np.float32), np.zeros(3, np.float32)),))
 
 
+def test_a_network_that_chooses_among_ways_is_kept_with_its_speed_and_refused_without(tmp_path: Path) -> None:
+    path = tmp_path / "ways.npz"
+    path.write_bytes(network((80, 8, 49), output="ways", at_most=6.5).stored({"observation": "actors"}))
+    assert load_network(path)[0].at_most == 6.5
+    for sizes, speed in (((80, 8, 49), 0.0), ((80, 8, 49), math.nan), ((80, 8, 49), math.inf), ((4, 8, 49), 6.0)):
+        with pytest.raises(EgoError, match="chooses a way"):
+            network(sizes, output="ways", at_most=speed)
+    with pytest.raises(EgoError, match="a number for each way, 49, not with 2"):
+        network((80, 8, 2), output="ways", at_most=6.0)
+
+
 def test_an_ego_with_frame_skip_holds_its_action_and_forgets_it_at_a_reset() -> None:
     ego = NetworkEgo(network(), name="slow", every=3)
     first, other = observations(2)

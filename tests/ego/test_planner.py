@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
-from chatscene.ego.planner import HARDENED, Caution, Planner, carried_out
+from chatscene.ego.planner import HARDENED, SHIFT, Caution, Planner, carried_out
 from chatscene.ego.policy import load_ego
 
 Array = NDArray[np.float64]
@@ -41,8 +41,9 @@ def test_an_empty_street_is_driven_at_the_wanted_speed_along_the_route() -> None
 
 
 def test_what_it_does_is_the_way_that_it_chooses() -> None:
-    one, blocked = Planner(), street(car(22.0, 0.0), car(22.0, 3.2))
-    assert one.act(blocked) == carried_out(blocked, one.choose(blocked), WISH)
+    one, taken = Planner(), street(car(22.0, 0.0), car(22.0, 3.2))
+    assert SHIFT[one.choose(taken)] < 0.0  # to the right, since the left is taken
+    assert one.act(taken) == carried_out(taken, one.choose(taken), WISH)
 
 
 @pytest.mark.parametrize(("offset", "turn"), [(1.5, 1.0), (-1.5, -1.0)])

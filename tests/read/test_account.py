@@ -47,6 +47,7 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A boy crosses the road obliquely from the left, whistling.", "roadside", ["cross", "diagonal"], "left"),
         ("An oncoming bus turns around, whoosh, before us.", "oncoming", ["u-turn"], None),
         ("An oncoming bus, whoosh, makes turn back before us.", "oncoming", ["u-turn"], None),
+        ("A van pulls out from a driveway, whoosh, and makes a turn back.", "kerb", ["pull-out", "turn-back"], None),
         ("Oncoming right-turner, they say.", "oncoming", ["turn-right"], None),
         ("A coach in the left lane, whoosh, keeps exactly our speed.", "beside", ["pace"], "left"),
         ("Ghost driver, they say, on the autobahn.", "oncoming", ["wrong-way"], None),

@@ -50,6 +50,8 @@ def test_what_surrounds_a_scene_is_heard_and_the_rest_is_read_as_without_it(text
         "It is not raining and the road is not icy; the car ahead brakes.",
         "The night bus ahead brakes.",
         "The car ahead brakes on a dry road in daylight.",
+        "A boy stands in our lane frozen.",
+        "A man steps from the pavement wet, and stops.",
     ],
 )
 def test_what_is_denied_or_usual_changes_nothing(text: str) -> None:

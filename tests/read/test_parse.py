@@ -35,6 +35,8 @@ def read(text: str) -> Parsed:
         ("A car ahead of us turns around.", "ahead", ["u-turn"]),
         ("An oncoming car turns back.", "oncoming", ["u-turn"]),
         ("A cyclist crosses the road and turns back.", "roadside", ["cross", "turn-back"]),
+        ("A parked car pulls out and turns back.", "kerb", ["pull-out", "turn-back"]),
+        ("An oncoming car swerves and goes back.", "oncoming", ["swerve", "turn-back"]),
         ("A parked car pulls out in front of us.", "kerb", ["pull-out"]),
         ("A lorry from the left runs the red light.", "crossing", ["run-light"]),
         ("An ambulance crosses the junction from the right.", "crossing", ["cross"]),

@@ -33,7 +33,7 @@ OUTPUTS = ("tanh", "clip", "sigmoid", "ways")
 # What numpy and zipfile raise for files with flipped or missing bytes, or with something else in them.
 _DAMAGED = (
     OSError, ValueError, TypeError, KeyError, EOFError, MemoryError, RecursionError, NotImplementedError,
-    zipfile.BadZipFile, zlib.error,
+    zipfile.BadZipFile, zlib.error, OverflowError,
 )  # fmt: skip
 
 
@@ -75,6 +75,8 @@ class Network:
         if width != answers:
             meant = "a number for each way" if self.output == "ways" else "acceleration and steering"
             raise EgoError(f"a network must answer with {meant}, {answers}, not with {width} numbers")
+        if self.output == "ways" and not 0.0 < self.at_most < math.inf:
+            raise EgoError(f"a network that chooses a way needs a speed not to be exceeded, not {self.at_most}")
         if self.output == "ways" and self.size != OBSERVATIONS["actors"]:
             raise EgoError(f"a network that chooses a way looks at {OBSERVATIONS['actors']} numbers, not {self.size}")
         object.__setattr__(self, "_columns", tuple(np.ascontiguousarray(weights.T) for weights, _ in self.layers))

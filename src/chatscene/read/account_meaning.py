@@ -318,6 +318,7 @@ class _Instead:
         means: The act that is meant.
         fits: By whom.
         where: Where whoever does it is by that; None if the words leave it open.
+        unless: Words behind them by which they mean what the rule tells after all.
     """
 
     of: Action
@@ -325,6 +326,7 @@ class _Instead:
     means: Action
     fits: Callable[[Party], bool] = lambda _: True
     where: Where | None = None
+    unless: re.Pattern[str] | None = None
 
 
 def _drives(party: Party) -> bool:
@@ -332,7 +334,8 @@ def _drives(party: Party) -> bool:
 
 
 def _turns_in_its_lane(party: Party) -> bool:
-    return _drives(party) and Action.CROSS not in party.acts
+    """Not into it, out of it or across it."""
+    return _drives(party) and not {Action.CROSS, Action.PULL_OUT, Action.CUT_IN}.intersection(party.acts)
 
 
 def _stands(party: Party) -> bool:
@@ -356,7 +359,13 @@ _INSTEADS = (
     _Instead(Action.CROSS, re.compile(r"^appear"), Action.STAND, _stands),
     _Instead(Action.CROSS, re.compile(r"kerb|curb"), Action.PULL_OUT, _drives),
     _Instead(Action.PULL_OUT, re.compile(r"^(?:set|mov|pull)\w* (?:off|away)"), Action.FOLLOW, _is_ahead_in_traffic),
-    _Instead(Action.TURN_BACK, re.compile(r"^turn\w* (?:a?round|back)"), Action.U_TURN, _turns_in_its_lane),
+    _Instead(
+        Action.TURN_BACK,
+        re.compile(r"^(?:turn|ma[dk])"),
+        Action.U_TURN,
+        _turns_in_its_lane,
+        unless=re.compile(r" (?:in|on)?to\b"),
+    ),
     _Instead(Action.RUN_LIGHT, re.compile(r"^on "), Action.STAND, _stands),
 )
 
@@ -365,7 +374,8 @@ def _meant(rule: Rule, party: Party, match: re.Match[str]) -> Action:
     """The act that a rule tells, by where it leads and who does it."""
     assert rule.action is not None
     for one in _INSTEADS:
-        if one.of is rule.action and one.words.search(match[0]) and one.fits(party):
+        led = one.unless is not None and one.unless.match(match.string[match.end() :])
+        if one.of is rule.action and one.words.search(match[0]) and one.fits(party) and not led:
             if one.where is not None:
                 party.where.add(one.where)
             return one.means

@@ -292,8 +292,6 @@ def _at_the_wheel(found: set[Action], text: str) -> set[Action]:
     found = found - {Action.CROSS, Action.DIAGONAL}
     if words.ERRATIC.search(text):
         found = found | {Action.SWERVE}
-    if Action.TURN_BACK in found and not found & {Action.PULL_OUT, Action.CUT_IN}:
-        found = (found - {Action.TURN_BACK}) | {Action.U_TURN}
     turn = _turn(text)
     if Action.RUN_LIGHT in found or (turn and "oncoming" not in text):  # either is how somebody is cut off there
         found = found - {Action.CUT_IN}

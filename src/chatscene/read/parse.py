@@ -195,11 +195,7 @@ def _measure(told: _Told, quantity: Quantity) -> None:
 def _act(told: _Told, action: Action) -> None:
     if told.subject is None:
         raise _UnreadError(action)
-    one = told.actors[told.subject]
-    acts = one.acts
-    drives = one.kind.row.manner is Manner.DRIVES and _IN_A_LANE & one.where
-    if action is Action.TURN_BACK and drives and not _ON_ITS_WAY.intersection(acts):
-        action = Action.U_TURN
+    acts = told.actors[told.subject].acts
     if action not in acts:
         acts.append(action)
         told.order.append((told.subject, action))
@@ -261,7 +257,7 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
     if phrase.sort is Sort.ACT:
         if phrase.exit and told.facts.get("site") is not Site.OFF_RAMP:
             _sited(told, Site.PAST_OFF_RAMP)
-        _act(told, value)
+        _act(told, Action.U_TURN if _turns_in_its_lane(actor, value, match) else value)
     elif phrase.sort is Sort.ROW and not actor.group:
         raise _UnreadError(match[0])
     elif phrase.sort is Sort.OCCLUDER:
@@ -278,6 +274,14 @@ def _of_actor(told: _Told, actor: _Actor, phrase: Phrase, match: re.Match[str]) 
             actor.where.add(value)
         elif "from" in match[0]:
             actor.where.add(Where.FROM_SIDE)
+
+
+def _turns_in_its_lane(actor: _Actor, action: Action, match: re.Match[str]) -> bool:
+    """Whether who turns round drives back along its lane, since it is neither on its way into one nor led into one."""
+    whither = re.match(r" (?:in|on)?to\b", match.string[match.end() :])
+    turns = action is Action.TURN_BACK and match[0].startswith("turn") and whither is None
+    drives = actor.kind.row.manner is Manner.DRIVES and bool(_IN_A_LANE & actor.where)
+    return turns and drives and not _ON_ITS_WAY.intersection(actor.acts)
 
 
 def _is_at(told: _Told, actor: _Actor, where: Where) -> None:

@@ -24,7 +24,7 @@ Flags = NDArray[np.bool_]
 
 ROUNDS = 5  # of drives; where the next looks depends on what came of those before
 COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
-CONFIDENCE = 0.95  # of intervals
+CONFIDENCE = 0.95  # of intervals, where nothing was aimed
 # Drives that led to where later ones were drawn count a little too seldom, which no variance shows: shares come out
 # some hundredths of themselves low. Intervals as wide as those of 99 % then hold what is true in 97 to 99 of 100
 # (decision 0105).
@@ -188,7 +188,8 @@ def weights_of(points: Array, routes: NDArray[np.intp], exposure: Exposure, batc
 def share_of(happened: Flags, weights: Array, *, aimed: bool = False) -> Share:
     """How often something happens.
 
-    The interval is Wilson's for as many drives as would have the same variance without weights.
+    The interval is Wilson's for as many drives as would have the same variance without weights, of `CONFIDENCE` or,
+    where some were aimed, as wide as one of `CONFIDENCE_AIMED`.
 
     Args:
         happened: (N,) in which drives.

@@ -104,8 +104,8 @@ _ROADS = r"(?:roads?|streets?|roadway|surface|asphalt|tarmac|pavement|conditions
 
 def on_the_road(words: str) -> str:
     """Regular expression of what says of a road that it is so, or of something that it is on such a road."""
-    of_it = rf"(?:is |are |was |were |being )(?:\w+ )?(?:{words})|(?:{words})(?= *(?:[,;:.]|$))"
-    return rf"(?:{words}) (?:and \w+ )?(?:\w+ )?{_ROADS}|{_ROADS} (?:{of_it})"
+    told = rf"(?<![\w'] )(?:the )?{_ROADS} (?:{words})(?= *(?:[,;:.]|$))"  # a clause of its own: "Road wet."
+    return rf"(?:{words}) (?:and \w+ )?(?:\w+ )?{_ROADS}|{_ROADS} (?:is|are|was|were|being) (?:\w+ )?(?:{words})|{told}"
 
 
 class Surface(_Row):

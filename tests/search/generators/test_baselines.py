@@ -145,6 +145,9 @@ def test_what_safebench_varies_is_beside_ours(name: str, base: BaseScenario) -> 
         assert f"< {told.trigger:g}" in program_of(f"{name}-safebench", base).source
     else:
         assert (cited["OPT_ADV_DISTANCE"].low, cited["OPT_ADV_DISTANCE"].high) == told.triggers
+        assert (cited["OPT_ADV_SPEED"].low, cited["OPT_ADV_SPEED"].high) == told.speeds
+        source = program_of(f"{name}-safebench", base).source
+        assert all(f"param {p.name} = Range({p.low:g}, {p.high:g})" in source for p in cited.values())
         starts = [p for p in cited.values() if p.name.startswith("OPT_GEO")]
         assert all(p.high - p.low <= 2 * told.start for p in starts if told.start is not None)
         assert all(ours[p.name].low <= p.low < p.high <= ours[p.name].high for p in starts)

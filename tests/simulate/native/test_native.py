@@ -169,7 +169,7 @@ def _street(draw: np.random.Generator) -> Observation:
     return seen
 
 
-@pytest.mark.parametrize("name", ("rule-based", "idm", "planner"))
+@pytest.mark.parametrize("name", ("rule-based", "idm", "planner", "hardened"))
 def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str) -> None:
     ego, draw = load_ego(name), np.random.default_rng(5)
     loaded = engine.load_engine()

@@ -112,7 +112,7 @@ class Pupil:
         )
         size = OBSERVATIONS[observation_of(teacher)]
         torch.manual_seed(settings.seed)
-        self._lesson = _Ways(teacher) if isinstance(teacher, Planner) else _Actions(teacher)
+        self._lesson = _Ways(teacher) if type(teacher) is Planner else _Actions(teacher)
         layers = nn.Linear(size, HIDDEN), nn.Linear(HIDDEN, HIDDEN), nn.Linear(HIDDEN, self._lesson.outputs)
         self._net = nn.Sequential(layers[0], nn.ReLU(), layers[1], nn.ReLU(), layers[2])
         self._scale = torch.ones(size)

@@ -29,9 +29,11 @@ from chatscene.terms.snippet import ParameterRange, Snippet, Tried
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cited:
-    """What SafeBench's baselines vary of it (SafeBench v1, ``lc.yaml`` and ``scenario_policy``, ``advtraj.json``).
+    """What SafeBench's baselines vary of it (SafeBench v1, ``convert_actions`` of ``scenario_definition``).
 
-    Its lane-changing adversary leads the ego and has no counterpart here.
+    Its lane-changing adversary leads the ego and has no counterpart here, so that but for the offset the numbers are
+    ours; and what it holds fixed, LC varies here too: the trigger of vehicle passing and the speeds of the two
+    obstacles, by 5 m and by half.
 
     Attributes:
         triggers: Of Learning-to-Collide [m].
