@@ -196,7 +196,7 @@ class Baseline:
 
     def start(self, spawn: Snippet, nominal: Nominal) -> Snippet:  # noqa: ARG002 - SafeBench's differ by it
         """Where the adversary starts: anywhere that its snippet says, or in the middle of that."""
-        return spawn if self.starts else fixed(spawn)
+        return spawn if self.starts else _fixed(spawn)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The same as before: it depends on the base scenario alone."""
@@ -253,7 +253,7 @@ def narrowed(spawn: Snippet, room: float) -> Snippet:
     return replace(spawn, parameters=tuple(parameters), source=source)
 
 
-def fixed(spawn: Snippet) -> Snippet:
+def _fixed(spawn: Snippet) -> Snippet:
     """A spawn whose adversary starts in the middle of every range."""
     source = spawn.source
     for p in spawn.parameters:
