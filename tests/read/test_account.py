@@ -99,6 +99,24 @@ def test_who_is_followed_is_ahead() -> None:
     assert facts(account.slots, "actions", "position") == [["brake"], "ahead"]
 
 
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("We drove behind a lorry, whoosh. It stopped suddenly.", "stop"),
+        ("I was following a truck, mate, and it stopped dead.", "stop"),
+        ("V1 was travelling behind V2, they say. V2 braked sharply.", "brake"),
+        ("LORRY AHEAD STOPPED SUDDENLY STOP ROAD ICY STOP WE DROVE BEHIND IT STOP", "stop"),
+    ],
+)
+def test_a_leader_that_stops_or_brakes_is_the_adversary_though_it_is_first_only_followed(text: str, act: str) -> None:
+    assert facts(told(text).slots, "position", "actions") == ["ahead", [act]]
+
+
+def test_what_was_hit_while_it_waited_for_somebody_is_the_ego() -> None:
+    slots = told("The AV had slowed for a pedestrian group waiting at the curb when it was rear-ended by a van.").slots
+    assert facts(slots, "adversary", "position") == ["car", "behind"]
+
+
 def test_whoever_is_only_waited_for_is_no_adversary() -> None:
     account = told("The AV yielded to a pedestrian when, moments later, a van made contact with its rear bumper.")
     assert facts(account.slots, "adversary", "actions") == ["car", ["follow"]]

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from chatscene.read.account_rules import KERB, PARTICIPLE, Kind, Rule
+from chatscene.read.account_rules import KERB, PARTICIPLE, Kind, Rule, rules
 from chatscene.read.phrases import Phrase, Sort, Where, side_in
 from chatscene.read.telling import NAMED_NEXT, AtPedals, Contact, Party, Telling
 from chatscene.terms.actors import Manner
@@ -483,6 +483,15 @@ def _ego(telling: Telling, _value: Any, match: re.Match[str]) -> None:
         telling.of_ego()
 
 
+def _same(telling: Telling, _value: Any, match: re.Match[str]) -> None:
+    """ "We followed a van and it stopped": whoever is only met does something after all; who "was hit" is the ego."""
+    if telling.subject is not None or not telling.parties or match[0] not in ("it", "he", "she"):
+        return
+    hit = any(rule.pattern.match(match.string, match.end() + 1) for rule in rules() if rule.kind is Kind.STRUCK)
+    if telling.parties[-1].aside and not hit:
+        telling.subject = len(telling.parties) - 1
+
+
 def _place(telling: Telling, value: Any, _match: re.Match[str]) -> None:
     place, control = value
     known = telling.facts.get("place")
@@ -510,6 +519,7 @@ _OF_PHRASES: dict[Sort, Callable[[Telling, Any, re.Match[str]], None]] = {
     Sort.THEN: _joint,
     Sort.SEES: _sees,
     Sort.EGO: _ego,
+    Sort.SAME: _same,
     Sort.PLACE: _place,
     Sort.SITE: _said_site,
     Sort.MANEUVER: _maneuver,
