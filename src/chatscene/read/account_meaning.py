@@ -484,7 +484,7 @@ def _ego(telling: Telling, _value: Any, match: re.Match[str]) -> None:
 
 
 def _same(telling: Telling, _value: Any, match: re.Match[str]) -> None:
-    """ "We followed a van and it stopped": whoever is only met does something after all; who "was hit" is the ego."""
+    """Whoever is only met does something after all: "we followed a van and it stopped". Who "was hit" is the ego."""
     if telling.subject is not None or not telling.parties or match[0] not in ("it", "he", "she"):
         return
     hit = any(rule.pattern.match(match.string, match.end() + 1) for rule in rules() if rule.kind is Kind.STRUCK)
