@@ -1,6 +1,7 @@
 """Distinct avoidable failures that searches find, per 1,000 simulations, over the forty sentences of the benchmark.
 
-    python benchmarks/avoidable.py [--ego idm] [--half 0] [--sampler random …] [--routes 3] [--seeds 5] [--jobs 2]
+    python benchmarks/avoidable.py [--ego idm] [--half 0] [--sampler random …] [--routes 3] [--seeds 5]
+        [--physics kinematic] [--jobs 2]
 
 A row is a search; each drives 50 scenes a sentence, route and seed in the native simulator, and is held by what a
 careful driver of UN R157 would have avoided. Failures are distinct if their outcomes are: who struck whom with what
@@ -74,8 +75,9 @@ class Found:
 class Searcher:
     """Does searches in one process."""
 
-    def __init__(self, ego: str) -> None:
-        self._simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator="native"))
+    def __init__(self, ego_and_physics: tuple[str, str]) -> None:
+        ego, physics = ego_and_physics
+        self._simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator="native", physics=physics))
         self._ego = load_ego(ego)
 
     def __call__(self, task: Task) -> tuple[Task, Found]:
@@ -143,9 +145,17 @@ def interval(of: dict[str, list[Found]], against: dict[str, list[Found]], what: 
 @click.option("--scenes", default=50, show_default=True)
 @click.option("--routes", default=3, show_default=True)
 @click.option("--seeds", default=5, show_default=True)
+@click.option("--physics", default="kinematic", show_default=True)
 @click.option("--jobs", default=1, show_default=True)
 def main(
-    ego: str, half: int | None, samplers: tuple[str, ...], scenes: int, routes: int, seeds: int, jobs: int
+    ego: str,
+    half: int | None,
+    samplers: tuple[str, ...],
+    scenes: int,
+    routes: int,
+    seeds: int,
+    physics: str,
+    jobs: int,
 ) -> None:
     generator = load_generator("chatscene")
     texts = [text for base in BaseScenario for text in generator.texts(base)]
@@ -164,7 +174,7 @@ def main(
             for text, seed in product(texts, range(seeds))
         ]
         found = results.setdefault(name, {text: [] for text in texts})
-        for task, one in spread(Searcher, ego, tasks, workers=Workers(jobs)):
+        for task, one in spread(Searcher, (ego, physics), tasks, workers=Workers(jobs)):
             found[task.text].append(one)
         told, (first, *_) = row([one for every in found.values() for one in every]), results.values()
         base = row([one for every in first.values() for one in every])["distinct"]
@@ -175,7 +185,7 @@ def main(
             f"{told['blockers']:.1f} | {told['waited']:.0f} |",
             flush=True,
         )
-    print(f"\nPer 1,000 simulations, {len(texts)} sentences, {routes} routes, {seeds} seeds, against {ego}.")
+    print(f"\nPer 1,000 simulations, {len(texts)} sentences, {routes} routes, {seeds} seeds, against {ego}, {physics}.")
 
 
 if __name__ == "__main__":

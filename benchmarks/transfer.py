@@ -14,6 +14,9 @@ searched): how often the ego collides with the adversary, how often in a crash t
 avoided, and how often it does not arrive unhurt. Intervals resample scenarios within base scenarios and the routes
 within them; a sentence's seeds, surrogates and egos stay together, and base scenarios stay as they are. Differences
 from ChatScene are tested by the same draws, and the p-values of an endpoint corrected after Holm.
+
+And the frontier: of all kept scenes those that avoidably hit at least so many of the egos other than the one that is
+tested, how often they hit that one, and how much of it is avoidable; over all drives, intervals resample scenarios.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ import json
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 from statistics import fmean
 
@@ -52,6 +56,7 @@ FORTY = {  # pairs of a scenario and a route
     "five routes": Budget(scenarios=1, search=replace(PAPER, scenes=20, routes=5)),
 }
 ADVERSARY = (Fault.ADVERSARY_INTO_EGO, Fault.EGO_INTO_ADVERSARY)
+BLIND = ("sac", "ppo", "td3")  # egos that see four numbers
 ENDPOINTS = ("hits the adversary", "avoidably", "does not arrive unhurt")
 DRAWS = 10_000
 
@@ -96,6 +101,7 @@ class Drive:
     base: str
     scenario: str
     route: str
+    scene: str
     came: tuple[bool, bool, bool]
 
 
@@ -138,6 +144,7 @@ def main(
                 drives += _drives(folder, generator, surrogate, seed)
     _print_matrix(drives, generators, surrogates)
     _print_transfer([one for one in drives if one.ego != one.surrogate], generators)
+    _print_frontier(drives, generators)
 
 
 def _drives(folder: Path, generator: str, surrogate: str, seed: int) -> list[Drive]:
@@ -158,6 +165,7 @@ def _drives(folder: Path, generator: str, surrogate: str, seed: int) -> list[Dri
                     base=bases[row["scenario_id"]],
                     scenario=row["scenario_id"],
                     route=row["route_id"],
+                    scene=row["scene_id"],
                     came=(hit, hit and row["avoidable"] is True, not arrived),
                 )
             )
@@ -201,6 +209,35 @@ def _print_transfer(drives: list[Drive], generators: tuple[str, ...]) -> None:
     print("\nof collisions with the adversary, avoidable\n| generator | share | 95 % |")
     for g, (share, interval) in avoidable.items():
         print(f"| {g} | {share:.3f} | {interval} |")
+
+
+def _print_frontier(drives: list[Drive], generators: tuple[str, ...]) -> None:
+    """What is left of the kept scenes if they must avoidably hit so many other egos, and what it does to an ego."""
+    hit_by_scene: dict[tuple[str, str, int, str], set[str]] = defaultdict(set)
+    for one in drives:
+        if one.came[1]:
+            hit_by_scene[one.generator, one.surrogate, one.seed, one.scene].add(one.ego)
+    rng = np.random.default_rng(0)
+    print(
+        "\nthe frontier\n| generator | ego | others hit avoidably | drives | hit | 95 % | of these avoidable | 95 % |"
+    )
+    for generator, egos, least in product(generators, (BLIND, *((ego,) for ego in EGOS[3:])), range(len(EGOS))):
+        counts: dict[str, np.ndarray] = {}  # drives, hits and avoidable ones of each scenario
+        for one in drives:
+            if one.generator == generator and one.ego in egos and one.ego != one.surrogate:
+                others = hit_by_scene[generator, one.surrogate, one.seed, one.scene] - {one.ego}
+                if len(others) >= least:
+                    counts.setdefault(one.scenario, np.zeros(3))[:] += (1, *one.came[:2])
+        if len(counts) > 1:
+            every = np.array([counts[scenario] for scenario in sorted(counts)])
+            drawn = every[rng.integers(len(every), size=(DRAWS, len(every)))].sum(axis=1)
+            n, hits, avoidable = every.sum(axis=0)
+            careful = drawn[drawn[:, 1] > 0]
+            print(
+                f"| {generator} | {', '.join(egos)} | {least} | {n:.0f} | {hits / n:.3f} | "
+                f"{_interval(drawn[:, 1] / drawn[:, 0])} | {avoidable / max(hits, 1):.3f} | "
+                f"{_interval(careful[:, 2] / careful[:, 1]) if len(careful) else ''} |"
+            )
 
 
 def _ratio(drawn: np.ndarray) -> tuple[float, str]:
