@@ -1,20 +1,25 @@
 """Whether `chatscene rate` tells what brute force finds, and with how many drives.
 
-    python benchmarks/rate.py --out FOLDER [--case 0 …] [--brute 100000] [--scenes 300] [--repetitions 100] [--jobs 2]
+    python benchmarks/rate.py --out FOLDER [--case 0 …] [--brute 1000000] [--repetitions 100] [--jobs 2]
+    python benchmarks/rate.py --out FOLDER --forty idm [--forty planner] [--brute 3000] [--repetitions 1] [--jobs 2]
 
-For each sentence and ego `--brute` scenes with every value of the ranges alike, on one route, driven and not judged;
-and `--repetitions` rates, each of a run of twenty such scenes of its own and `--scenes` further ones. Prints the share
-of crashes with the adversary by brute force with its interval; of the rates, how many could be told, their mean, how
-many of their intervals hold the share and how many meet its interval; and how many drives without weights have
-intervals as narrow. The scenes of brute force are drawn, placed and driven by what a run uses; that they are counted
-alike is the one thing that no code of `rate` has a part in.
+For each case, a sentence with an ego, `--brute` scenes with every value of the ranges alike, on one route, driven and
+not judged; and `--repetitions` rates, each of a run of twenty such scenes of its own and of so many further ones as the
+case has. Prints the share of crashes with the adversary by brute force with its interval; of the rates, how many could
+be told, their mean, how many of their intervals hold the share and how many meet its interval; and how many drives
+without weights have intervals as narrow. `--forty` takes the benchmark's forty sentences with an ego. What brute force
+found and the runs stay in the folder. The scenes of brute force are drawn, placed and driven by what a run uses; that
+they are counted alike is the one thing that no code of `rate` has a part in.
 """
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import click
@@ -27,20 +32,25 @@ from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw, scene_seed
 from chatscene.runs.executor import Workers
 from chatscene.runs.parallel import spread
+from chatscene.search.generator import load_generator
+from chatscene.search.rare import Share
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import Rejected, Scene
 
-CASES = (
-    ("A car runs the red light from the left.", "planner"),
-    ("A car pulls out from the left kerb.", "planner"),
-    ("A car from the right runs the red light while we turn left.", "idm"),
+CASES = (  # further scenes of a rate: the more, the rarer
+    ("A car runs the red light from the left.", "planner", 300),
+    ("We go straight on at the lights; from the left a car ignores its red signal and turns left.", "idm", 600),
     (
         "We try to overtake a slow leader by changing lanes; the car in the next lane drops to the speed of the leader "
         "and keeps us from getting in.",
-        "planner",
+        "idm",
+        1500,
     ),
+    ("The car ahead of us in the left lane cuts in.", "idm", 4000),
 )
+OF_THE_FORTY = 600  # further scenes of a rate
 BATCH = 500
 
 
@@ -93,48 +103,66 @@ class Driver:
         return Forced(placed, crashed)
 
 
-def forced(case: tuple[str, str], scenes: int, workers: Workers) -> Forced:
-    """What brute force finds of a sentence and an ego."""
+def forced(case: tuple[str, str], scenes: int, workers: Workers, out: Path) -> Forced:
+    """What brute force finds of a sentence and an ego; what it found before is in the folder."""
+    known = out / f"forced-{scenes}-{hashlib.sha256(' '.join(case).encode()).hexdigest()[:12]}.json"
+    if known.exists():
+        return Forced(**json.loads(known.read_text()))
     batches: Iterable[range] = [range(at, min(at + BATCH, scenes)) for at in range(0, scenes, BATCH)]
     found = list(spread(Driver, case, batches, workers=workers))
-    return Forced(sum(one.placed for one in found), sum(one.crashed for one in found))
+    whole = Forced(sum(one.placed for one in found), sum(one.crashed for one in found))
+    out.mkdir(parents=True, exist_ok=True)
+    known.write_text(json.dumps(asdict(whole)))
+    return whole
 
 
 @click.command()
-@click.option("--case", "numbers", type=int, multiple=True, default=tuple(range(len(CASES))), show_default=True)
-@click.option("--brute", default=100_000, show_default=True)
-@click.option("--scenes", default=300, show_default=True)
+@click.option("--case", "numbers", type=click.IntRange(0, len(CASES) - 1), multiple=True, help="All if none is named.")
+@click.option("--forty", "egos", multiple=True, help="The forty sentences with this ego, in place of the cases.")
+@click.option("--brute", default=1_000_000, show_default=True)
 @click.option("--repetitions", default=100, show_default=True)
 @click.option("--jobs", default=1, show_default=True)
 @click.option("--out", type=click.Path(file_okay=False, path_type=Path), required=True)
-def main(numbers: tuple[int, ...], brute: int, scenes: int, repetitions: int, jobs: int, out: Path) -> None:
-    for number in numbers:
-        text, ego = CASES[number]
-        truth = forced((text, ego), brute, Workers(jobs))
+def main(numbers: tuple[int, ...], egos: tuple[str, ...], brute: int, repetitions: int, jobs: int, out: Path) -> None:
+    generator = load_generator("chatscene")
+    forty = [text for base in BaseScenario for text in generator.texts(base)]
+    cases = [CASES[number] for number in numbers or range(len(CASES))]
+    cases = [(text, ego, OF_THE_FORTY) for ego in egos for text in forty] or cases
+    counted: Counter[str] = Counter()
+    for text, ego, scenes in cases:
+        truth = forced((text, ego), brute, Workers(jobs), out)
         low, high = truth.interval()
-        told = f"{truth.crashed} of {truth.placed} crash, {truth.share:.3%} ({low:.3%} to {high:.3%})"
+        told = f"{truth.crashed} of {truth.placed} crash, {truth.share:.4%} ({low:.4%} to {high:.4%})"
         print(f"{text} {ego}: brute force: {told}", flush=True)
-        found = []
-        for seed in range(repetitions):
-            folder = out / f"{number}-{seed}"
-            if not (folder / "run.json").exists():
-                chatscene.run(text, folder, ego=ego, sampler="random", simulator="native", scenes=20, seed=seed)
-            found.append(chatscene.rate(folder, scenes=scenes, seed=seed).crash)
-        rates = [one for one in found if one.probability is not None]
-        if not rates:
-            print(f"  none of {repetitions} could be told; crashes seen: {[one.seen for one in found]}", flush=True)
+        found = list(rates(text, ego, scenes, repetitions, jobs, out))
+        probable = [one for one in found if one.probability is not None]
+        held = sum((one.low or 0) <= truth.share <= (one.high or 0) for one in probable)
+        met = sum((one.low or 0) <= high and low <= (one.high or 0) for one in probable)
+        counted.update(told=len(probable), held=held, met=met, none=sum(not one.seen for one in found))
+        if not probable:
+            seen, below = sorted(one.seen for one in found), max(one.high or 1.0 for one in found)
+            print(f"  none of {repetitions} could be told; crashes seen: {seen}; below {below:.2%}", flush=True)
             continue
-        held = sum((one.low or 0) <= truth.share <= (one.high or 0) for one in rates)
-        met = sum((one.low or 0) <= high and low <= (one.high or 0) for one in rates)
-        shares = np.array([one.probability for one in rates])
-        widths = np.array([(one.high or 0) - (one.low or 0) for one in rates])
-        as_many = (2 * 1.96) ** 2 * truth.share * (1 - truth.share) / widths.mean() ** 2
+        shares = np.array([one.probability for one in probable])
+        widths = np.array([(one.high or 0) - (one.low or 0) for one in probable])
+        as_many = (2 * 1.96) ** 2 * truth.share * (1 - truth.share) / np.median(widths) ** 2
         print(
-            f"  {len(rates)} of {repetitions} told from {scenes + 20} scenes each: mean {shares.mean():.3%}, from "
-            f"{shares.min():.3%} to {shares.max():.3%}; {held} hold what brute force found, {met} meet its interval; "
-            f"as narrow as {as_many:.0f} drives without weights",
+            f"  {len(probable)} of {repetitions} told from {scenes + 20} scenes each: mean {shares.mean():.4%}, from "
+            f"{shares.min():.4%} to {shares.max():.4%}; {held} hold what brute force found, {met} meet its interval; "
+            f"as narrow as {as_many:.0f} drives without weights, {as_many / (scenes + 20):.1f} times as many",
             flush=True,
         )
+    print(f"of {len(cases) * repetitions} rates: {dict(counted)}")
+
+
+def rates(text: str, ego: str, scenes: int, repetitions: int, jobs: int, out: Path) -> Iterator[Share]:
+    """How often it crashes, told anew from a run of its own."""
+    name = pipeline.understand(text).scenario.id
+    for seed in range(repetitions):
+        folder = out / f"{name}-{ego}-{seed}"
+        if not (folder / "run.json").exists():
+            chatscene.run(text, folder, ego=ego, sampler="random", simulator="native", scenes=20, seed=seed)
+        yield chatscene.rate(folder, scenes=scenes, seed=seed, jobs=jobs).crash
 
 
 if __name__ == "__main__":
