@@ -203,6 +203,11 @@ def test_a_scene_that_was_not_driven_cannot_be_had(by_hand: chatscene.Run) -> No
             by_hand.scene(scene_id)
 
 
+def test_a_printed_run_says_which_words_were_not_read(simulated: chatscene.Run, by_hand: chatscene.Run) -> None:
+    assert "words that were not read, and may not be shown: 'delivery'" in str(simulated).splitlines()
+    assert "not read" not in str(by_hand)
+
+
 def test_a_folder_that_is_no_finished_run_is_refused(tmp_path: Path) -> None:
     started(tmp_path / "cut")
     with pytest.raises(RunError, match="finish it with: chatscene resume"):
