@@ -98,10 +98,11 @@ def test_an_act_that_the_patterns_took_for_the_ego_s_is_not_lost() -> None:
             Why.WEATHER,
         ),
         ("A pedestrian steps onto the slippery road from the right.", "slippery road", Why.WEATHER),
+        ("We make a quick U-turn and a moped comes the other way.", "make a quick u-turn", Why.MANEUVER),
         ("Un coche frena de golpe delante de nosotros", "un coche frena de golpe delante de nosotros.", Why.LANGUAGE),
     ],
 )
-def test_weather_that_no_scene_has_and_other_languages_are_refused_with_that_as_the_reason(
+def test_what_no_scene_has_is_refused_with_that_as_the_reason(
     text: str, said: str, why: Why
 ) -> None:
     with pytest.raises(NothingFits) as refusal:

@@ -117,6 +117,31 @@ def test_what_was_hit_while_it_waited_for_somebody_is_the_ego() -> None:
     assert facts(slots, "adversary", "position") == ["car", "behind"]
 
 
+def test_whom_the_ego_approaches_from_behind_is_ahead() -> None:
+    slots = told("The VUT approaches a stationary target vehicle from behind, sir.").slots
+    assert facts(slots, "position", "actions") == ["ahead", ["stand"]]
+
+
+def test_a_crosswalk_that_nobody_is_at_is_no_site() -> None:
+    slots = told("A pedestrian ran from the left kerb into our path, outside any crosswalk.").slots
+    assert facts(slots, "position", "site") == ["roadside", None]
+
+
+@pytest.mark.parametrize(
+    ("text", "maneuver", "acts"),
+    [
+        ("We turn across the path of an oncoming car at a junction, sir.", "left-turn", ["oncoming"]),
+        ("An oncoming bus turns across the front of us at a junction, mate.", "straight", ["turn-left"]),
+        ("Oncoming hatchback turned right across our bows at a junction, sir.", "straight", ["turn-left"]),
+        ("As we turn left, mate, an oncoming car turns right in front of us.", "left-turn", ["turn-right"]),
+    ],
+)
+def test_who_turns_across_oncoming_traffic_turns_left_where_traffic_keeps_right(
+    text: str, maneuver: str, acts: list[str]
+) -> None:
+    assert facts(told(text).slots, "maneuver", "actions") == [maneuver, acts]
+
+
 def test_whoever_is_only_waited_for_is_no_adversary() -> None:
     account = told("The AV yielded to a pedestrian when, moments later, a van made contact with its rear bumper.")
     assert facts(account.slots, "adversary", "actions") == ["car", ["follow"]]

@@ -536,7 +536,8 @@ def _said_of(telling: Telling, party: Party, phrase: Phrase, match: re.Match[str
     elif phrase.sort is Sort.OCCLUDER:
         party.occluder = value
     elif phrase.sort is Sort.WHERE:
-        party.where.add(value)
+        if match[0] != "from behind" or Where.AHEAD not in party.where:  # whom we approach from behind is ahead
+            party.where.add(value)
     elif phrase.sort is Sort.SIDE:
         if party.side is None and not _LEAD_ASIDE & set(party.acts[-1:]):
             party.side = Side(side_in(match) or "")

@@ -70,7 +70,8 @@ def hear(text: str) -> Frame:
     else:
         slots = _slots(clauses, notes)
         quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
-        unused = unused_of(told, quantities, around.unlike)
+        turned = tuple(Unused(said=m["what"], why=Why.MANEUVER) for m in words.NO_MANEUVER.finditer(clauses.whole))
+        unused = (*turned, *unused_of(told, quantities, around.unlike))
         heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(clauses.whole), slots))
     return replace(
         heard,

@@ -210,6 +210,21 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         "",
     ),
+    # Where traffic keeps right, who turns across oncoming traffic turns left, also in a report from where it keeps left
+    (
+        re.compile(
+            r"\b(turn(?:s|ed|ing)?)(?: right)?(?= (?:across|in front of|into the path of)"
+            r" (?:(?:the|its) (?:path|way|bows?|front|lane) of )?(?:an? |the |another )?oncoming\b)"
+        ),
+        r"\1 left",
+    ),
+    (
+        re.compile(
+            r"\b(oncoming (?:\w+ ){1,3}turn(?:s|ed|ing))(?: right)?"
+            r"(?= across (?:(?:(?:the|our|its) (?:path|way|bows?|front|lane|nose)|us|our|the ego)\b|(?:the )?ego's))"
+        ),
+        r"\1 left",
+    ),
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
@@ -263,6 +278,14 @@ FOREIGN = _p(
     r"parking garage|multi-storey|tunnel collapse|landslide|pothole|hole in (?:the )?road",
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
     r"flood\w*|earthquake|wheelchair robot",
+)
+# What no ego does, of which it is told before anybody else
+NO_MANEUVER = re.compile(
+    r"\b(?:we|the ego)(?: (?:are|is|were|was|have|has|had|just|then|want(?:ed)? to|about to|going to|start\w*|beg[iau]n\w*"
+    r"|tr(?:y|ied|ying) to|fancied|attempt\w*(?: to)?))*"
+    r" (?P<what>(?:mak|mad|do(?!w)|did|perform|pull|complet|execut)\w* (?:(?:a|an|our) )?(?:\w+ )?u[ -](?:turns?|ey)\b"
+    r"|(?:turn|swing)(?:ing|ed|s)? (?:a)?round in the (?:road|street)|u-turn(?:ing|ed)?\b)",
+    re.IGNORECASE,
 )
 LIGHTS: dict[Light, re.Pattern[str]] = {light: _p(light.row.words) for light in Light}
 WEATHERS: dict[Weather, re.Pattern[str]] = {weather: _p(weather.row.words) for weather in Weather}

@@ -267,6 +267,7 @@ class Why(StrEnum):
     LANGUAGE = "only English is read"
     WEATHER = "no scene has this; there are rain, snowfall or fog, and roads that are dry, wet, snowy or icy all over"
     LIGHT = "no scene has this; there are day, dusk and night"
+    MANEUVER = "no ego does this; it goes straight on, turns, changes lanes or gets round what stands in its lane"
     DEGREE = "there is one rain, one snowfall and one fog"
     REACTION = "how the ego reacts is its own affair"
     ROAD_USER = "another road user; one adversary is searched with"
@@ -276,7 +277,7 @@ class Why(StrEnum):
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 
 
-REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT)  # without these a scene is another one than was asked for
+REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT, Why.MANEUVER)  # without these a scene is another one than was asked for
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
