@@ -102,9 +102,7 @@ def test_an_act_that_the_patterns_took_for_the_ego_s_is_not_lost() -> None:
         ("Un coche frena de golpe delante de nosotros", "un coche frena de golpe delante de nosotros.", Why.LANGUAGE),
     ],
 )
-def test_what_no_scene_has_is_refused_with_that_as_the_reason(
-    text: str, said: str, why: Why
-) -> None:
+def test_what_no_scene_has_is_refused_with_that_as_the_reason(text: str, said: str, why: Why) -> None:
     with pytest.raises(NothingFits) as refusal:
         pipeline.understand(text)
     assert refusal.value.reasons[0].startswith(f"{said!r}")

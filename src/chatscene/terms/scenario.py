@@ -277,7 +277,7 @@ class Why(StrEnum):
     WORDS = "no rule knows these words; only the classifier may have gone by them"
 
 
-REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT, Why.MANEUVER)  # without these a scene is another one than was asked for
+REFUSED = (Why.LANGUAGE, Why.WEATHER, Why.LIGHT, Why.MANEUVER)  # without these a scene is another than was asked for
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
