@@ -43,9 +43,8 @@ def _estimated(
     tally = Tally(exposure_of((SPEED, GAP), densities))
     for number, count in enumerate(rounds(scenes)):
         rng = np.random.default_rng((seed, number))
-        proposal = tally.aim(rng)
-        points = proposal.draw(count, rng)
-        tally.add(points, [0] * count, [came(point) for point in points], Batch(count=count, density=proposal))
+        points, batch = tally.draw(count, rng)
+        tally.add(points, [0] * count, [came(point) for point in points], batch)
     return tally.shares()[0], tally
 
 
@@ -56,6 +55,20 @@ def test_intervals_hold_the_known_share_of_a_rare_crash() -> None:
     held = sum((one.low or 0.0) <= 0.01 <= (one.high or 0.0) for one in told)
     assert held >= 0.95 * len(told)
     assert np.mean([one.probability or 0.0 for one in told]) == pytest.approx(0.01, rel=0.1)
+
+
+def test_what_drives_led_to_makes_them_count_no_less() -> None:
+    """Counted as often as all batches together drew them, the shares would be a tenth too low."""
+    five = [ParameterRange(name=f"OPT_{letter}", low=0.0, high=1.0, unit="m") for letter in "ABCDE"]
+    came, shares = _corner(0.05 ** (1 / 5)), list[float]()
+    for seed in range(60):
+        tally = Tally(exposure_of(five))
+        for number, count in enumerate(rounds(600)):
+            points, batch = tally.draw(count, np.random.default_rng((seed, number)))
+            tally.add(points, [0] * count, [came(point) for point in points], batch)
+        shares.append(tally.shares()[0].probability or 0.0)
+    assert all(shares)
+    assert np.mean(shares) == pytest.approx(0.05, rel=0.04)
 
 
 def test_an_interval_is_wider_where_earlier_drives_led_to_later_ones() -> None:

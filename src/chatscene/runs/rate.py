@@ -226,12 +226,11 @@ def _rounds(
     begun = 0
     for number, count in enumerate(rounds(scenes)):
         rng = np.random.default_rng((scene_seed(seed, f"{scenario}/rate"), number))
-        proposal = tally.aim(rng)
-        points = proposal.draw(count, rng)
+        points, batch = tally.draw(count, rng)
         on = [routes[(begun + i) % len(routes)] for i in range(count)]
         values = [exposure.cube.values(point) for point in points]
         found = yield [(i, _scene(scenario, seed, begun + i, on[i], values[i])) for i in range(count)]
-        tally.add(points, on, [found[i] for i in range(count)], Batch(count=count, density=proposal))
+        tally.add(points, on, [found[i] for i in range(count)], batch)
         begun += count
 
 

@@ -4,6 +4,9 @@ Multiple importance sampling with the balance heuristic (Veach and Guibas 1995):
 occurs under the exposure for once that it is drawn by all batches together. Shares are self-normalised (Owen, *Monte
 Carlo theory, methods and examples*, chapter 9), so that points where the scene cannot be placed, of which nobody knows
 how many there are, need no weight: what is told is of scenes that can be.
+
+Batches that aim at what crashed before would make a drive count too little that crashed, since they were drawn there
+for that. So a drive counts as if neither it nor any drive that it led to had drawn others (decision 0107).
 """
 
 from __future__ import annotations
@@ -15,24 +18,25 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
+from scipy import special, stats
 
 from chatscene.search.exposure import Exposure
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Numbers = NDArray[np.intp]
 
-ROUNDS = 5  # of drives; where the next looks depends on what came of those before
+ROUNDS = 10  # of drives; where the next looks depends on what came of those before
 COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
 CONFIDENCE = 0.95  # of intervals, where nothing was aimed
-# Drives that led to where later ones were drawn count a little too seldom, which no variance shows: shares come out
-# some hundredths of themselves low. Intervals as wide as those of 99 % then hold what is true in 97 to 99 of 100
-# (decision 0105).
+# Where it did, weights are few and uneven, and the variance is known no better than they are: intervals of 95 % hold
+# what is true in 90 to 95 of 100, those as wide as of 99 % in 95 to 99 (decision 0107).
 CONFIDENCE_AIMED = 0.99
 FEWEST = 30  # effective crashes of which a share is told
 DEFENSIVE = 0.35  # share of the draws of an aimed batch that are left to the exposure, so that nothing is overlooked
 CENTRES = 50  # at most, of an aimed batch
 FEWEST_CENTRES = 10
+_ROOT = np.sqrt(2 * np.pi)
 NARROWEST = 0.05  # width of a kernel, as a share of the declared range
 
 
@@ -41,14 +45,6 @@ class Density(Protocol):
 
     def density(self, points: Array) -> Array:
         """(N,) of points, (N, dimensions), in the unit cube."""
-        ...
-
-
-class Proposal(Density, Protocol):
-    """What the points of a batch can be drawn from."""
-
-    def draw(self, count: int, rng: np.random.Generator) -> Array:
-        """(count, dimensions) points."""
         ...
 
 
@@ -73,59 +69,43 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class Aimed:
-    """Kernels around points, and a share that is left to the exposure.
+    """Kernels around drives, and a share that is left to the exposure.
 
     Attributes:
-        centres: (M, dimensions).
+        centres: (M, dimensions) their points.
+        lines: Of each, the numbers of the drives that led to it one by one, with its own.
         width: (dimensions,) standard deviations of the kernels, which are normal and cut off at the cube.
         exposure: The rest.
     """
 
     centres: Array
+    lines: tuple[tuple[int, ...], ...]
     width: Array
     exposure: Exposure
 
-    def density(self, points: Array) -> Array:
-        """(N,) of points, (N, dimensions)."""
+    def density(self, points: Array, first: int = 0) -> Array:
+        """(N,) of the points of drives, (N, dimensions), from the one with a number on, without kernels they led to."""
         near = np.ones((len(points), len(self.centres)))
         for d, width in enumerate(self.width):
             centres = self.centres[:, d]
-            share = stats.norm.cdf((1 - centres) / width) - stats.norm.cdf(-centres / width)
-            near *= stats.norm.pdf((points[:, d, None] - centres) / width) / (width * share)
-        # A point around which was drawn because it crashed says nothing of how likely it was to be drawn itself: with
-        # its own kernel it would count too little, and crashes would seem rarer than they are.
-        own = (points[:, None, :] == self.centres).all(axis=2)
-        kernels = np.where(own, 0.0, near).sum(axis=1) / np.maximum(len(self.centres) - own.sum(axis=1), 1)
+            share = special.ndtr((1 - centres) / width) - special.ndtr(-centres / width)
+            near *= np.exp(-0.5 * ((points[:, d, None] - centres) / width) ** 2) / (_ROOT * width * share)
+        others = np.ones(near.shape, bool)
+        for centre, line in enumerate(self.lines):
+            others[[number - first for number in line if number >= first], centre] = False
+        kernels = np.where(others, near, 0.0).sum(axis=1) / np.maximum(others.sum(axis=1), 1)
         return DEFENSIVE * self.exposure.density(points) + (1 - DEFENSIVE) * kernels
 
-    def draw(self, count: int, rng: np.random.Generator) -> Array:
-        """(count, dimensions) points."""
+    def draw(self, count: int, rng: np.random.Generator) -> tuple[Array, Numbers]:
+        """(count, dimensions) points, and (count,) around which drive each was drawn; -1 of none."""
         points = self.exposure.draw(count, rng)
         aimed = rng.random(count) >= DEFENSIVE
-        centres = self.centres[rng.integers(len(self.centres), size=count)]
-        low, high = stats.norm.cdf(-centres / self.width), stats.norm.cdf((1 - centres) / self.width)
-        kernels = centres + self.width * stats.norm.ppf(low + rng.random(centres.shape) * (high - low))
-        return np.where(aimed[:, None], np.clip(kernels, 0.0, 1.0), points)
-
-
-def aim(points: Array, dangers: Array, exposure: Exposure, rng: np.random.Generator) -> Aimed:
-    """Where to draw next: around what crashed, and where nearly nothing did, around what came nearest to it.
-
-    Args:
-        points: (N, dimensions) of all drives so far; at least one.
-        dangers: (N,), above 1 of a crash (`chatscene.terms.outcome.Outcome.danger`).
-        exposure: The rest.
-        rng: Which crashes, if there are many.
-    """
-    crashed = np.flatnonzero(dangers > 1)
-    if len(crashed) < FEWEST_CENTRES:
-        chosen = np.argsort(-dangers, kind="stable")[:FEWEST_CENTRES]
-    else:
-        chosen = np.sort(rng.permutation(crashed)[:CENTRES])
-    centres = points[chosen]
-    # Scott's rule for kernels of a density in so many dimensions
-    width = centres.std(axis=0) * len(centres) ** (-1 / (centres.shape[1] + 4))
-    return Aimed(centres, np.maximum(width, NARROWEST), exposure)
+        chosen = rng.integers(len(self.centres), size=count)
+        centres = self.centres[chosen]
+        low, high = special.ndtr(-centres / self.width), special.ndtr((1 - centres) / self.width)
+        kernels = centres + self.width * special.ndtri(low + rng.random(centres.shape) * (high - low))
+        drives = np.array([line[-1] for line in self.lines], np.intp)[chosen]
+        return np.where(aimed[:, None], np.clip(kernels, 0.0, 1.0), points), np.where(aimed, drives, -1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,34 +135,19 @@ class Batch:
         count: How many.
         density: What they were drawn from.
         route: On which route all of them; None if on every route alike.
+        around: (count,) the number of the drive around which each was drawn, -1 of none; None if none was around any.
     """
 
     count: int
     density: Density
     route: int | None = None
+    around: Numbers | None = None
 
     @property
     def aimed(self) -> bool:
         """Whether earlier drives led to where it was drawn."""
         narrowed = isinstance(self.density, Box) and bool((self.density.high - self.density.low < 1).any())
         return narrowed or isinstance(self.density, Aimed)
-
-
-def weights_of(points: Array, routes: NDArray[np.intp], exposure: Exposure, batches: Sequence[Batch]) -> Array:
-    """(N,) how often each point counts; on every route that was driven alike.
-
-    Args:
-        points: (N, dimensions) that were driven.
-        routes: (N,) on which route.
-        exposure: How often they occur.
-        batches: What was drawn.
-    """
-    drawn, many = sum(batch.count for batch in batches), len(np.unique(routes))
-    mixture = np.zeros(len(points))
-    for batch in batches:
-        there = 1.0 if batch.route is None else many * (routes == batch.route)
-        mixture += batch.count / drawn * batch.density.density(points) * there
-    return exposure.density(points) / mixture
 
 
 def share_of(happened: Flags, weights: Array, *, aimed: bool = False) -> Share:
@@ -245,8 +210,10 @@ class Tally:
         self._exposure = exposure
         self._points = np.empty((0, len(exposure.densities)))
         self._routes = np.empty(0, np.intp)
+        self._around = np.empty(0, np.intp)
         self._came: list[Came] = []
         self._batches: list[Batch] = []
+        self._densities: list[Array] = []  # of each batch, at every point
 
     @property
     def placed(self) -> int:
@@ -268,19 +235,55 @@ class Tally:
             batch: What they were drawn from.
         """
         placed = [number for number, one in enumerate(came) if one is not None]
-        self._points = np.concatenate((self._points, points[placed]))
+        new, first = points[placed], self.placed
+        self._densities = [
+            np.concatenate((known, _density(before, new, first)))
+            for known, before in zip(self._densities, self._batches, strict=True)
+        ]
+        self._points = np.concatenate((self._points, new))
+        self._densities.append(_density(batch, self._points, 0))
         self._routes = np.concatenate((self._routes, np.array(routes, np.intp)[placed]))
+        around = np.full(len(points), -1, np.intp) if batch.around is None else batch.around
+        self._around = np.concatenate((self._around, around[placed]))
         self._came += [one for one in came if one is not None]
         self._batches.append(batch)
 
-    def aim(self, rng: np.random.Generator) -> Proposal:
-        """What to draw from next: the exposure, or where crashes are rare, around what was most dangerous."""
+    def draw(self, count: int, rng: np.random.Generator) -> tuple[Array, Batch]:
+        """(count, dimensions) points to drive next, and what they were drawn from.
+
+        That is the exposure, or where crashes are rare, also around what crashed, and where nearly nothing did, around
+        what came nearest to it.
+        """
+        aimed = self._aim(rng)
+        if aimed is None:
+            return self._exposure.draw(count, rng), Batch(count=count, density=self._exposure)
+        points, around = aimed.draw(count, rng)
+        return points, Batch(count=count, density=aimed, around=around)
+
+    def _aim(self, rng: np.random.Generator) -> Aimed | None:
         if not self._came or not self._exposure.densities:
-            return self._exposure
+            return None
         weights, crashed = self._weights(), self._flags("crashed")
         if weights[crashed].sum() >= COMMON * weights.sum():
-            return self._exposure
-        return aim(self._points, np.array([one.danger for one in self._came]), self._exposure, rng)
+            return None
+        hits = np.flatnonzero(crashed)
+        if len(hits) < FEWEST_CENTRES:
+            dangers = np.array([one.danger for one in self._came])
+            chosen = np.argsort(-dangers, kind="stable")[:FEWEST_CENTRES]
+        else:
+            chosen = np.sort(rng.permutation(hits)[:CENTRES])
+        centres = self._points[chosen]
+        # Scott's rule for kernels of a density in so many dimensions
+        width = centres.std(axis=0) * len(centres) ** (-1 / (centres.shape[1] + 4))
+        lines = tuple(self._line(int(number)) for number in chosen)
+        return Aimed(centres, lines, np.maximum(width, NARROWEST), self._exposure)
+
+    def _line(self, number: int) -> tuple[int, ...]:
+        """The drives that led to a drive one by one, with its own at the end."""
+        line = [number]
+        while (before := int(self._around[line[0]])) >= 0:
+            line.insert(0, before)
+        return tuple(line)
 
     def shares(self) -> tuple[Share, Share]:
         """Of crashes with an adversary, and of those that were avoidable."""
@@ -289,10 +292,22 @@ class Tally:
         return crashed, avoidable
 
     def _weights(self) -> Array:
-        return weights_of(self._points, self._routes, self._exposure, self._batches)
+        """(N,) how often each drive counts; on every route that was driven alike."""
+        many = len(np.unique(self._routes))
+        mixture = np.zeros(self.placed)
+        for batch, density in zip(self._batches, self._densities, strict=True):
+            there = 1.0 if batch.route is None else many * (self._routes == batch.route)
+            mixture += batch.count / self.drawn * density * there
+        return self._exposure.density(self._points) / mixture
 
     def _flags(self, name: str) -> Flags:
         return np.array([getattr(one, name) for one in self._came], bool)
+
+
+def _density(batch: Batch, points: Array, first: int) -> Array:
+    """(N,) of a batch at the points of drives, from the one with a number on."""
+    density = batch.density
+    return density.density(points, first) if isinstance(density, Aimed) else density.density(points)
 
 
 def rounds(scenes: int) -> Iterator[int]:
