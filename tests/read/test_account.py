@@ -122,6 +122,13 @@ def test_whom_the_ego_approaches_from_behind_is_ahead() -> None:
     assert facts(slots, "position", "actions") == ["ahead", ["stand"]]
 
 
+def test_who_comes_up_the_inside_comes_from_behind_on_the_right() -> None:
+    slots = told(
+        "Turning right at the lights, a cyclist came up the inside of me in the bike lane going straight."
+    ).slots
+    assert facts(slots, "position", "side", "maneuver") == ["behind-beside", "right", "right-turn"]
+
+
 def test_a_crosswalk_that_nobody_is_at_is_no_site() -> None:
     slots = told("A pedestrian ran from the left kerb into our path, outside any crosswalk.").slots
     assert facts(slots, "position", "site") == ["roadside", None]

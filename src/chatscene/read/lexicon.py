@@ -225,6 +225,12 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         r"\1 left",
     ),
+    (
+        re.compile(
+            r"\b(c[oa]m(?:e|es|ing)|rid(?:e|es|ing)|rode) up (?:on |along )?(?:the|our|my) inside(?: of (?:us|me))?\b"
+        ),
+        r"\1 from behind on the right",
+    ),
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
