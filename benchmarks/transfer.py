@@ -16,7 +16,8 @@ within them; a sentence's seeds, surrogates and egos stay together, and base sce
 from ChatScene are tested by the same draws, and the p-values of an endpoint corrected after Holm.
 
 And the frontier: of all kept scenes those that avoidably hit at least so many of the egos other than the one that is
-tested, how often they hit that one, and how much of it is avoidable; over all drives, intervals resample scenarios.
+tested, how often they hit that one, and how much of it is avoidable; over all drives. Intervals resample
+the pairs of a scenario and a route within base scenarios, those of which nothing is left among them.
 """
 
 from __future__ import annotations
@@ -217,27 +218,44 @@ def _print_frontier(drives: list[Drive], generators: tuple[str, ...]) -> None:
     for one in drives:
         if one.came[1]:
             hit_by_scene[one.generator, one.surrogate, one.seed, one.scene].add(one.ego)
-    rng = np.random.default_rng(0)
     print(
-        "\nthe frontier\n| generator | ego | others hit avoidably | drives | hit | 95 % | of these avoidable | 95 % |"
+        f"\nthe frontier\n| ego | others | generator | pairs | drives | hit | 95 % | minus {OURS} "
+        f"| of these avoidable | 95 % | minus {OURS} |"
     )
-    for generator, egos, least in product(generators, (BLIND, *((ego,) for ego in EGOS[3:])), range(len(EGOS))):
-        counts: dict[str, np.ndarray] = {}  # drives, hits and avoidable ones of each scenario
-        for one in drives:
-            if one.generator == generator and one.ego in egos and one.ego != one.surrogate:
-                others = hit_by_scene[generator, one.surrogate, one.seed, one.scene] - {one.ego}
-                if len(others) >= least:
-                    counts.setdefault(one.scenario, np.zeros(3))[:] += (1, *one.came[:2])
-        if len(counts) > 1:
-            every = np.array([counts[scenario] for scenario in sorted(counts)])
-            drawn = every[rng.integers(len(every), size=(DRAWS, len(every)))].sum(axis=1)
-            n, hits, avoidable = every.sum(axis=0)
-            careful = drawn[drawn[:, 1] > 0]
-            print(
-                f"| {generator} | {', '.join(egos)} | {least} | {n:.0f} | {hits / n:.3f} | "
-                f"{_interval(drawn[:, 1] / drawn[:, 0])} | {avoidable / max(hits, 1):.3f} | "
-                f"{_interval(careful[:, 2] / careful[:, 1]) if len(careful) else ''} |"
-            )
+    for egos, least in product((BLIND, *((ego,) for ego in EGOS[3:])), range(len(EGOS))):
+        ours = None
+        for generator in generators:
+            counts: dict[tuple[str, str, str], np.ndarray] = {}  # drives, hits, avoidable ones of scenarios on routes
+            for one in drives:
+                if one.generator == generator and one.ego in egos and one.ego != one.surrogate:
+                    count = counts.setdefault((one.base, one.scenario, one.route), np.zeros(3))
+                    others = hit_by_scene[generator, one.surrogate, one.seed, one.scene] - {one.ego}
+                    if len(others) >= least:
+                        count += (1, *one.came[:2])
+            n, hits, avoidable = sum(counts.values(), np.zeros(3))
+            if not hits:
+                continue
+            drawn = _drawn_anew(counts)
+            with np.errstate(invalid="ignore"):
+                shares = drawn[:, 1] / drawn[:, 0], drawn[:, 2] / drawn[:, 1]
+            ours = shares if generator == OURS else ours
+            told = f"| {', '.join(egos)} | {least} | {generator} | {sum(c[0] > 0 for c in counts.values())} | {n:.0f} "
+            for share, of, others in zip((hits / n, avoidable / hits), shares, ours or (None, None), strict=True):
+                apart = "" if others is None or generator == OURS else _interval(of - others)
+                told += f"| {share:.3f} | {_interval(of)} | {apart} "
+            print(f"{told}|")
+
+
+def _drawn_anew(counts: dict[tuple[str, str, str], np.ndarray]) -> np.ndarray:
+    """(DRAWS, what is counted) Scenarios on routes drawn anew within base scenarios, those of which none is left too."""
+    rng = np.random.default_rng(0)
+    by_base: dict[str, list[np.ndarray]] = defaultdict(list)
+    for (base, *_), count in sorted(counts.items()):
+        by_base[base].append(count)
+    total = np.zeros((DRAWS, 3))
+    for some in by_base.values():
+        total += np.array(some)[rng.integers(len(some), size=(DRAWS, len(some)))].sum(axis=1)
+    return total
 
 
 def _ratio(drawn: np.ndarray) -> tuple[float, str]:
@@ -265,7 +283,7 @@ def _resampled(drives: list[Drive], rng: np.random.Generator) -> np.ndarray:
 
 
 def _interval(values: np.ndarray) -> str:
-    low, high = np.quantile(values, (0.025, 0.975))
+    low, high = np.nanquantile(values, (0.025, 0.975))
     return f"{low:.3f} to {high:.3f}"
 
 

@@ -110,6 +110,18 @@ def test_what_no_scene_has_is_refused_with_that_as_the_reason(text: str, said: s
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "A taxi in front of our car makes a U-turn.",
+        "The taxi just before the AV does a U-turn in the road.",
+        "We did not U-turn; a car brakes ahead of us, mate.",
+    ],
+)
+def test_a_u_turn_of_somebody_else_or_of_nobody_is_no_reason_to_refuse(text: str) -> None:
+    assert pipeline.understand(text).scenario.slots.adversary == "car"
+
+
+@pytest.mark.parametrize(
     "text", ["The car ahead brakes on a dry road in daylight.", "A night bus... no: a bus brakes."]
 )
 def test_what_is_always_so_needs_no_word(text: str) -> None:

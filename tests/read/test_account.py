@@ -112,6 +112,11 @@ def test_a_leader_that_stops_or_brakes_is_the_adversary_though_it_is_first_only_
     assert facts(told(text).slots, "position", "actions") == ["ahead", [act]]
 
 
+def test_it_is_the_ego_where_somebody_was_only_waited_for() -> None:
+    slots = told("The AV yielded to a van, then it turned left and an oncoming car hit the AV.").slots
+    assert facts(slots, "maneuver", "actions") == ["left-turn", ["oncoming"]]
+
+
 def test_what_was_hit_while_it_waited_for_somebody_is_the_ego() -> None:
     slots = told("The AV had slowed for a pedestrian group waiting at the curb when it was rear-ended by a van.").slots
     assert facts(slots, "adversary", "position") == ["car", "behind"]
@@ -141,6 +146,7 @@ def test_a_crosswalk_that_nobody_is_at_is_no_site() -> None:
         ("An oncoming bus turns across the front of us at a junction, mate.", "straight", ["turn-left"]),
         ("Oncoming hatchback turned right across our bows at a junction, sir.", "straight", ["turn-left"]),
         ("As we turn left, mate, an oncoming car turns right in front of us.", "left-turn", ["turn-right"]),
+        ("We turn right, sir, in front of an oncoming bus that turns left.", "right-turn", ["turn-left"]),
     ],
 )
 def test_who_turns_across_oncoming_traffic_turns_left_where_traffic_keeps_right(

@@ -58,7 +58,7 @@ def test_intervals_hold_the_known_share_of_a_rare_crash() -> None:
 
 
 def test_what_drives_led_to_makes_them_count_no_less() -> None:
-    """Counted as often as all batches together drew them, the shares would be a tenth too low."""
+    """With only their own kernels left out, the shares would be 0.84 of what is true."""
     five = [ParameterRange(name=f"OPT_{letter}", low=0.0, high=1.0, unit="m") for letter in "ABCDE"]
     came, shares = _corner(0.05 ** (1 / 5)), list[float]()
     for seed in range(60):
@@ -68,7 +68,7 @@ def test_what_drives_led_to_makes_them_count_no_less() -> None:
             tally.add(points, [0] * count, [came(point) for point in points], batch)
         shares.append(tally.shares()[0].probability or 0.0)
     assert all(shares)
-    assert np.mean(shares) == pytest.approx(0.05, rel=0.04)
+    assert np.mean(shares) == pytest.approx(0.05, rel=0.07)
 
 
 def test_an_interval_is_wider_where_earlier_drives_led_to_later_ones() -> None:

@@ -484,11 +484,12 @@ def _ego(telling: Telling, _value: Any, match: re.Match[str]) -> None:
 
 
 def _same(telling: Telling, _value: Any, match: re.Match[str]) -> None:
-    """Whoever is only met does something after all: "we followed a van and it stopped". Who "was hit" is the ego."""
+    """Whoever is followed does something itself: "we followed a van and it stopped". Who "was hit" is the ego."""
     if telling.subject is not None or not telling.parties or match[0] not in ("it", "he", "she"):
         return
-    hit = any(rule.pattern.match(match.string, match.end() + 1) for rule in rules() if rule.kind is Kind.STRUCK)
-    if telling.parties[-1].aside and not hit:
+    rest = match.string[match.end() :].split(".")[0]
+    hit = any(rule.pattern.search(rest) for rule in rules() if rule.kind is Kind.STRUCK)
+    if telling.parties[-1].aside and Where.AHEAD in telling.parties[-1].where and not hit:
         telling.subject = len(telling.parties) - 1
 
 

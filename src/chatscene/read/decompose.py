@@ -57,9 +57,11 @@ def hear(text: str) -> Frame:
     named = plainly_named(plain)
     around = hear_surroundings(canonical(named.text))
     mended = re.sub(r"[a-z]+", lambda m: words.mended(m[0]), around.rest)
+    notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(around.rest, mended)]
+    for pattern, meant in words.KEEPING_RIGHT:
+        mended = pattern.sub(meant, mended)
     told = _rewritten(mended)
     clauses = cut(told)
-    notes = [Note(about=About.MENDED, said=(repr(a), repr(b))) for a, b in _changes(around.rest, mended)]
     heard = Frame(text=plain, canonical=around.rest, told=told, clauses=clauses, surroundings=around.surroundings)
     parsed = parse(mended)
     # What the ego does may be how it reacts, which is its own affair.
@@ -70,7 +72,9 @@ def hear(text: str) -> Frame:
     else:
         slots = _slots(clauses, notes)
         quantities = quantities_of(clauses.adversary or clauses.whole, clauses.whole)
-        turned = tuple(Unused(said=m["what"], why=Why.MANEUVER) for m in words.NO_MANEUVER.finditer(clauses.whole))
+        turned = tuple(
+            Unused(said=m["what"] or m["first"], why=Why.MANEUVER) for m in words.NO_MANEUVER.finditer(clauses.whole)
+        )
         unused = (*turned, *unused_of(told, quantities, around.unlike))
         heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(clauses.whole), slots))
     return replace(

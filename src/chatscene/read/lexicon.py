@@ -178,6 +178,23 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 ACTIONS: dict[Action, re.Pattern[str]] = {
     action: _p(action.row.words) for action in Action if action.row.words and not action.row.turn
 }
+# Where traffic keeps right, who turns across oncoming traffic turns left, also in a report from where it keeps left
+KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
+    (
+        re.compile(
+            r"((?<![\w-])(?:turn(?:s|ed|ing)|(?:we|they|to|will) turn))"
+            r"(?= (?:across|in front of) (?:(?:the|its) (?:path|way|bows?|front|lane) of )?(?:an? |the |another )?oncoming\b)"
+        ),
+        r"\1 left",
+    ),
+    (
+        re.compile(
+            r"((?:^|\b(?:an?|the|another) )oncoming (?:(?!(?:an?|the) )[\w-]+ ){1,2}turn(?:s|ed|ing))(?: right)?"
+            r"(?= across (?:(?:our (?:\w+ )?(?:path|way|bows?|front|lane|nose)|us|the front of (?:us|our))\b|the ego))"
+        ),
+        r"\1 left",
+    ),
+)
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # What is asked for, before it is told
@@ -209,21 +226,6 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
             r"(?:on|riding|astride) (?:an? |his |her |their )?(?=(?:\w+ )?(?:motor ?cycle|motor ?bike|scooter|moped|vespa|bicycle|bike|e-bike|cargo bike|push ?bike)\b)"
         ),
         "",
-    ),
-    # Where traffic keeps right, who turns across oncoming traffic turns left, also in a report from where it keeps left
-    (
-        re.compile(
-            r"\b(turn(?:s|ed|ing)?)(?: right)?(?= (?:across|in front of|into the path of)"
-            r" (?:(?:the|its) (?:path|way|bows?|front|lane) of )?(?:an? |the |another )?oncoming\b)"
-        ),
-        r"\1 left",
-    ),
-    (
-        re.compile(
-            r"\b(oncoming (?:\w+ ){1,3}turn(?:s|ed|ing))(?: right)?"
-            r"(?= across (?:(?:(?:the|our|its) (?:path|way|bows?|front|lane|nose)|us|our|the ego)\b|(?:the )?ego's))"
-        ),
-        r"\1 left",
     ),
     (
         re.compile(
@@ -285,12 +287,17 @@ FOREIGN = _p(
     r"(?:car |passenger |driver's |front )?doors? (?:open|swing|fly|shall be opened)\w*|open\w* (?:the|its|his|her|a) (?:\w+ )?door",
     r"flood\w*|earthquake|wheelchair robot",
 )
-# What no ego does, of which it is told before anybody else
+_U_TURN = r"(?:(?:a|an|our|the) )?(?:(?!not\b)\w+ )?u[ -](?:turns?|ey)\b"
+_TURNS_ROUND = (
+    rf"(?:(?:mak|tak|do(?!w)|perform|pull|complet|execut|attempt)\w*|made|did|took) {_U_TURN}"
+    r"|(?:turn|swing)(?:ing|ed|s)? (?:a)?round in the (?:road|street)|u-turn(?:ing|ed)?\b"
+)
+# What no ego does, where it begins a clause
 NO_MANEUVER = re.compile(
-    r"\b(?:we|the ego)(?: (?:are|is|were|was|have|has|had|just|then|want(?:ed)? to|about to|going to|start\w*|beg[iau]n\w*"
-    r"|tr(?:y|ied|ying) to|fancied|attempt\w*(?: to)?))*"
-    r" (?P<what>(?:mak|mad|do(?!w)|did|perform|pull|complet|execut)\w* (?:(?:a|an|our) )?(?:\w+ )?u[ -](?:turns?|ey)\b"
-    r"|(?:turn|swing)(?:ing|ed|s)? (?:a)?round in the (?:road|street)|u-turn(?:ing|ed)?\b)",
+    rf"(?:^|[.,;:!?] |\b(?:and|but|when|while|as|where|because|that) )(?:we|the ego)"
+    r"(?: (?:are|is|were|was|have|has|had|will|just|then|want(?:ed)? to|about to|going to|start\w*|beg[iau]n\w*"
+    rf"|tr(?:y|ied|ying) to|fancied|to))* (?P<what>{_TURNS_ROUND})"
+    rf"|(?:^|[.;!?] )(?:while |when |on )?(?P<first>(?:mak|tak|do|perform)ing {_U_TURN}),? (?:we|the ego)\b",
     re.IGNORECASE,
 )
 LIGHTS: dict[Light, re.Pattern[str]] = {light: _p(light.row.words) for light in Light}

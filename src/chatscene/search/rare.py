@@ -29,8 +29,8 @@ Numbers = NDArray[np.intp]
 ROUNDS = 10  # of drives; where the next looks depends on what came of those before
 COMMON = 0.1  # share of crashes from which on nothing is aimed: the exposure shows enough of them
 CONFIDENCE = 0.95  # of intervals, where nothing was aimed
-# Where it did, weights are few and uneven, and the variance is known no better than they are: intervals of 95 % hold
-# what is true in 90 to 95 of 100, those as wide as of 99 % in 95 to 99 (decision 0107).
+# Where it did, weights are uneven, and how much they vary is known no better than they are: intervals of 95 % hold what
+# is true too seldom, those as wide as of 99 % in 97 to 99 of 100 where most rates can be told (decision 0107).
 CONFIDENCE_AIMED = 0.99
 FEWEST = 30  # effective crashes of which a share is told
 DEFENSIVE = 0.35  # share of the draws of an aimed batch that are left to the exposure, so that nothing is overlooked
@@ -83,17 +83,33 @@ class Aimed:
     width: Array
     exposure: Exposure
 
-    def density(self, points: Array, first: int = 0) -> Array:
-        """(N,) of the points of drives, (N, dimensions), from the one with a number on, without kernels they led to."""
+    def density(self, points: Array) -> Array:
+        """(N,) of points, (N, dimensions)."""
+        return self._mixed(self._near(points).mean(axis=1), points)
+
+    def at_drives(self, points: Array) -> Array:
+        """(N,) of the points of all drives before, in their order, each without its own kernel and those it led to.
+
+        Where none is left, nobody knows where would have been drawn without it: as if it were the exposure.
+        """
+        near = self._near(points)
+        others = np.ones(near.shape, bool)
+        for centre, line in enumerate(self.lines):
+            others[list(line), centre] = False
+        left = others.sum(axis=1)
+        kernels = np.where(others, near, 0.0).sum(axis=1) / np.maximum(left, 1)
+        return self._mixed(np.where(left > 0, kernels, self.exposure.density(points)), points)
+
+    def _near(self, points: Array) -> Array:
+        """(N, M) of each kernel."""
         near = np.ones((len(points), len(self.centres)))
         for d, width in enumerate(self.width):
             centres = self.centres[:, d]
             share = special.ndtr((1 - centres) / width) - special.ndtr(-centres / width)
             near *= np.exp(-0.5 * ((points[:, d, None] - centres) / width) ** 2) / (_ROOT * width * share)
-        others = np.ones(near.shape, bool)
-        for centre, line in enumerate(self.lines):
-            others[[number - first for number in line if number >= first], centre] = False
-        kernels = np.where(others, near, 0.0).sum(axis=1) / np.maximum(others.sum(axis=1), 1)
+        return near
+
+    def _mixed(self, kernels: Array, points: Array) -> Array:
         return DEFENSIVE * self.exposure.density(points) + (1 - DEFENSIVE) * kernels
 
     def draw(self, count: int, rng: np.random.Generator) -> tuple[Array, Numbers]:
@@ -235,18 +251,19 @@ class Tally:
             batch: What they were drawn from.
         """
         placed = [number for number, one in enumerate(came) if one is not None]
-        new, first = points[placed], self.placed
+        new, density = points[placed], batch.density
+        known = density.at_drives(self._points) if isinstance(density, Aimed) else density.density(self._points)
+        self._densities.append(known)
+        self._batches.append(batch)
         self._densities = [
-            np.concatenate((known, _density(before, new, first)))
-            for known, before in zip(self._densities, self._batches, strict=True)
+            np.concatenate((before, one.density.density(new)))
+            for before, one in zip(self._densities, self._batches, strict=True)
         ]
         self._points = np.concatenate((self._points, new))
-        self._densities.append(_density(batch, self._points, 0))
         self._routes = np.concatenate((self._routes, np.array(routes, np.intp)[placed]))
         around = np.full(len(points), -1, np.intp) if batch.around is None else batch.around
         self._around = np.concatenate((self._around, around[placed]))
         self._came += [one for one in came if one is not None]
-        self._batches.append(batch)
 
     def draw(self, count: int, rng: np.random.Generator) -> tuple[Array, Batch]:
         """(count, dimensions) points to drive next, and what they were drawn from.
@@ -302,12 +319,6 @@ class Tally:
 
     def _flags(self, name: str) -> Flags:
         return np.array([getattr(one, name) for one in self._came], bool)
-
-
-def _density(batch: Batch, points: Array, first: int) -> Array:
-    """(N,) of a batch at the points of drives, from the one with a number on."""
-    density = batch.density
-    return density.density(points, first) if isinstance(density, Aimed) else density.density(points)
 
 
 def rounds(scenes: int) -> Iterator[int]:
