@@ -247,7 +247,7 @@ def _print_frontier(drives: list[Drive], generators: tuple[str, ...]) -> None:
 
 
 def _drawn_anew(counts: dict[tuple[str, str, str], np.ndarray]) -> np.ndarray:
-    """(DRAWS, what is counted) Scenarios on routes drawn anew within base scenarios, those of which none is left too."""
+    """(DRAWS, counts) Scenarios on routes drawn anew within base scenarios, also those of which none is left."""
     rng = np.random.default_rng(0)
     by_base: dict[str, list[np.ndarray]] = defaultdict(list)
     for (base, *_), count in sorted(counts.items()):
