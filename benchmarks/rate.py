@@ -140,8 +140,9 @@ def main(numbers: tuple[int, ...], egos: tuple[str, ...], brute: int, repetition
         met = sum((one.low or 0) <= high and low <= (one.high or 0) for one in probable)
         counted.update(told=len(probable), held=held, met=met, none=sum(not one.seen for one in found))
         if not probable:
-            seen, below = sorted(one.seen for one in found), max(one.high or 1.0 for one in found)
-            print(f"  none of {repetitions} could be told; crashes seen: {seen}; below {below:.2%}", flush=True)
+            below = [f"{one.high:.2%}" for one in found if one.high is not None]
+            seen = sorted(one.seen for one in found)
+            print(f"  none of {repetitions} could be told; crashes seen: {seen}; below {' '.join(below)}", flush=True)
             continue
         shares = np.array([one.probability for one in probable])
         widths = np.array([(one.high or 0) - (one.low or 0) for one in probable])
