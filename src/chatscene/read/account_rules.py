@@ -307,7 +307,7 @@ def rules() -> tuple[Rule, ...]:
         _rule(Kind.EGO_REVERSES, rf"{_HELP} (?:reversing|backing|in reverse)|in reverse(?: gear)?|{any_form('reverse')}|{any_form('back')} (?:up|out|into)|parallel parking(?! (?:vehicle|car|spot|space))|(?:exiting|leaving|pulling out of) (?:a|the|its) (?:\w+ )?parking (?:space|spot|place)", ego=True),
         _rule(Kind.TURNING, r"(?:was |were |are |is |while |started |starting )?turning(?! (?:to |off )?(?:the |our |its )?(?:left|right))|(?:started|starting|began) to turn(?! (?:left|right))|(?:make|making) (?:a|its) turn", ego=True),
         _rule(Kind.SLIP_LANE, r"(?:the |a )?slip ?lane", ego=True),
-        _rule(Kind.PAST, r"(?:outside|away from|nowhere near) (?:of )?(?:any|a|the|all) (?:\w+ )?(?:crosswalk|zebra|pedestrian crossing)s?", ego=None),
+        _rule(Kind.PAST, r"(?:outside|away from|nowhere near) (?:of )?(?:any|a|the|all) (?:\w+ )?(?:crosswalk|zebra|pedestrian crossing)s?"),
         _rule(Kind.PAST, r"(?:after|having|just) (?:completing|completed|making|made|having made) (?:an? |its |the |our )?(?:\w+ )?(?:left|right) turn"),
         # What it does at the pedals
         _rule(Kind.STATE, r"(?:were|was|are|is|be|been|being|just)? ?(?:(?:just|already|still|then|fully|completely|legally|first) )*(?:stopped|stationary|parked|at rest|waiting|standing(?: still)?(?! \w+er\b)|queue?d|queue?ing|halted|sitting|sat|(?<=were )held|(?<=are )held|(?<=was )held|(?<=is )held|idle|stuck|at a (?:complete |full )?(?:stop|standstill|halt))|(?:wait(?:s|ed)?|stands?|stood|(?:sits?|sat)(?! behind)|remain\w* (?:stopped|stationary))|continu\w+ to wait|broken down", state=EgoState.STANDS, ego=True),

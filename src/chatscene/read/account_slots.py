@@ -35,7 +35,9 @@ _DRIVEN = frozenset(
 )  # nobody does one of these on foot
 _SIDED = (Position.BESIDE, Position.AHEAD_BESIDE, Position.BEHIND_BESIDE, Position.CROSSING, Position.KERB)
 _CURVES = (Place.CURVE, Place.LEFT_CURVE, Place.RIGHT_CURVE)
-_OF_A_LEADER = frozenset((Action.BRAKE, Action.STOP, Action.HESITATE, Action.REVERSE, Action.SWERVE))
+_OF_A_LEADER = frozenset(
+    (Action.BRAKE, Action.STOP, Action.HESITATE, Action.REVERSE, Action.SWERVE)
+)  # dangerous to who follows
 _COMES_UP = frozenset((Where.OPPOSITE, Where.BEHIND))  # who is there is in conflict without an act
 _OBLIQUE = (45, 90, 135, 225, 270, 315)  # degrees between two who meet at a junction
 
@@ -89,7 +91,7 @@ def _add_nobody_in_particular(telling: Telling) -> None:
 def _adversary(telling: Telling) -> tuple[Party, Contact | None] | None:
     """Who touches the ego first, or else who does most or goes on where it ought to wait; what lies there last.
 
-    Whom the ego only drives behind is it where nobody else is, if it does what leaders are told of for.
+    Where nobody is, whom the ego only drives behind is it, if it does what makes a leader dangerous.
     """
     there = (one for one in telling.parties if not one.aside)
     able = [one for one in there if one.acts or one.wayward or _COMES_UP & one.where]

@@ -227,6 +227,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         "",
     ),
+    # The inside is the side of the kerb, which is the right one
     (
         re.compile(
             r"\b(c[oa]m(?:e|es|ing)|rid(?:e|es|ing)|rode) up (?:on |along )?(?:the|our|my) inside(?: of (?:us|me))?\b"
