@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from chatscene.ego.policy import load_ego
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import SettingsError, SnippetError
 from chatscene.library.compatibility import incompatibility
@@ -17,19 +18,22 @@ from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.measure.drive import Ran
 from chatscene.program.check import check
+from chatscene.program.sample import scene_at
 from chatscene.search import explore as exploring
 from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
 from chatscene.search.generators.baselines.random_triple import RandomTriple
-from chatscene.settings import PAPER, RetrievalSettings, Settings
+from chatscene.settings import PAPER, RetrievalSettings, Settings, SimulationSettings
+from chatscene.simulate.simulator import load_simulator, simulate
+from chatscene.terms.episode import Episode
 from chatscene.terms.plan_text import parse_plan
 from chatscene.terms.scenario import BaseScenario, Slots
 from chatscene.terms.scene import Scene, ScenicProgram
 from fake_run import block
 
-NAMES = ("learning-to-collide", "advsim", "adversarial-trajectory", "carla-scenario-generator")
+NAMES = ("learning-to-collide", "advsim", "adversarial-trajectory", "carla-scenario-generator", "reactive")
 SETTINGS = RetrievalSettings()
 CRASHED = next(ran for ran in block(0).ran if ran.episode.collision is not None)
 MISSED = next(ran for ran in block(0).ran if ran.episode.collision is None)
@@ -132,6 +136,7 @@ def test_what_a_baseline_varies_is_its_own() -> None:
     assert varied["carla-scenario-generator"] == {"OPT_ADV_DISTANCE", "OPT_ADV_SPEED"}
     assert varied["advsim"] == {f"OPT_SPEED_{i:02d}" for i in range(20)}
     assert varied["adversarial-trajectory"] == {f"OPT_OFFSET_{i:02d}" for i in range(20)}
+    assert varied["reactive"] == {"OPT_ADV_DISTANCE", "OPT_ADV_TOP", "OPT_ADV_LATE"}
 
 
 @pytest.mark.parametrize("base", list(BaseScenario))
@@ -170,6 +175,38 @@ def test_what_a_baselines_adversary_does_is_a_plan_but_where_it_has_no_path_to_b
                 parse_plan(told[0])
         else:
             assert parse_plan(told[0]).phases
+
+
+def _reacted(base: BaseScenario, ego: str, **values: float) -> Episode:
+    """What becomes of an adversary that reacts, and may go as fast as it likes."""
+    program = program_of("reactive", base)
+    scene = scene_at(program, 0, 0.5, name="reacts")
+    scene = replace(scene, values={**scene.values, "OPT_ADV_TOP": 2.0, **values})
+    episode = simulate(load_simulator(resolve_map("town"), SimulationSettings()), program, scene, load_ego(ego))
+    assert isinstance(episode, Episode)
+    return episode
+
+
+@pytest.mark.parametrize("ego", ["sac", "rule-based"])
+def test_an_adversary_that_reacts_is_there_when_the_ego_is_however_fast_that_drives(ego: str) -> None:
+    episode = _reacted(BaseScenario.CROSSING_NEGOTIATION, ego, OPT_ADV_LATE=0.0)
+    assert episode.collision is not None
+    assert episode.collision.other == episode.adversaries[0].actor
+
+
+def test_an_adversary_that_reacts_goes_on_as_it_does_once_the_careful_driver_cannot_stop_any_more() -> None:
+    episode = _reacted(BaseScenario.CROSSING_NEGOTIATION, "sac", OPT_ADV_LATE=0.0)
+    (adversary,) = episode.adversaries
+    speeds = adversary.speed[episode.ego_track.speed > 7]
+    assert episode.collision is not None
+    assert np.ptp(speeds[-15:]) < 0.05 < np.ptp(speeds[:-15])
+
+
+def test_an_adversary_that_comes_toward_the_ego_stops_short_of_one_that_stops() -> None:
+    episode = _reacted(BaseScenario.VEHICLE_PASSING, "idm", OPT_ADV_SHARE=1.0)
+    assert episode.collision is None
+    assert episode.adversaries[0].speed.max() > 7
+    assert episode.adversaries[0].speed[-1] < 0.1
 
 
 def test_random_triples_are_five_a_base_scenario_determined_by_their_text_and_joinable_by_anybody() -> None:

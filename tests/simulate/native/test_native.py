@@ -24,7 +24,8 @@ from chatscene.measure.avoidability import CarefulDriver, careful_braking
 from chatscene.measure.instead import Ended, drive_instead
 from chatscene.program.assemble import assemble
 from chatscene.program.sample import scene_at
-from chatscene.settings import SimulationSettings
+from chatscene.search.generator import load_generator
+from chatscene.settings import RetrievalSettings, SimulationSettings
 from chatscene.simulate.native import building, engine
 from chatscene.simulate.native.binding import bind
 from chatscene.simulate.native.building import NoEngine, compile_engine
@@ -35,7 +36,7 @@ from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode, Stepped
 from chatscene.terms.plan import PRIMITIVES
-from chatscene.terms.scenario import Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.testing.simulators import differences
 
@@ -294,6 +295,26 @@ def test_a_sample_of_the_library_gives_the_same_numbers(native: NativeSimulator,
                 _agrees(native, program, scene_at(program, 0, share, name="0"), load_ego("rule-based")) is not None
             )
     assert compared >= 2
+
+
+@pytest.mark.parametrize(
+    "base",
+    (BaseScenario.TURNING_OBSTACLE, BaseScenario.LANE_CHANGING, BaseScenario.VEHICLE_PASSING, BaseScenario.RIGHT_TURN),
+)
+def test_an_adversary_that_reacts_does_so_in_the_engine_too(native: NativeSimulator, base: BaseScenario) -> None:
+    generator, settings = load_generator("reactive"), RetrievalSettings()
+    program = generator.write(generator.read(generator.texts(base)[0], settings), settings).program
+    for share, ego in ((0.3, "sac"), (0.7, "idm")):
+        assert _agrees(native, program, scene_at(program, 0, share, name="reacts"), load_ego(ego))
+
+
+def test_a_division_by_what_may_become_zero_is_left_to_the_embedded_simulator(native: NativeSimulator) -> None:
+    program = _program("do DrivePath(egoRoute, 90 / gap(self, ego)) for 2 seconds\n    do Halt()")
+    episode = simulate(native, program, _scene(), load_ego("idm"))
+    assert isinstance(episode, Episode)
+    assert episode.stepped == Stepped(by="embedded", instead="a division by what may become zero")
+    bounded = _program("do DrivePath(egoRoute, 90 / max(gap(self, ego), 1)) for 2 seconds\n    do Halt()")
+    assert _agrees(native, bounded, _scene(), load_ego("idm"))
 
 
 def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: NativeSimulator) -> None:

@@ -274,8 +274,8 @@ class Compiler:
             case Not(of):
                 return self._of("NOT", of)
             case Arithmetic(sign, left, right):
-                if sign == "/" and (self.is_live(right) or self.value(right) == 0):
-                    raise NotCovered("a division by what changes, or by zero")
+                if sign == "/" and not self._is_never_zero(right):
+                    raise NotCovered("a division by what may become zero")
                 return self._of(_ARITHMETIC[sign][0], left, right)
             case Comparison(first, links):
                 depth, left = 0, first
@@ -299,6 +299,16 @@ class Compiler:
                 return self._call(function, arguments)
             case _:
                 raise NotCovered(f"a {type(expression).__name__} that changes")
+
+    def _is_never_zero(self, expression: Expression) -> bool:
+        """Whether it stays and is not zero, or is the greatest of several of which one stays above zero."""
+        if not self.is_live(expression):
+            return self.value(expression) != 0
+        match expression:
+            case Call("max", arguments):
+                return any(not self.is_live(one) and self.value(one) > 0 for one in arguments)
+            case _:
+                return False
 
     def _of(self, name: str, *operands: Expression) -> int:
         depth = max(self._emit(operand) + i for i, operand in enumerate(operands))

@@ -64,6 +64,8 @@ class Nominal:
         left: How far the ego still has to go [m] to where they meet, as Scenic; it acts when that is below a trigger.
         speed: How fast it then is [m/s].
         trigger: That distance [m].
+        own: How far it still has to go itself [m] to where it crosses the ego's way, as Scenic; empty if it does not.
+        leads: Whether it is ahead of the ego on the same way, in the end.
         once: What else must hold before it acts, as Scenic; empty for nothing.
         turns: Where it goes at a junction, best first; empty if it meets none.
         cited: What SafeBench's baselines vary of it.
@@ -77,6 +79,8 @@ class Nominal:
     left: str
     speed: float
     trigger: float
+    own: str = ""
+    leads: bool = False
     once: str = ""
     turns: tuple[str, ...] = ()
     cited: Cited
@@ -92,24 +96,26 @@ class Nominal:
         return f"{self.once} and {near}" if self.once else near
 
 
-_TO_ADVERSARY = "headway(egoRoute, ego, self)"
+TO_ADVERSARY = "headway(egoRoute, ego, self)"
 _TO_MEETING = "distanceLeft(egoRoute, ego, egoMeeting)"
+_OWN_TO_MEETING = "distanceLeft(advTrajectory, self, advMeeting)"
+_OWN_TO_ROUTE = "abs(offsetFrom(egoRoute, self))"
 _CROSSES = ("straight", "left-turn", "right-turn")
 
 NOMINAL: dict[BaseScenario, Nominal] = {
     BaseScenario.STRAIGHT_OBSTACLE: Nominal(
         adversary=AdversaryKind.PEDESTRIAN, geometry="straight-road", spawn="roadside-right", path="",
-        left=_TO_ADVERSARY, speed=2.5, trigger=20.0,
+        left=TO_ADVERSARY, own=_OWN_TO_ROUTE, speed=2.5, trigger=20.0,
         cited=Cited(triggers=(15.0, 50.0), speeds=(1.25, 3.75), offset=1.0, trigger=35.0),
     ),
     BaseScenario.TURNING_OBSTACLE: Nominal(
         adversary=AdversaryKind.BICYCLE, geometry="left-turn", spawn="exit-corner-right", path="",
-        left=_TO_ADVERSARY, speed=5.0, trigger=17.0,
+        left=TO_ADVERSARY, own=_OWN_TO_ROUTE, speed=5.0, trigger=17.0,
         cited=Cited(triggers=(10.0, 50.0), speeds=(2.5, 7.5), offset=1.0, trigger=17.0),
     ),
     BaseScenario.LANE_CHANGING: Nominal(
         adversary=AdversaryKind.CAR, geometry="lane-change-left", spawn="adjacent-lane-ahead-leader",
-        waits="KeepStation(advTrajectory, ego)", left="distanceLeft(egoRoute, ego, egoRoute.eventAt)",
+        waits="KeepStation(advTrajectory, ego)", leads=True, left="distanceLeft(egoRoute, ego, egoRoute.eventAt)",
         speed=3.0, trigger=15.0,
         cited=Cited(triggers=(5.0, 30.0), speeds=(1.5, 4.5), offset=2.0, trigger=15.0),  # but for the offset ours
     ),
@@ -120,22 +126,22 @@ NOMINAL: dict[BaseScenario, Nominal] = {
     ),
     BaseScenario.RED_LIGHT_RUNNING: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-signalised", spawn="crossing-from-left",
-        speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, turns=_CROSSES,
+        speed=10.0, trigger=35.0, once='crossSignal == "red"', left=_TO_MEETING, own=_OWN_TO_MEETING, turns=_CROSSES,
         cited=Cited(triggers=(30.0, 40.0), speeds=(5.0, 15.0), start=5.0, offset=3.0, trigger=40.0),
     ),
     BaseScenario.UNPROTECTED_LEFT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="left-turn-four-way", spawn="oncoming-at-junction",
-        speed=12.0, trigger=45.0, left=_TO_MEETING, turns=_CROSSES,
+        speed=12.0, trigger=45.0, left=_TO_MEETING, own=_OWN_TO_MEETING, turns=_CROSSES,
         cited=Cited(triggers=(40.0, 50.0), speeds=(7.0, 17.0), start=5.0, offset=3.0, trigger=50.0),
     ),
     BaseScenario.RIGHT_TURN: Nominal(
         adversary=AdversaryKind.CAR, geometry="right-turn", spawn="crossing-from-left",
-        speed=12.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+        speed=12.0, trigger=35.0, left=_TO_MEETING, own=_OWN_TO_MEETING, turns=_CROSSES,
         cited=Cited(triggers=(30.0, 40.0), speeds=(7.0, 17.0), start=5.0, offset=3.0, trigger=45.0),
     ),
     BaseScenario.CROSSING_NEGOTIATION: Nominal(
         adversary=AdversaryKind.CAR, geometry="straight-junction-unsignalised", spawn="crossing-from-right",
-        speed=10.0, trigger=35.0, left=_TO_MEETING, turns=_CROSSES,
+        speed=10.0, trigger=35.0, left=_TO_MEETING, own=_OWN_TO_MEETING, turns=_CROSSES,
         cited=Cited(triggers=(30.0, 40.0), speeds=(5.0, 15.0), start=5.0, offset=3.0, trigger=40.0),
     ),
 }  # fmt: skip
