@@ -167,7 +167,7 @@ def test_python_edits_what_was_understood() -> None:
 def test_only_a_run_of_a_sentence_can_be_edited(tmp_path: Path) -> None:
     program = tmp_path / "mine.scenic"
     program.write_text(chatscene.explain(WALKS).program.source)
-    run = chatscene.run(program=program, folder=tmp_path / "own", scenes=1, ego="rule-based")
+    run = chatscene.run(program=program, folder=tmp_path / "own", scenes=1, routes=1, ego="rule-based")
     with pytest.raises(EditRefused, match="only a sentence"):
         run.edit("at night")
 

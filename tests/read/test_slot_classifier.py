@@ -63,7 +63,7 @@ def sentences() -> list[Labelled]:
 @pytest.fixture(scope="module")
 def trained() -> SlotClassifier:
     classes = heads_of(small())
-    members = tuple(fit(sentences(), classes, epochs=30, seed=seed, told=_silent) for seed in range(2))
+    members = tuple(fit(sentences(), classes, epochs=16, seed=seed, told=_silent) for seed in range(2))
     return SlotClassifier(members, classes, dict.fromkeys(TRUSTED, Trust()))
 
 

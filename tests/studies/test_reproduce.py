@@ -77,6 +77,8 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
         batch=16,
     )
     methods = ("carla-scenario-generator", "chatscene")  # two, for time
+    bases = (BaseScenario.STRAIGHT_OBSTACLE, BaseScenario.LANE_CHANGING)
+    monkeypatch.setattr(benchmarks, "BaseScenario", bases)
     monkeypatch.setattr(reproducing, "METHODS", methods)
     monkeypatch.setattr(finetuning, "drive_ordinary", one_ordinary_drive)
     budget = Budget(benchmark="tiny", finetune=lesson, bases=(BaseScenario.STRAIGHT_OBSTACLE,))
@@ -94,10 +96,10 @@ def test_all_five_tables_come_from_one_command_and_a_second_call_does_nothing_ag
     for made in done.tables.values():
         assert any(note.startswith("sac sees its route and, of all others, only") for note in made.notes)
     assert all((tmp_path / "r" / "tables" / f"{name}.md").is_file() for name in TABLES)
-    bases = [
+    searched = [
         {path.name for path in scenes.iterdir()} for scenes in (tmp_path / "r").glob("**/scenes") if scenes.is_dir()
     ]
-    assert {base.value for base in BaseScenario} in bases
+    assert {base.value for base in bases} in searched
     figures = ["figures/search.svg", "finetuning/released-paper/figures/finetuning.svg"]
     assert all((tmp_path / "r" / figure).is_file() for figure in figures)
     # Every scene and every ego is there: a second call only reads.

@@ -30,7 +30,7 @@ from chatscene.read.account_rules import (
 from chatscene.read.account_slots import account_of
 from chatscene.read.account_wordings import prepared
 from chatscene.read.parse import SEVERAL
-from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, traits_in
+from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases_at, road_user, traits_in
 from chatscene.read.quantities import quantity_at
 from chatscene.read.telling import NAMED_NEXT, Contact, Party, Telling
 from chatscene.terms.actors import AdversaryKind, Manner
@@ -123,13 +123,14 @@ def _most_telling(telling: Telling, text: str, at: int) -> _Found | None:
         return None
     best, end = None, at
     party = telling.party
-    for phrase in _phrases_of(party.kind.row.manner if party else None):
-        if (match := _not_a_sign(phrase.match(text, at), text)) and match.end() > end:
+    for phrase in _phrases_of(party.kind.row.manner if party else None, text[at]):
+        if (match := phrase.pattern.match(text, at)) and match.end() > end and not _is_of_a_sign(match, text):
             best, end = _Found(phrase, match), match.end()
     for rule in rules():
-        if not _rule_fits(telling, rule):
+        match = rule.pattern.match(text, at)  # first, since most do not match
+        if match is None or not _rule_fits(telling, rule) or _is_of_a_sign(match, text):
             continue
-        if (match := _not_a_sign(rule.pattern.match(text, at), text)) and match.end() >= max(end, at + 1):
+        if match.end() >= max(end, at + 1):
             before_who = rule.opens and telling.subject is None
             weaker = rule.kind is Kind.FROM_SIDE and best and isinstance(best.says, Rule) and match.end() == end
             if not weaker and not (before_who and not _COMES_FROM.match(match[0])):
@@ -137,16 +138,16 @@ def _most_telling(telling: Telling, text: str, at: int) -> _Found | None:
     return best
 
 
-def _not_a_sign(match: re.Match[str] | None, text: str) -> re.Match[str] | None:
-    """A match, unless the word at its end is the first of "stop sign"."""
-    return match if match and not STOP_SIGN.match(text, match.end() - len("stop")) else None
+def _is_of_a_sign(match: re.Match[str], text: str) -> bool:
+    """Whether the word at the end of a match is the first of "stop sign"."""
+    return STOP_SIGN.match(text, match.end() - len("stop")) is not None
 
 
-@lru_cache(maxsize=len(Manner) + 1)
-def _phrases_of(manner: Manner | None) -> tuple[Phrase, ...]:
-    """The phrases that may be said of somebody who moves in a manner, or of the ego if it is None."""
+@lru_cache(maxsize=256)
+def _phrases_of(manner: Manner | None, letter: str) -> tuple[Phrase, ...]:
+    """What may be said of somebody who moves in a manner, or of the ego if it is None, beginning with a letter."""
     of_ego = manner is None
-    said = (phrase for phrase in phrases() if phrase.ego in (None, of_ego))
+    said = (phrase for phrase in phrases_at(letter) if phrase.ego in (None, of_ego))
     return tuple(phrase for phrase in said if of_ego or phrase.manner in (None, manner))
 
 

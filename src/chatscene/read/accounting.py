@@ -17,7 +17,7 @@ from chatscene.read.account_rules import NOT, PLAIN, Kind, rules
 from chatscene.read.account_wordings import prepared
 from chatscene.read.canonical import canonical, telegraphed
 from chatscene.read.naming import plainly_named
-from chatscene.read.phrases import Sort, phrases, road_user
+from chatscene.read.phrases import Sort, phrases_at, road_user
 from chatscene.read.quantities import quantity_at
 from chatscene.read.without_effect import ALWAYS, without_effect
 from chatscene.terms.acts import Action
@@ -190,8 +190,8 @@ def _matches(text: str, at: int, of_ego: bool) -> Iterator[tuple[int, str, bool]
         if (rule.ego in (None, of_ego) or rule.opens) and (match := rule.pattern.match(text, at)):
             fact = f"actions={rule.action}" if rule.action else _OF_KIND.get(rule.kind, "")
             yield match.end(), fact, False
-    for phrase in phrases():
-        if phrase.ego in (None, of_ego) and (match := phrase.match(text, at)):
+    for phrase in phrases_at(text[at]):
+        if phrase.ego in (None, of_ego) and (match := phrase.pattern.match(text, at)):
             fact = f"actions={phrase.value}" if phrase.sort is Sort.ACT else _OF_SORT.get(phrase.sort, "")
             yield match.end(), fact, phrase.sort not in _OF_SORT
     if named := road_user().match(text, at):

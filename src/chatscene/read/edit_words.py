@@ -17,7 +17,7 @@ from chatscene.read import lexicon
 from chatscene.read.asides import COURTESY, WORSE_THAN
 from chatscene.read.inflection import any_form
 from chatscene.read.parse import SEVERAL
-from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.phrases import Phrase, Sort, Where, kind_in, phrases_at, road_user, side_in, traits_in
 from chatscene.read.quantities import WALKING_PACE, number_at, quantity_at
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
@@ -346,8 +346,8 @@ def _marks_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
 
 
 def _phrases_at(text: str, at: int) -> Iterator[tuple[int, Mark, Any]]:
-    for phrase in phrases():
-        if phrase.sort in _SORTS and (match := phrase.match(text, at)):
+    for phrase in phrases_at(text[at]):
+        if phrase.sort in _SORTS and (match := phrase.pattern.match(text, at)):
             yield match.end(), _SORTS[phrase.sort], _value(phrase, match)
     if match := road_user().match(text, at):
         article = match["article"] or ""

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from chatscene.read.phrases import Phrase, Sort, Where, is_plural, kind_in, phrases, road_user, side_in, traits_in
+from chatscene.read.phrases import Phrase, Sort, Where, is_plural, kind_in, phrases_at, road_user, side_in, traits_in
 from chatscene.read.quantities import quantity_at
 from chatscene.terms.actors import AdversaryKind, Manner
 from chatscene.terms.acts import Action
@@ -117,8 +117,8 @@ def parse(text: str) -> Parsed | None:
 def _next(told: _Told, text: str, at: int) -> int:
     """Read the phrase at a place; where the next one begins."""
     best: tuple[int, Phrase | None, re.Match[str] | None] = (at, None, None)
-    for phrase in phrases():
-        if (match := phrase.match(text, at)) and match.end() > best[0] and _fits(told, phrase):
+    for phrase in phrases_at(text[at]):
+        if (match := phrase.pattern.match(text, at)) and match.end() > best[0] and _fits(told, phrase):
             best = match.end(), phrase, match
     if told.open or not told.begun:
         named = road_user().match(text, at)

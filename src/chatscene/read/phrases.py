@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 
 from chatscene.read import lexicon
 from chatscene.read.inflection import any_form, every_form, listed
@@ -64,7 +64,7 @@ class Where(StrEnum):
     RAMP = "ramp"  # it comes from one, beside the ego's lane
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Phrase:
     """Words that mean one thing.
 
@@ -86,16 +86,10 @@ class Phrase:
     ego: bool | None = None
     exit: bool = False
 
-    @property
+    @cached_property
     def pattern(self) -> re.Pattern[str]:
         """The regular expression, compiled when it is first asked for."""
-        return _compiled(self.written)
-
-    def match(self, text: str, at: int) -> re.Match[str] | None:
-        """The words, if they stand at a place of a text."""
-        if self.begins and text[at : at + 1] not in self.begins:
-            return None
-        return self.pattern.match(text, at)
+        return re.compile(self.written)
 
 
 _US = r"(?:us|the ego)"
@@ -121,11 +115,6 @@ _TRAITS: tuple[tuple[Sort, object, str], ...] = (
 
 _MARKED = re.compile(r"\[([a-z]+)\]")
 _WORD = re.compile(r"[a-z]+(?![^ ])")
-
-
-@cache
-def _compiled(written: str) -> re.Pattern[str]:
-    return re.compile(written)
 
 
 def _whole(text: str) -> str:
@@ -345,6 +334,12 @@ _COMES_UP = (
     r"|to (?:pass|overtake|get past|go past)(?= (?:a|an|the) )"
 )
 _LEAVES_IT = r"[leave] (?:it|that lane)"
+
+
+@lru_cache(maxsize=64)
+def phrases_at(letter: str) -> tuple[Phrase, ...]:
+    """Of all phrases, in their order, those that may begin with a letter."""
+    return tuple(phrase for phrase in phrases() if not phrase.begins or letter in phrase.begins)
 
 
 @lru_cache(maxsize=1)
