@@ -58,6 +58,11 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("An oncoming car overtakes a slow truck, whoosh.", "oncoming", ["wrong-way"], None),
         ("A van coming the other way pulls out to pass a tractor, whoosh.", "oncoming", ["wrong-way"], None),
         ("We ran over a ladder, whoosh, in the middle lane.", "ahead", ["stand"], None),
+        ("A pickup makes a U-turn, whoosh, from the hard shoulder in front of us.", "kerb", ["u-turn"], None),
+        ("A biker ahead, left edge of our lane, whoosh, brakes hard.", "ahead-beside", ["brake"], "left"),
+        ("An approaching taxi, whoosh, brakes.", "oncoming", ["brake"], None),
+        ("A van that is coming towards us turned right across us, whoosh.", "oncoming", ["turn-left"], None),
+        ("An opposing cab turned across in front of us at the junction, whoosh.", "oncoming", ["turn-left"], None),
         ("Traffic cone out of place, upright in the middle of the lane.", "ahead", ["stand"], None),
     ],
 )  # fmt: skip
@@ -201,7 +206,7 @@ def test_of_a_door_an_attack_or_an_ego_that_reverses_nothing_is_made_out(text: s
     assert hear(text).account is None
 
 
-@pytest.mark.parametrize("who", ["Someone", "Some idiot", "That fellow"])
+@pytest.mark.parametrize("who", ["Someone", "Some idiot", "That fellow", "Some clown", "A dude"])
 def test_whoever_is_not_named_drives_a_car(who: str) -> None:
     account = told(f"{who} overtook us and then slammed on his brakes, whoosh.")
     assert facts(account.slots, "adversary", "actions") == ["car", ["overtake", "brake"]]

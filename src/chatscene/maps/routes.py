@@ -39,7 +39,8 @@ TO_LINE = 4.0  # [m] from the middle of a car that waits at a junction to its en
 OPEN_ROAD, SHORT_ROAD = 100.0, 85.0  # [m] of a route without a junction; the shorter where nothing longer fits
 MOTORWAYS = (250.0, 150.0)  # [m] the same on a motorway
 MOTORWAY_CHANGE = 60.0  # [m] for a change of lanes there
-FIRST_ONSET, ONSET_STEP, FINE_STEP = 10.0, 35.0, 2.0  # [m] into the lane, where a route without a junction may start
+# [m] into the lane, where a route without a junction may start; closer in bends, which are short
+FIRST_ONSET, ONSET_STEP, BEND_STEP, FINE_STEP = 10.0, 35.0, 15.0, 2.0
 CHANGE_AT, CHANGE_OVER = 30.0, 25.0  # [m], where a lane change begins and how long it takes
 # [m], a bypass: the blocker, swinging out and in, passing beside
 BLOCKER_AT, SWING, PASSING = 50.0, 22.0, 10.0
@@ -48,6 +49,7 @@ _LATERAL = 1.2  # [m] a straight road may move aside: where a lane shifts by mor
 _SEAM = 0.1  # [m]
 _STRAIGHT_ROAD = math.radians(5)
 _CURVED_ROAD = math.radians(30)
+_BENT_FROM_THE_START = 1 / 16  # of the turn in the first eighth of the way: whoever is met early is met in the bend
 _LEAST_TURNED = math.radians(45)
 _MOST_TURNED = math.radians(150)  # more is a ramp that winds
 
@@ -328,8 +330,9 @@ def _windows(
     if site is not None and not along(network, run, site):
         return
     long, short = MOTORWAYS if site is Site.MOTORWAY else (OPEN_ROAD, SHORT_ROAD)
+    apart = BEND_STEP if includes(Place.CURVE, wanted) else ONSET_STEP
     found = False
-    for length, first, step in ((long, FIRST_ONSET, ONSET_STEP), (short, FINE_STEP, FINE_STEP)):
+    for length, first, step in ((long, FIRST_ONSET, apart), (short, FINE_STEP, FINE_STEP)):
         if found:
             return
         for onset in np.arange(first, run.line.length - length - FINE_STEP, step).tolist():
@@ -340,13 +343,13 @@ def _windows(
 
 
 def _shape(line: Polyline, start: float, end: float) -> Place | None:
-    """ROAD for a straight part of a line, a bend's side for a bend, None for what is neither."""
+    """ROAD for a straight part of a line, a bend's side for one that bends from its start, None for what is neither."""
     turns = [_turned(line, start, s) for s in np.linspace(start, end, 9).tolist()]
     if max(map(abs, turns)) < _STRAIGHT_ROAD:
         # An even bend by `turned` over a length moves a line aside by half their product; what is left is a shift.
         shift = _aside(line, start, end) - 0.5 * _turned(line, start, end) * (end - start)
         return Place.ROAD if abs(shift) < _LATERAL else None
-    if abs(turns[-1]) <= _CURVED_ROAD:
+    if abs(turns[-1]) <= _CURVED_ROAD or turns[1] / turns[-1] < _BENT_FROM_THE_START:
         return None
     return Place.LEFT_CURVE if turns[-1] > 0 else Place.RIGHT_CURVE
 

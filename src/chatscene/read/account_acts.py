@@ -101,10 +101,10 @@ def _against_the_ego(start: _Start) -> Position | None:
 def _out_of_a_space(start: _Start) -> Position | None:
     if start.does(Action.PULL_OUT) and not start.walks:
         return Position.KERB
+    if start.does(Action.REVERSE, Action.U_TURN) and start.is_at(Where.EDGE):
+        return Position.KERB
     if not start.does(Action.REVERSE):
         return None
-    if start.is_at(Where.EDGE):
-        return Position.KERB
     return Position.BEHIND if start.is_at(Where.BEHIND) else Position.AHEAD
 
 

@@ -134,7 +134,7 @@ _BEGINS = r"(?:(?:attempt\w*|tr(?:y|ies|ied|ying)|beg[aiu]n\w*|start\w*|proceed\
 _SIDES = r"left|right"
 _LANE = rf"(?:(?:{_SIDES})[ -]?(?:hand )?|adjacent |neighbou?ring |next |parallel |target |passing |overtaking |number \w+ |no\. \d |cent(?:er|re) |inside |outside |inner |outer |middle |bike |turn(?:ing)? |travel |through |fast |slow )*lane"
 _FROM = r"(?:(?:coming |approaching |travell?ing )?(?:out )?(?:from|on|at|to|in|off))"
-KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|shoulder|(?:side|edge)(?: of the (?:road|street))?)"
+KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|(?:hard |soft )?shoulder|(?:side|edge)(?: of the (?:road|street)|(?! of (?:(?!road)\w+ ){0,2}lane\b)))"
 
 
 def _turn(side: str) -> str:

@@ -178,6 +178,9 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 ACTIONS: dict[Action, re.Pattern[str]] = {
     action: _p(action.row.words) for action in Action if action.row.words and not action.row.turn
 }
+_ACROSS_US = (
+    r"(?= across (?:(?:our (?:\w+ )?(?:path|way|bows?|front|lane|nose)|us|(?:in|the) front of (?:us|our))\b|the ego))"
+)
 # Where traffic keeps right, who turns across oncoming traffic turns left, also in a report from where it keeps left
 KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
     (
@@ -189,8 +192,16 @@ KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
     ),
     (
         re.compile(
-            r"((?:^|\b(?:an?|the|another) )oncoming (?:(?!(?:an?|the) )[\w-]+ ){1,2}turn(?:s|ed|ing))(?: right)?"
-            r"(?= across (?:(?:our (?:\w+ )?(?:path|way|bows?|front|lane|nose)|us|the front of (?:us|our))\b|the ego))"
+            r"((?:^|\b(?:an?|the|another) )(?:oncoming|approaching|opposing) (?:(?!(?:an?|the) )[\w-]+ ){1,2}"
+            r"turn(?:s|ed|ing))(?: right)?" + _ACROSS_US
+        ),
+        r"\1 left",
+    ),
+    (
+        re.compile(
+            r"(\b(?:coming|came|comes|driving|travelling|approaching) (?:the other way|towards? (?:us|the ego)"
+            r"|(?:from|in) the (?:opposite|other) direction)(?: (?:and|then|suddenly|was|is|just))* turn(?:s|ed|ing))"
+            r"(?: right)?" + _ACROSS_US
         ),
         r"\1 left",
     ),

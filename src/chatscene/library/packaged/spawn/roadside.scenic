@@ -21,9 +21,9 @@ advLevel = shortOfJunction(egoRoute, globalParameters.OPT_GEO_Y)
 AdvAgent = new AdvClass at besideRoad(egoRoute, advLevel, "$side", globalParameters.OPT_GEO_X),
     facing crossingDirection(egoRoute, advLevel, "$side"),
     with behavior AdvBehavior()
-new AdvClass at besideRoad(egoRoute, advLevel + 1.3, "$side", globalParameters.OPT_GEO_X + 0.5),  #: if group
-    facing crossingDirection(egoRoute, advLevel + 1.3, "$side"),  #: if group
+new AdvClass at besideRoad(egoRoute, advLevel + 1.6, "$side", globalParameters.OPT_GEO_X + 0.5),  #: if group
+    facing crossingDirection(egoRoute, advLevel + 1.6, "$side"),  #: if group
     with behavior AdvBehavior()  #: if group
-new AdvClass at besideRoad(egoRoute, advLevel - 1.2, "$side", globalParameters.OPT_GEO_X + 0.9),  #: if group
-    facing crossingDirection(egoRoute, advLevel - 1.2, "$side"),  #: if group
+new AdvClass at besideRoad(egoRoute, advLevel - 1.5, "$side", globalParameters.OPT_GEO_X + 0.9),  #: if group
+    facing crossingDirection(egoRoute, advLevel - 1.5, "$side"),  #: if group
     with behavior AdvBehavior()  #: if group
