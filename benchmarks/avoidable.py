@@ -1,12 +1,13 @@
 """Distinct avoidable failures that searches find, per 1,000 simulations, over the forty sentences of the benchmark.
 
     python benchmarks/avoidable.py [--ego idm] [--half 0] [--sampler random …] [--routes 3] [--seeds 5]
-        [--physics kinematic] [--jobs 2]
+        [--generator chatscene] [--physics kinematic] [--jobs 2]
 
 A row is a search; each drives 50 scenes a sentence, route and seed in the native simulator, and is held by what a
 careful driver of UN R157 would have avoided. Failures are distinct if their outcomes are: who struck whom with what
 part, severity, place and relative heading (`chatscene.measure.outcome`). Samplers are chosen by the even sentences
-(--half 0) and told of by the odd ones (--half 1).
+(--half 0) and told of by the odd ones (--half 1). Another generator has the scenarios that it has, and is searched with
+by the same samplers.
 """
 
 from __future__ import annotations
@@ -18,7 +19,6 @@ from itertools import product
 import click
 import numpy as np
 
-from chatscene import pipeline
 from chatscene.ego.policy import load_ego
 from chatscene.maps.network import resolve_map
 from chatscene.measure.crash_type import STANDING
@@ -27,7 +27,7 @@ from chatscene.runs.parallel import spread
 from chatscene.search.explore import explore
 from chatscene.search.generator import load_generator
 from chatscene.search.sampler import SAMPLERS
-from chatscene.settings import SearchSettings, SimulationSettings
+from chatscene.settings import RetrievalSettings, SearchSettings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator, routes_of
 from chatscene.terms.braking import STANDSTILL
 from chatscene.terms.episode import Episode
@@ -75,20 +75,22 @@ class Found:
 class Searcher:
     """Does searches in one process."""
 
-    def __init__(self, ego_and_physics: tuple[str, str]) -> None:
-        ego, physics = ego_and_physics
+    def __init__(self, generator_ego_and_physics: tuple[str, str, str]) -> None:
+        generator, ego, physics = generator_ego_and_physics
+        self._generator = load_generator(generator)
         self._simulator = load_simulator(resolve_map("town"), SimulationSettings(simulator="native", physics=physics))
         self._ego = load_ego(ego)
 
     def __call__(self, task: Task) -> tuple[Task, Found]:
         """Search on every route."""
-        understood = pipeline.understand(task.text)
+        scenario = self._generator.read(task.text, RetrievalSettings())
+        program = self._generator.write(scenario, RetrievalSettings()).program
         driven = waited = 0
         crashes: list[Crash] = []
-        for route in routes_of(self._simulator, understood.program, task.settings.routes):
+        for route in routes_of(self._simulator, program, task.settings.routes):
             blocks = explore(
-                understood.program,
-                understood.scenario.slots,
+                program,
+                scenario.slots,
                 route,
                 simulator=self._simulator,
                 ego=self._ego,
@@ -140,6 +142,7 @@ def interval(of: dict[str, list[Found]], against: dict[str, list[Found]], what: 
 
 @click.command()
 @click.option("--ego", default="idm", show_default=True)
+@click.option("--generator", default="chatscene", show_default=True)
 @click.option("--half", type=click.IntRange(0, 1), default=None, help="Of the sentences; both if none is named.")
 @click.option("--sampler", "samplers", multiple=True, help="Repeat; all if none is named.")
 @click.option("--scenes", default=50, show_default=True)
@@ -149,6 +152,7 @@ def interval(of: dict[str, list[Found]], against: dict[str, list[Found]], what: 
 @click.option("--jobs", default=1, show_default=True)
 def main(
     ego: str,
+    generator: str,
     half: int | None,
     samplers: tuple[str, ...],
     scenes: int,
@@ -157,8 +161,7 @@ def main(
     physics: str,
     jobs: int,
 ) -> None:
-    generator = load_generator("chatscene")
-    texts = [text for base in BaseScenario for text in generator.texts(base)]
+    texts = [text for base in BaseScenario for text in load_generator(generator).texts(base)]
     texts = texts if half is None else texts[half::2]
     searches = {"before: paper, collision": BEFORE}
     searches |= {name: SearchSettings(sampler=name) for name in samplers or SAMPLERS.built_in}
@@ -174,7 +177,7 @@ def main(
             for text, seed in product(texts, range(seeds))
         ]
         found = results.setdefault(name, {text: [] for text in texts})
-        for task, one in spread(Searcher, (ego, physics), tasks, workers=Workers(jobs)):
+        for task, one in spread(Searcher, (generator, ego, physics), tasks, workers=Workers(jobs)):
             found[task.text].append(one)
         told, (first, *_) = row([one for every in found.values() for one in every]), results.values()
         base = row([one for every in first.values() for one in every])["distinct"]
@@ -185,7 +188,10 @@ def main(
             f"{told['blockers']:.1f} | {told['waited']:.0f} |",
             flush=True,
         )
-    print(f"\nPer 1,000 simulations, {len(texts)} sentences, {routes} routes, {seeds} seeds, against {ego}, {physics}.")
+    print(
+        f"\nPer 1,000 simulations, {generator}, {len(texts)} scenarios, {routes} routes, {seeds} seeds, against {ego}, "
+        f"{physics}."
+    )
 
 
 if __name__ == "__main__":
