@@ -14,6 +14,8 @@ from chatscene.library.bind import Triple, bound, distances, out_of_reach
 from chatscene.library.load import load_library, names_of
 from chatscene.read.decompose import hear
 from chatscene.read.quantities import quantities_of
+from chatscene.search.generator import Choice, load_generator
+from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.frame import Frame
 from chatscene.terms.scenario import FAR, NEAR, NEAR_ONCOMING, Distance, Measure, Quantity, Scenario, Slots, Unused, Why
@@ -70,6 +72,35 @@ def test_a_number_is_read_whole_wherever_its_point_stands(number: Decimal) -> No
     assert [q.value for q in frame.quantities] == [pytest.approx(float(number))]
     assert not [one for one in frame.unused if one.why is Why.NUMBER]
     assert frame.clauses.ego == "we turn right"
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high"),
+    [
+        ("A cyclist ahead of us swerves suddenly to the right.", -2.5, -1.5),
+        ("A cyclist ahead of us swerves suddenly to the left.", 1.5, 2.5),
+        ("A cyclist ahead of us swerves right in front of us.", 1.5, 2.5),
+        ("The car ahead swerves right and brakes.", -2.6, -1.5),
+    ],
+)
+def test_who_swerves_does_so_to_the_side_that_is_said(text: str, low: float, high: float) -> None:
+    generator, settings = load_generator("chatscene"), RetrievalSettings()
+    scenario = generator.read(text, settings)
+    written = generator.write(scenario, settings)
+    (swerve,) = (p for p in written.program.parameters if p.name == "OPT_SWERVE")
+    assert (swerve.low, swerve.high) == (low, high)
+    assert scenario.frame is not None
+    again = generator.write_again(scenario, Choice.of(written), settings)
+    assert again.source == written.program.source
+
+
+def test_who_swerves_by_where_the_ego_is_does_it_toward_the_ego_or_what_was_said_is_told_as_not_used() -> None:
+    for side, told in (("right", []), ("left", ["veers to the left"])):
+        generator, settings = load_generator("chatscene"), RetrievalSettings()
+        scenario = generator.read(f"The car next to us on the left suddenly veers to the {side}.", settings)
+        written = generator.write(scenario, settings)
+        assert written.retrieval is not None
+        assert [one.said for one in written.retrieval.unused if "veers" in one.said] == told
 
 
 def said(measure: Measure, value: float) -> Quantity:

@@ -150,7 +150,8 @@ def as_told(frame: Frame, account: Account) -> Frame:
     """A frame with the numbers of its account, and without a use for the words that have no place in that."""
     unread = (Unused(said=word, why=Why.WORDS) for word in account.unread)
     unlike = (one for one in frame.unused if one.why not in (Why.WORDS, Why.SITE))
-    return replace(frame, quantities=account.quantities, unused=(*unlike, *unread))
+    aside = (one for one in frame.quantities if one.measure is Measure.ASIDE)  # of which accounts know nothing
+    return replace(frame, quantities=(*account.quantities, *aside), unused=(*unlike, *unread))
 
 
 def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:

@@ -16,6 +16,7 @@ from chatscene.terms.scenario import (
     Quantity,
     Scenario,
     Shift,
+    Side,
     Slots,
     Unused,
     Why,
@@ -34,7 +35,11 @@ _NAMES = {
     Measure.TIME: "OPT_STOP_TIME",
     Measure.TRIGGER: "OPT_ADV_DISTANCE",
     Measure.DECELERATION: "OPT_BRAKE",
+    Measure.ASIDE: "OPT_SWERVE",
 }
+_SWERVES = re.compile(
+    r"SwerveOnPath\([^,]+, [^,]+, (-?)globalParameters\.OPT_SWERVE\)"
+)  # to one side, whoever is where
 # Other distances start elsewhere, other times are not those for which it stands
 _AHEAD_OF_EGO = re.compile(r"how far (?:ahead of|along) the ego")
 _BEHIND_EGO = re.compile(r"how far behind the ego")
@@ -75,6 +80,11 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
     if scenario.slots.distance is not None and all(q.measure is not Measure.DISTANCE for q in quantities):
         parts = [_begun(part, scenario.slots.distance) for part in parts]
     for quantity in quantities:
+        if quantity.measure is Measure.ASIDE:
+            swerving = _swerving(parts[0], quantity.value, scenario.slots.side)
+            parts[0] = swerving or parts[0]
+            unused += [] if swerving else [Unused(said=quantity.said, why=Why.NUMBER)]
+            continue
         found = [(i, p) for i, part in enumerate(parts) for p in part.parameters if _speaks_of(quantity, p)]
         if not found:
             unused.append(Unused(said=quantity.said, why=Why.NUMBER))
@@ -94,6 +104,18 @@ def bound(triple: Triple, scenario: Scenario) -> Bound:
             now = next(p for p in parts[i].parameters if p.name == parameter.name)
             notes.append(f"{shift.said!r}: {_range(now)}, before between {_ends(parameter)}")
     return Bound((parts[0], parts[1], parts[2]), tuple(notes), tuple(unused))
+
+
+def _swerving(behavior: Snippet, aside: float, side: Side | None) -> Snippet | None:
+    """A behavior that swerves to a side, 1 the left; None if it does not swerve, or goes by where the ego is."""
+    swerves = _SWERVES.search(behavior.source)
+    if swerves is None:
+        toward_us = "SwerveOnPath(" in behavior.source and side is (Side.RIGHT if aside > 0 else Side.LEFT)
+        return behavior if toward_us else None
+    (parameter,) = (p for p in behavior.parameters if p.name == _NAMES[Measure.ASIDE])
+    if (aside > 0) == (swerves[1] == "" and parameter.low > 0):
+        return behavior
+    return _set(behavior, parameter, -parameter.high, -parameter.low)
 
 
 def _shifted(shift: Shift, now: ParameterRange, declared: ParameterRange) -> tuple[float, float]:
@@ -168,6 +190,9 @@ def narrowed(triple: Triple, ranges: Mapping[str, tuple[float, float]]) -> Tripl
     for i, part in enumerate(triple):
         for parameter in part.parameters:
             low, high = ranges.get(parameter.name, (parameter.low, parameter.high))
+            if parameter.name == _NAMES[Measure.ASIDE] and high == -parameter.low:
+                parts[i] = _set(parts[i], parameter, low, high)  # to the other side
+                continue
             if not parameter.low - ROUNDING <= low <= high <= parameter.high + ROUNDING:
                 raise SnippetError(
                     f"{parameter.name} of {part.id} lies between {parameter.low:g} and {parameter.high:g}, "
@@ -191,6 +216,8 @@ def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity], kind: Adversa
 
 def settable(quantity: Quantity, snippets: Sequence[Snippet], kind: AdversaryKind | None) -> bool:
     """Whether some parameter of snippets can be set to a quantity, for an adversary."""
+    if quantity.measure is Measure.ASIDE:
+        return any("SwerveOnPath(" in snippet.source for snippet in snippets)
     told = [(as_done(quantity, _acts(s, kind)), p) for s in snippets for p in s.parameters]
     return any(_speaks_of(one, p) and _in_reach(p, one) for one, p in told)
 
@@ -211,6 +238,8 @@ def _from_ego(parameter: ParameterRange) -> bool:
 
 def _speaks_of(quantity: Quantity, parameter: ParameterRange) -> bool:
     """Whether a parameter measures what a quantity does, and on the side of the ego that was said."""
+    if quantity.measure is Measure.ASIDE:
+        return False  # no range of values is meant
     if parameter.name != _NAMES[quantity.measure]:
         return False
     if quantity.measure is Measure.TIME:

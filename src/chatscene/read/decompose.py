@@ -18,7 +18,7 @@ from chatscene.read.clauses import cut, without_things
 from chatscene.read.ego_state import ego_state_of
 from chatscene.read.naming import plainly_named
 from chatscene.read.parse import parse
-from chatscene.read.quantities import quantities_of
+from chatscene.read.quantities import aside_of, quantities_of
 from chatscene.read.surroundings import hear_surroundings
 from chatscene.read.unused import mentions_of, unused_of
 from chatscene.terms.actors import AdversaryKind, Manner
@@ -81,7 +81,7 @@ def hear(text: str) -> Frame:
         heard,
         outright=slots,
         beliefs=certain(slots),
-        quantities=quantities,
+        quantities=(*quantities, *aside_of(mended)),
         unused=(*unused, *(Unused(said=said.lower(), why=Why.BESIDES) for said in named.dropped)),
         notes=tuple(notes),
     )

@@ -80,6 +80,25 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
     return tuple(found.values())
 
 
+_SWERVES = r"(?:swerv|veer|lurch|jerk|jink)\w*(?: (?:\w+ly|sharp|hard|out|over|off|away))*"
+_ASIDE = re.compile(
+    rf"{_SWERVES} (?:(?:to|towards?) (?:(?:the|its|his|her|their) )?(?P<to>left|right)|(?P<on>left|right))"
+    r"(?=$|[,.;!]| (?:and|then|to avoid|around|round|out)\b)(?!,? (?:and )?(?:\w+ )?(?:left|right)\b)"  # to both: it weaves
+)
+
+
+def aside_of(text: str) -> tuple[Quantity, ...]:
+    """To which side somebody swerves, if it is said; "right in front of us" says none.
+
+    Args:
+        text: Lower case, mended.
+    """
+    if (match := _ASIDE.search(text)) is None:
+        return ()
+    side = match["to"] or match["on"]
+    return (Quantity(measure=Measure.ASIDE, value=1.0 if side == "left" else -1.0, said=match[0]),)
+
+
 _AT_PLACE: tuple[tuple[Measure, re.Pattern[str]], ...] = (
     (Measure.SPEED, re.compile(rf"(?:at|with) (?:an? )?(?:constant |steady |speed of |about |some |around |roughly )*{_NUMBER} ?{_SPEED}(?!\w)")),
     (Measure.DECELERATION, re.compile(rf"(?:with|at|by) (?:about |some |around |roughly )*{_NUMBER} ?{_DECELERATION}")),

@@ -217,6 +217,7 @@ class Measure(StrEnum):
     TIME = "time"  # for which it stands [s]
     TRIGGER = "trigger"  # how far the ego still is when it acts [m]
     DECELERATION = "deceleration"  # of the adversary when it brakes [m/s²]
+    ASIDE = "aside"  # to which side of its line it swerves: 1 to its left, -1 to its right
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
