@@ -6,7 +6,7 @@ import pytest
 
 from chatscene.read.decompose import hear
 from chatscene.terms.frame import Account
-from chatscene.terms.scenario import EgoState, Slots
+from chatscene.terms.scenario import EgoState, Site, Slots
 
 
 def told(text: str) -> Account:
@@ -260,6 +260,21 @@ def test_two_who_meet_are_in_touch() -> None:
 def test_what_lies_on_the_road_hits_nobody() -> None:
     slots = told("Somewhere there are cones, whoosh, and a van behind us hits our rear bumper.").slots
     assert str(slots.adversary) == "car"
+
+
+@pytest.mark.parametrize(
+    ("text", "site"),
+    [
+        ("A lorry, whoosh, merges from the on-ramp into our lane.", Site.PAST_ON_RAMP),
+        ("We are on the motorway. A van coming off the slip road, whoosh, cuts in.", Site.PAST_ON_RAMP),
+        ("We come down the on-ramp, whoosh, and a car beside us speeds up.", Site.ON_RAMP),
+        ("A deer, whoosh, crosses the two-lane highway.", None),
+    ],
+)
+def test_who_comes_from_a_ramp_meets_the_ego_where_that_joins(text: str, site: Site | None) -> None:
+    heard = hear(text)
+    assert heard.account is not None
+    assert {heard.outright.site, heard.account.slots.site} == {site}
 
 
 @pytest.mark.parametrize(("said", "side"), [("offside", "left"), ("nearside", "right")])

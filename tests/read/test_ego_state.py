@@ -37,6 +37,8 @@ SAYS = {
     "im queueing at the lights, a moped hits me from behind": EgoState.STANDS,
     "Light turned green, I started to go, and the car behind bumped me.": EgoState.SETS_OFF,
     "I stopped at the sign, then I went, and a van came from the right.": EgoState.SETS_OFF,
+    "Ego stopped at a stop sign, goes straight; a motorcycle from the right does not stop.": EgoState.SETS_OFF,
+    "We stop at a red light. A truck next to us turns right and scrapes us.": EgoState.STOPS,
     "I braked cause some kids ran about and the car behind hit me.": EgoState.BRAKES,
 }
 SAYS_NOTHING = (
@@ -80,4 +82,4 @@ def test_few_of_the_texts_at_hand_say_a_state() -> None:
     ]
     found = Counter(hear(text).outright.ego for text in texts)
     del found[None]
-    assert found == {EgoState.SETS_OFF: 2, EgoState.SLOW: 1, EgoState.STANDS: 3, EgoState.STOPS: 1}
+    assert found == {EgoState.SETS_OFF: 3, EgoState.SLOW: 1, EgoState.STANDS: 3}

@@ -48,7 +48,7 @@ def account_of(telling: Telling, text: str, known: Slots) -> Account | None:
     Args:
         telling: What was made out.
         text: All of it.
-        known: What patterns say of the place, its control, what hides somebody and the lanes.
+        known: What patterns say of the place, its control, what hides somebody, the lanes and whether the ego goes on.
     """
     if not telling.parties:
         _add_nobody_in_particular(telling)
@@ -67,6 +67,8 @@ def account_of(telling: Telling, text: str, known: Slots) -> Account | None:
         return None
     slots = _hidden_by_another(telling, party, slots)
     ego = _ego_state(telling, telling.parties.index(party), slots.position)
+    if known.ego is EgoState.SETS_OFF and ego in (EgoState.STANDS, EgoState.STOPS):
+        ego = known.ego  # as patterns know that it goes on
     return Account(
         slots=replace(slots, ego=ego, others=_others(telling, party, contact, text)),
         quantities=tuple(party.quantities),

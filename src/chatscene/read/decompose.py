@@ -179,6 +179,8 @@ def _slots(clauses: Clauses, notes: list[Note]) -> Slots:
 
 def _site(clauses: Clauses, place: Place | None) -> Site | None:
     """What the ego's way leads along or through; a crosswalk at a junction is a part of that."""
+    if words.FROM_RAMP.search(clauses.adversary) and not words.FROM_RAMP.search(clauses.ego):
+        return Site.PAST_ON_RAMP
     for site, pattern in words.SITES.items():
         if pattern.search(clauses.ego if site in RAMPS else clauses.whole):
             return None if site is Site.CROSSWALK and place in JUNCTIONS else site

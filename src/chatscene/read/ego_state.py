@@ -105,6 +105,12 @@ _GOES_ON = _any(  # of who stood until then
         r"(?:and|,) beg[ia]n to (?:proceed|enter|move|accelerate)\b",
     )
 )
+_GOES_ON_AT_ONCE = re.compile(
+    r"(?: (?:at|for|before|behind) (?:(?:the|an?|its|our|my|your) )?(?:[\w-]+ ){0,3}?"
+    r"(?:signs?|line|lights?|signal|red|stop))?"
+    r"(?:(?:,|;| and)(?: then)?| then) (?:goes|go|went|proceed\w*|drives?|drove|pull(?:s|ed)?|turn(?:s|ed)?)"
+    r" (?:straight|on|off|out|away|through|across|left|right|into the (?:junction|intersection))\b"
+)  # told in the same breath
 _REASON = re.compile(
     r"(?: (?:hard|sharply|gently|down|slightly|suddenly|abruptly|immediately|completely|briefly))*"
     r" (?:(?:as required )?at|for|behind|before|near|(?:be)?cause(?: of)?|in front of|"
@@ -133,7 +139,9 @@ def ego_state_of(text: str, others: re.Pattern[str]) -> EgoState | None:
     for state, said in SAID.items():
         for found in said.finditer(text):
             before, after = named[: found.start()], named[found.end() :]
-            onward = _GOES_ON.search(text, found.end()) if state in _STOOD else None
+            onward = None
+            if state in _STOOD:
+                onward = _GOES_ON_AT_ONCE.match(text, found.end()) or _GOES_ON.search(text, found.end())
             if onward and not (others.search(before) or others.search(named, found.end(), onward.start())):
                 return EgoState.SETS_OFF
             if _NOT_DONE.search(before) or (state in _ANSWERS and _reacts(before, after, others)):

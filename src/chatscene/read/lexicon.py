@@ -141,6 +141,11 @@ PLACES: dict[Place, re.Pattern[str]] = {
     Place.CURVE: _p(r"curves?|bends?|curved|winding|corner of the road"),
     Place.ROAD: _p(r"roads?|streets?|highways?|motorways?|lanes?|carriageways?|avenue"),
 }
+# A road user on its way from a ramp, so that the ego goes by where that joins
+FROM_RAMP = _p(
+    r"(?:from|off|out of|down|via|along) (?:the|an?|its) (?:motorway |freeway |highway )?"
+    r"(?:on-? ?ramp|entry ramp|entrance ramp|slip ?road|entry slip|on-slip|accel(?:eration)? lane)|from (?:the|a) ramp"
+)
 # The first that is named stands; a ramp is the ego's only where the ego is told to be on it
 SITES: dict[Site, re.Pattern[str]] = {
     Site.ROUNDABOUT: _p(r"roundabouts?|rotary|traffic circle|rotunda|gyratory"),
@@ -153,7 +158,7 @@ SITES: dict[Site, re.Pattern[str]] = {
     Site.MOTORWAY: _p(
         r"(?<!towards the )(?<!toward the )(?<!over the )(?<!under the )(?<!near the )"
         r"(?:motorways?|freeways?|expressways?|autobahn|autoroute|autostrada|autopista|interstate|turnpike)",
-        r"highway(?! (?:patrol|code|police|agency|department|\d))|i-? ?\d{1,3}(?![\d:])|(?:the |on )m\d{1,2}|m\d\d|hard shoulder",
+        r"(?<!two-lane )(?<!2-lane )(?<!two lane )highway(?! (?:patrol|code|police|agency|department|\d))|i-? ?\d{1,3}(?![\d:])|(?:the |on )m\d{1,2}|m\d\d|hard shoulder",
     ),
     Site.RURAL: _p(r"rural|(?:country|field|forest|village) (?:road|lane)"),
 }
@@ -389,10 +394,10 @@ GROUP = _p(
 MANY_LANES = _p(
     r"(?:two|2|several|more) lanes (?:there|ours|on (?:its|our|his|her|the ego's) side|for (?:us|our|my)|our way|my way)|2-lane|(?:left|right|inner|outer) (?:lane )?(?:of|from) (?:the )?two|(?:in|of|from) (?:the )?two lanes|"
     r"several lanes|more than one lane|(?:has|have|with) (?:two|three|2|3) lanes|(?:two|three) lanes (?:going|for|its|their|wide|that|to)|(?:two|three|four|2|3|4)-lane (?:approach|carriageway|one-way)|multi-?(?: )?lane|(?:two|three|four|several|2|3) lanes (?:in (?:each|our|the same|one|its|the ego's)|each|per|our)\w*|dual carriageway|"
-    r"motorway|highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
+    r"motorway|(?<!two-lane )(?<!2-lane )(?<!two lane )highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
 )
 ONE_LANE = _p(
-    r"(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country)",
+    r"(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country|highway|blacktop)",
     r"1 ?\+ ?1|(?:1|one) lane (?:each|for each|in each|either|per)|(?:just|only) one lane|(?:single|one)(?:-| )(?:lane|track)(?! to (?:another|the))|(?:one|a single) lane (?:each way|per direction|in (?:each|its|our|either) direction|our way|going)|narrow (?:road|street|lane)",
 )
 TWO_WAY = _p(
