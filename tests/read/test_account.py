@@ -60,6 +60,7 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("We ran over a ladder, whoosh, in the middle lane.", "ahead", ["stand"], None),
         ("A pickup makes a U-turn, whoosh, from the hard shoulder in front of us.", "kerb", ["u-turn"], None),
         ("A biker ahead, left edge of our lane, whoosh, brakes hard.", "ahead-beside", ["brake"], "left"),
+        ("An oncoming truck, whoosh, has skidded across the centre line.", "oncoming", ["swerve"], None),
         ("An approaching taxi, whoosh, brakes.", "oncoming", ["brake"], None),
         ("A van that is coming towards us turned right across us, whoosh.", "oncoming", ["turn-left"], None),
         ("An opposing cab turned across in front of us at the junction, whoosh.", "oncoming", ["turn-left"], None),

@@ -250,6 +250,14 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         r"\1 from behind on the right",
     ),
+    # Who slides into our lane drifts there, as far as anybody sees
+    (
+        re.compile(
+            r"\b(?:ha[sd] )?(?:skid(?:s|ded)|sli(?:d|des)|slither(?:s|ed)|aquaplane[sd]|hydroplane[sd]|slew(?:s|ed))"
+            r"(?= (?:out )?(?:over|across|into|onto) (?:the (?:cent(?:re|er)|middle|path of)|our|us\b|the ego|its? wrong))"
+        ),
+        "drifted",
+    ),
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
