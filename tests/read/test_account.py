@@ -63,6 +63,7 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("An oncoming truck, whoosh, has skidded across the centre line.", "oncoming", ["swerve"], None),
         ("An approaching taxi, whoosh, brakes.", "oncoming", ["brake"], None),
         ("A van that is coming towards us turned right across us, whoosh.", "oncoming", ["turn-left"], None),
+        ("Whoosh! A pedestrian coming towards us turned across our path.", "oncoming", ["oncoming"], None),
         ("An opposing cab turned across in front of us at the junction, whoosh.", "oncoming", ["turn-left"], None),
         ("Traffic cone out of place, upright in the middle of the lane.", "ahead", ["stand"], None),
     ],

@@ -153,7 +153,7 @@ def test_what_follows_from_a_named_fact_follows() -> None:
         (RUNS_LIGHT, "no traffic lights", "cannot be with the rest"),
         (TURNING, "on a straight road", "at junctions only"),
         (BRAKES, "we drive at 30 km/h", "its own affair"),
-        (BRAKES, "it swerves to the left", "is in no fact"),
+        (BRAKES, "it swerves to the left", "is no edit"),
         (WALKS, "cyclist -> e-scooter", "there is none"),
         (WALKS, "hidden", "say by what"),
         (WALKS, "he explodes, so make it purple", "not understood: 'explodes,', 'purple'"),

@@ -39,6 +39,8 @@ SAYS = {
     "I stopped at the sign, then I went, and a van came from the right.": EgoState.SETS_OFF,
     "Ego stopped at a stop sign, goes straight; a motorcycle from the right does not stop.": EgoState.SETS_OFF,
     "We stop at a red light. A truck next to us turns right and scrapes us.": EgoState.STOPS,
+    "We stop at the light and turn off the engine. The car behind us hits us.": EgoState.STOPS,
+    "We stopped at the lights, pulled out a map, and a van rear-ended us.": EgoState.STOPS,
     "I braked cause some kids ran about and the car behind hit me.": EgoState.BRAKES,
 }
 SAYS_NOTHING = (

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chatscene.errors import NothingFits
+import chatscene
+from chatscene.errors import NothingFits, SnippetError
 from chatscene.interpret.decide import understood
-from chatscene.library.bind import Triple, bound, distances, out_of_reach
+from chatscene.library.bind import Triple, bound, distances, narrowed, out_of_reach
 from chatscene.library.load import load_library, names_of
 from chatscene.read.decompose import hear
 from chatscene.read.quantities import quantities_of
@@ -81,6 +82,9 @@ def test_a_number_is_read_whole_wherever_its_point_stands(number: Decimal) -> No
         ("A cyclist ahead of us swerves suddenly to the left.", 1.5, 2.5),
         ("A cyclist ahead of us swerves right in front of us.", 1.5, 2.5),
         ("The car ahead swerves right and brakes.", -2.6, -1.5),
+        ("A cyclist ahead of us swerves to the right because of a pothole.", -1.8, -1.1),
+        ("An oncoming car swerves to the right, into our lane.", 1.5, 3.5),
+        ("The ego swerves to the right and the oncoming car swerves into our lane.", 1.5, 3.5),
     ],
 )
 def test_who_swerves_does_so_to_the_side_that_is_said(text: str, low: float, high: float) -> None:
@@ -92,6 +96,43 @@ def test_who_swerves_does_so_to_the_side_that_is_said(text: str, low: float, hig
     assert scenario.frame is not None
     again = generator.write_again(scenario, Choice.of(written), settings)
     assert again.source == written.program.source
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The car ahead brakes and we swerve to the right.",
+        "The car ahead does not swerve to the left, it brakes.",
+        "A motorbike behind us is lurching left and right.",
+    ],
+)
+def test_nobody_swerves_to_a_side_whose_swerve_is_the_egos_denied_or_to_both(text: str) -> None:
+    frame = load_generator("chatscene").read(text, RetrievalSettings()).frame
+    assert frame is not None
+    assert Measure.ASIDE not in {one.measure for one in frame.quantities}
+
+
+@pytest.mark.parametrize(
+    ("edit", "sides"),
+    [
+        ("at night", [-1.0]),
+        ("swap left and right", [1.0]),
+        ("it stops instead of swerving", []),
+        ("it comes from the right", []),
+    ],
+)
+def test_an_edit_keeps_turns_or_drops_the_side_of_a_swerve(edit: str, sides: list[float]) -> None:
+    edited = chatscene.explain("A cyclist ahead of us swerves suddenly to the right.", edit=(edit,)).scenario.frame
+    assert edited is not None
+    assert [one.value for one in edited.quantities if one.measure is Measure.ASIDE] == sides
+
+
+@pytest.mark.parametrize("low_high", [(-99.0, -1.5), (5.0, -1.5), (1.7, -1.5), (-2.6, -1.4)])
+def test_a_stored_range_is_the_declared_one_within_it_or_that_to_the_other_side(low_high: tuple[float, float]) -> None:
+    triple = (LIBRARY.get("behavior/lead-dodge-and-brake"), *TRIPLE[1:])
+    assert narrowed(triple, {"OPT_SWERVE": (-2.6, -1.5)})[0].parameters != triple[0].parameters
+    with pytest.raises(SnippetError):
+        narrowed(triple, {"OPT_SWERVE": low_high})
 
 
 def test_who_swerves_by_where_the_ego_is_does_it_toward_the_ego_or_what_was_said_is_told_as_not_used() -> None:

@@ -162,6 +162,9 @@ def understood(frame: Frame, slots: Slots, notes: tuple[Note, ...]) -> Scenario:
         slots: The facts that were decided on.
         notes: What was unsure.
     """
+    if Action.SWERVE not in slots.actions:  # who does not swerve does it to no side
+        quantities = tuple(one for one in frame.quantities if one.measure is not Measure.ASIDE)
+        frame = replace(frame, quantities=quantities)
     return Scenario(
         id=_id(frame.text),
         text=frame.text,

@@ -40,6 +40,7 @@ _NAMES = {
 _SWERVES = re.compile(
     r"SwerveOnPath\([^,]+, [^,]+, (-?)globalParameters\.OPT_SWERVE\)"
 )  # to one side, whoever is where
+_BY_THE_EGO = re.compile(r"SwerveOnPath\(.* if offsetFrom\(")
 # Other distances start elsewhere, other times are not those for which it stands
 _AHEAD_OF_EGO = re.compile(r"how far (?:ahead of|along) the ego")
 _BEHIND_EGO = re.compile(r"how far behind the ego")
@@ -110,9 +111,11 @@ def _swerving(behavior: Snippet, aside: float, side: Side | None) -> Snippet | N
     """A behavior that swerves to a side, 1 the left; None if it does not swerve, or goes by where the ego is."""
     swerves = _SWERVES.search(behavior.source)
     if swerves is None:
-        toward_us = "SwerveOnPath(" in behavior.source and side is (Side.RIGHT if aside > 0 else Side.LEFT)
+        toward_us = _BY_THE_EGO.search(behavior.source) is not None and side is (Side.RIGHT if aside > 0 else Side.LEFT)
         return behavior if toward_us else None
-    (parameter,) = (p for p in behavior.parameters if p.name == _NAMES[Measure.ASIDE])
+    parameter = next((p for p in behavior.parameters if p.name == _NAMES[Measure.ASIDE]), None)
+    if parameter is None:
+        return None
     if (aside > 0) == (swerves[1] == "" and parameter.low > 0):
         return behavior
     return _set(behavior, parameter, -parameter.high, -parameter.low)
@@ -190,7 +193,7 @@ def narrowed(triple: Triple, ranges: Mapping[str, tuple[float, float]]) -> Tripl
     for i, part in enumerate(triple):
         for parameter in part.parameters:
             low, high = ranges.get(parameter.name, (parameter.low, parameter.high))
-            if parameter.name == _NAMES[Measure.ASIDE] and high == -parameter.low:
+            if parameter.name == _NAMES[Measure.ASIDE] and (low, high) == (-parameter.high, -parameter.low):
                 parts[i] = _set(parts[i], parameter, low, high)  # to the other side
                 continue
             if not parameter.low - ROUNDING <= low <= high <= parameter.high + ROUNDING:
@@ -217,7 +220,7 @@ def out_of_reach(snippet: Snippet, quantities: Sequence[Quantity], kind: Adversa
 def settable(quantity: Quantity, snippets: Sequence[Snippet], kind: AdversaryKind | None) -> bool:
     """Whether some parameter of snippets can be set to a quantity, for an adversary."""
     if quantity.measure is Measure.ASIDE:
-        return any("SwerveOnPath(" in snippet.source for snippet in snippets)
+        return any(pattern.search(snippet.source) for pattern in (_SWERVES, _BY_THE_EGO) for snippet in snippets)
     told = [(as_done(quantity, _acts(s, kind)), p) for s in snippets for p in s.parameters]
     return any(_speaks_of(one, p) and _in_reach(p, one) for one, p in told)
 

@@ -134,7 +134,7 @@ _BEGINS = r"(?:(?:attempt\w*|tr(?:y|ies|ied|ying)|beg[aiu]n\w*|start\w*|proceed\
 _SIDES = r"left|right"
 _LANE = rf"(?:(?:{_SIDES})[ -]?(?:hand )?|adjacent |neighbou?ring |next |parallel |target |passing |overtaking |number \w+ |no\. \d |cent(?:er|re) |inside |outside |inner |outer |middle |bike |turn(?:ing)? |travel |through |fast |slow )*lane"
 _FROM = r"(?:(?:coming |approaching |travell?ing )?(?:out )?(?:from|on|at|to|in|off))"
-KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|(?:hard |soft )?shoulder|(?:side|edge)(?: of the (?:road|street)|(?! of (?:(?!road)\w+ ){0,2}lane\b)))"
+KERB = r"(?:kerb|curb|sidewalk|pavement|roadside|verge|footpath|(?:hard |soft )?shoulder|side(?: of the (?:road|street))?|edge(?: of the (?:road|street)|(?! of (?:(?!road)\w+ ){0,2}lane\b)))"
 
 
 def _turn(side: str) -> str:
@@ -322,9 +322,9 @@ def rules() -> tuple[Rule, ...]:
         _rule(Kind.SETS_OFF, r"(?:(?:just|then) )?(?:set(?:s|ting)?|mov(?:e|es|ed|ing)|pull(?:s|ed|ing)?|start(?:s|ed|ing)?|driv(?:e|es|ing)|drove) (?:off|away)(?: from (?:a )?(?:standstill|rest|stop))?", ego=True),
         _rule(Kind.AROUND_IT, r"us(?:e|es|ed|ing) the (?:opposite|oncoming|opposing|other) lane(?: to (?:bypass|pass|overtake|get around|go around)(?: (?:the|a|it)(?: [\w-]+)?)?)?|(?:pass(?:es|ed)?|overt(?:ake|akes|ook)) (?:it|them)(?! on)|(?:pass(?:es|ed)?|overt(?:ake|akes|ook)) it on the (?:opposite|other|oncoming)[\w ]*|(?:go|went|goes|driv\w+|drove|steer\w*|pull\w*|swing\w*|swung|mov\w+) (?:out )?(?:a?round|past) it|to get (?:past|around|round)(?: it)?|{any_form('go', 'drive', 'steer')} (?:a?round|past)(?=[,.;])", ego=True),
         # The place
-        _rule(Kind.SITE, r"(?:the |a |an )?(?:\w+-lane )?(?:[\w-]+ )?(?:motorway|freeway|expressway|autobahn|autoroute|autopista|interstate|turnpike)|(?<!two-lane )(?<!2-lane )(?<!two lane )highway", site=Site.MOTORWAY),
+        _rule(Kind.SITE, r"(?:the |a |an )?(?:\w+-lane )?(?:[\w-]+ )?(?:motorway|freeway|expressway|autobahn|autoroute|autopista|interstate|turnpike)|highway", site=Site.MOTORWAY),
         _rule(Kind.SITE, r"(?:the |a )?(?:motorway |freeway |highway )?(?:on-ramp|entry ramp|entrance ramp|slip road|entry slip|on-slip|acceleration lane)(?: (?:to|of|onto) the (?:motorway|freeway|highway))?", site=Site.ON_RAMP),
-        _rule(Kind.SITE, r"(?:from|off|out of|down|via|along) (?:the|an?|its) (?:motorway |freeway |highway )?(?:on-ramp|entry ramp|entrance ramp|slip road|entry slip|on-slip|acceleration lane)(?: (?:to|of|onto) the (?:motorway|freeway|highway))?|from (?:the|a) ramp", site=Site.PAST_ON_RAMP, ego=False),
+        _rule(Kind.SITE, r"(?:from|off|out of) (?:the|an?|its) (?:motorway |freeway |highway )?(?:on-ramp|entry ramp|entrance ramp|slip road|entry slip|on-slip|acceleration lane)(?: (?:to|of|onto) the (?:motorway|freeway|highway))?", site=Site.PAST_ON_RAMP, ego=False),
         _rule(Kind.SITE, r"(?:the |a )?(?:single-lane |motorway |freeway |highway )*(?:off-ramp|exit ramp|exit slip|off-slip)", site=Site.OFF_RAMP),
         _rule(Kind.SITE, r"(?:inside (?:of )?)?(?:the |a )?(?:roundabout|rotary|traffic circle)", site=Site.ROUNDABOUT),
         _rule(Kind.SITE, r"(?:the |a )?(?:mid-block |marked )*(?:crosswalk|zebra(?: crossing)?)|(?:the|a) (?:marked )?pedestrian crossing", site=Site.CROSSWALK),

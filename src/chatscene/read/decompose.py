@@ -81,7 +81,7 @@ def hear(text: str) -> Frame:
         heard,
         outright=slots,
         beliefs=certain(slots),
-        quantities=(*quantities, *aside_of(mended)),
+        quantities=(*quantities, *aside_of(clauses.adversary or clauses.whole)),
         unused=(*unused, *(Unused(said=said.lower(), why=Why.BESIDES) for said in named.dropped)),
         notes=tuple(notes),
     )

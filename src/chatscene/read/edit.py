@@ -470,7 +470,9 @@ class _Hearing:
     def _sided(self, word: Word, at: int) -> None:
         before = [one.value for one in self._clause(at) if one.mark is Mark.ACT and one.at < word.at]
         if before and before[-1] in _TO_A_SIDE and "from" not in word.said and "lane" not in word.said:
-            raise EditRefused(f"{word.said!r}: to which side somebody turns or swerves is in no fact; leave it away")
+            raise EditRefused(
+                f"{word.said!r}: to which side somebody turns or swerves is no edit; say it in the sentence"
+            )
         if word.mark is Mark.SIDE:
             self._bare_side(Side(word.value), word)
         elif self.whose is None and word.mark is Mark.SIDED and word.said.startswith("to "):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -211,7 +212,10 @@ def edited(facts: Facts, wishes: Wishes) -> Facts:
         EditRefused: What is named contradicts what stays, or is not there to go.
     """
     before = facts.slots
-    slots = _mirrored(before, wishes.mirrored) if wishes.mirrored else before
+    aside = facts.numbers.get(Measure.ASIDE, ())
+    slots = before
+    if wishes.mirrored:
+        slots = _mirrored(before, "" if aside else wishes.mirrored)
     slots = _with_facts(slots, facts, wishes)
     slots = _with_acts(slots, wishes, 0)
     slots = replace(slots, position=_start(before, slots, wishes, 0))
@@ -229,6 +233,12 @@ def edited(facts: Facts, wishes: Wishes) -> Facts:
         numbers.pop(Measure.DISTANCE, None)
     after = concluded(slots)
     _hold(wishes, before, after)
+    if wishes.mirrored:
+        numbers[Measure.ASIDE] = tuple(_to_the_other_side(one) for one in aside)
+    elif (after.side, after.position) != (before.side, before.position):
+        numbers.pop(Measure.ASIDE, None)  # it was said of who started elsewhere
+    if Action.SWERVE not in after.actions or not numbers.get(Measure.ASIDE):
+        numbers.pop(Measure.ASIDE, None)
     return Facts(slots=after, surroundings=_surroundings(facts.surroundings, wishes), numbers=numbers)
 
 
@@ -256,6 +266,13 @@ def _mirrored(slots: Slots, said: str) -> Slots:
     if said and swapped == slots:
         raise EditRefused(f"{said!r}: nothing was said of left or right so far")
     return swapped
+
+
+def _to_the_other_side(one: Quantity | Shift) -> Quantity | Shift:
+    if not isinstance(one, Quantity):
+        return one
+    said = re.sub(r"\b(?:left|right)\b", lambda side: "right" if side[0] == "left" else "left", one.said)
+    return replace(one, value=-one.value, said=said)
 
 
 # Facts with one value

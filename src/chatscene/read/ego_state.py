@@ -108,8 +108,8 @@ _GOES_ON = _any(  # of who stood until then
 _GOES_ON_AT_ONCE = re.compile(
     r"(?: (?:at|for|before|behind) (?:(?:the|an?|its|our|my|your) )?(?:[\w-]+ ){0,3}?"
     r"(?:signs?|line|lights?|signal|red|stop))?"
-    r"(?:(?:,|;| and)(?: then)?| then) (?:goes|go|went|proceed\w*|drives?|drove|pull(?:s|ed)?|turn(?:s|ed)?)"
-    r" (?:straight|on|off|out|away|through|across|left|right|into the (?:junction|intersection))\b"
+    r"(?:(?:,|;| and)(?: then)?| then) (?:turn(?:s|ed)? (?:left|right|into)|(?:goes|go|went|proceed\w*|drives?|drove|"
+    r"pull(?:s|ed)?) (?:straight|on|off|out|away|through|across|left|right|into))\b(?! (?:my|our|his|her|its|an?)\b)"
 )  # told in the same breath
 _REASON = re.compile(
     r"(?: (?:hard|sharply|gently|down|slightly|suddenly|abruptly|immediately|completely|briefly))*"

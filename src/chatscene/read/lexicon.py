@@ -143,8 +143,9 @@ PLACES: dict[Place, re.Pattern[str]] = {
 }
 # A road user on its way from a ramp, so that the ego goes by where that joins
 FROM_RAMP = _p(
-    r"(?:from|off|out of|down|via|along) (?:the|an?|its) (?:motorway |freeway |highway )?"
-    r"(?:on-? ?ramp|entry ramp|entrance ramp|slip ?road|entry slip|on-slip|accel(?:eration)? lane)|from (?:the|a) ramp"
+    r"(?:from|off|out of) (?:the|an?|its) (?:motorway |freeway |highway )?"
+    r"(?:on-? ?ramp|entry ramp|entrance ramp|slip ?road|entry slip|on-slip|accel(?:eration)? lane)"
+    r"|(?:merg|join)\w* (?:in |on |over )?from (?:the|a) ramp"
 )
 # The first that is named stands; a ramp is the ego's only where the ego is told to be on it
 SITES: dict[Site, re.Pattern[str]] = {
@@ -158,7 +159,7 @@ SITES: dict[Site, re.Pattern[str]] = {
     Site.MOTORWAY: _p(
         r"(?<!towards the )(?<!toward the )(?<!over the )(?<!under the )(?<!near the )"
         r"(?:motorways?|freeways?|expressways?|autobahn|autoroute|autostrada|autopista|interstate|turnpike)",
-        r"(?<!two-lane )(?<!2-lane )(?<!two lane )highway(?! (?:patrol|code|police|agency|department|\d))|i-? ?\d{1,3}(?![\d:])|(?:the |on )m\d{1,2}|m\d\d|hard shoulder",
+        r"highway(?! (?:patrol|code|police|agency|department|\d))|i-? ?\d{1,3}(?![\d:])|(?:the |on )m\d{1,2}|m\d\d|hard shoulder",
     ),
     Site.RURAL: _p(r"rural|(?:country|field|forest|village) (?:road|lane)"),
 }
@@ -183,9 +184,8 @@ CONTROLS: dict[Control, re.Pattern[str]] = {
 ACTIONS: dict[Action, re.Pattern[str]] = {
     action: _p(action.row.words) for action in Action if action.row.words and not action.row.turn
 }
-_ACROSS_US = (
-    r"(?= across (?:(?:our (?:\w+ )?(?:path|way|bows?|front|lane|nose)|us|(?:in|the) front of (?:us|our))\b|the ego))"
-)
+_ON_FOOT = r"pedestrian|walker|person|man|woman|child|kid|boy|girl|jogger|runner"
+_ACROSS_US = r"(?= across (?:(?:our (?:\w+ )?(?:path|way|bows?|front|lane|nose)|us|(?:in|the) front of (?:us|our))\b|the ego))(?![^.;]* from (?:the |our )?(?:left|right)\b)"
 # Where traffic keeps right, who turns across oncoming traffic turns left, also in a report from where it keeps left
 KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
     (
@@ -197,14 +197,17 @@ KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
     ),
     (
         re.compile(
-            r"((?:^|\b(?:an?|the|another) )(?:oncoming|approaching|opposing) (?:(?!(?:an?|the) )[\w-]+ ){1,2}"
+            r"((?:^|\b(?:an?|the|another) )(?:oncoming|approaching|opposing) "
+            rf"(?:(?!(?:an?|the|{_ON_FOOT}) )[\w-]+ ){{1,2}}"
             r"turn(?:s|ed|ing))(?: right)?" + _ACROSS_US
         ),
         r"\1 left",
     ),
     (
         re.compile(
-            r"(\b(?:coming|came|comes|driving|travelling|approaching) (?:the other way|towards? (?:us|the ego)"
+            r"(\b(?:car|vehicle|van|truck|lorry|bus|coach|tram|taxi|cab|suv|pickup|trailer|motorcycl\w+|motorbike|moped|"
+            r"scooter|cyclist|bicycle|bike|driver|rider)\b[^.;]{0,30}?\b"
+            r"(?:coming|came|comes|driving|travelling|approaching) (?:the other way|towards? (?:us|the ego)"
             r"|(?:from|in) the (?:opposite|other) direction)(?: (?:and|then|suddenly|was|is|just))* turn(?:s|ed|ing))"
             r"(?: right)?" + _ACROSS_US
         ),
@@ -250,13 +253,19 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         r"\1 from behind on the right",
     ),
-    # Who slides into our lane drifts there, as far as anybody sees
+    # Of two lanes one is for each way, whatever the road is called
+    (
+        re.compile(r"\b(?:two|2)[- ]lane,? (?:(?:undivided|state|county|us|federal) ){0,2}highway\b"),
+        "road with one lane each way",
+    ),
+    # Who skids into our lane or slides over the middle swerves, as far as anybody sees
     (
         re.compile(
-            r"\b(?:ha[sd] )?(?:skid(?:s|ded)|sli(?:d|des)|slither(?:s|ed)|aquaplane[sd]|hydroplane[sd]|slew(?:s|ed))"
-            r"(?= (?:out )?(?:over|across|into|onto) (?:the (?:cent(?:re|er)|middle|path of)|our|us\b|the ego|its? wrong))"
+            r"\b(?:ha[sd] )?(?:(?:skid(?:s|ded)|slither(?:s|ed)|aquaplane[sd]|hydroplane[sd]|slew(?:s|ed))"
+            r"(?= (?:out |over )?(?:over|across|into|onto) (?:the (?:cent(?:re|er)|middle|path of)|our|its? wrong))"
+            r"|sli(?:d|des)(?= (?:out )?(?:over|across|into|onto) the (?:cent(?:re|er)|middle|path of)))"
         ),
-        "drifted",
+        "swerved",
     ),
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
@@ -402,10 +411,10 @@ GROUP = _p(
 MANY_LANES = _p(
     r"(?:two|2|several|more) lanes (?:there|ours|on (?:its|our|his|her|the ego's) side|for (?:us|our|my)|our way|my way)|2-lane|(?:left|right|inner|outer) (?:lane )?(?:of|from) (?:the )?two|(?:in|of|from) (?:the )?two lanes|"
     r"several lanes|more than one lane|(?:has|have|with) (?:two|three|2|3) lanes|(?:two|three) lanes (?:going|for|its|their|wide|that|to)|(?:two|three|four|2|3|4)-lane (?:approach|carriageway|one-way)|multi-?(?: )?lane|(?:two|three|four|several|2|3) lanes (?:in (?:each|our|the same|one|its|the ego's)|each|per|our)\w*|dual carriageway|"
-    r"motorway|(?<!two-lane )(?<!2-lane )(?<!two lane )highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
+    r"motorway|highway|freeway|lanes (?:in (?:the same|our) direction)|(?:left|right|middle|inner|outer|fast|slow|passing) lane"
 )
 ONE_LANE = _p(
-    r"(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country|highway|blacktop)",
+    r"(?:rural|country),? (?:two|2)[- ]lane|(?:two|2)[- ]lane,? (?:rural|country)",
     r"1 ?\+ ?1|(?:1|one) lane (?:each|for each|in each|either|per)|(?:just|only) one lane|(?:single|one)(?:-| )(?:lane|track)(?! to (?:another|the))|(?:one|a single) lane (?:each way|per direction|in (?:each|its|our|either) direction|our way|going)|narrow (?:road|street|lane)",
 )
 TWO_WAY = _p(

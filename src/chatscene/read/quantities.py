@@ -80,18 +80,22 @@ def quantities_of(adversary: str, whole: str) -> tuple[Quantity, ...]:
     return tuple(found.values())
 
 
-_SWERVES = r"(?:swerv|veer|lurch|jerk|jink)\w*(?: (?:\w+ly|sharp|hard|out|over|off|away))*"
+_SWERVES = (
+    r"(?<!\bnot )(?<!n't )(?<!without )\b(?:swerv|veer|lurch|jerk|jink)\w*(?: (?:\w+ly|sharp|hard|out|over|off|away))*"
+)
+_NOT_TO_BOTH = r"(?!,? (?:and |then |to |the |its )*(?:left|right)\b)"  # who does weaves
+_NOT_TO_US = r"(?![^.;]*\b(?:into|onto|towards?|at) (?:us\b|our\b|the ego))"  # which says where the ego is, not a side
 _ASIDE = re.compile(
-    rf"{_SWERVES} (?:(?:to|towards?) (?:(?:the|its|his|her|their) )?(?P<to>left|right)|(?P<on>left|right))"
-    r"(?=$|[,.;!]| (?:and|then|to avoid|around|round|out)\b)(?!,? (?:and )?(?:\w+ )?(?:left|right)\b)"  # to both: it weaves
+    rf"{_SWERVES} (?:(?:to|towards?) (?:(?:the|its|his|her|their) )?(?P<to>left|right)\b(?!(?:[- ]hand)? (?:lane|turn))"
+    r"|(?P<on>left|right)(?=$|[,.;!]| (?:and|then|to avoid|around|round|out|because)\b))" + _NOT_TO_BOTH + _NOT_TO_US
 )
 
 
 def aside_of(text: str) -> tuple[Quantity, ...]:
-    """To which side somebody swerves, if it is said; "right in front of us" says none.
+    """To which side the adversary swerves, if it is said; "right in front of us" says none.
 
     Args:
-        text: Lower case, mended.
+        text: What is said of it, lower case, mended.
     """
     if (match := _ASIDE.search(text)) is None:
         return ()

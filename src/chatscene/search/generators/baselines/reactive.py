@@ -78,7 +78,7 @@ class Reactive(Baseline):
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
-        """Its own search, for crashes that the careful driver would have avoided."""
+        """Its own search, for crashes that the careful driver would have avoided, whatever the settings are after."""
         own = replace(settings, objective="avoidable")
         return super().explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
@@ -92,6 +92,6 @@ def _wish(nominal: Nominal) -> tuple[str, ParameterRange]:
         return f"{nominal.own} / max(0.5, left / max(1, ego.pose[3]) + globalParameters.OPT_ADV_LATE)", late
     share = ParameterRange(
         name="OPT_ADV_SHARE", low=0.0, high=1.0, unit="1",
-        meaning="share that it goes of the ego's speed" if nominal.leads else "share that it goes of its top speed",
+        meaning="share that it goes of the ego's speed" if nominal.leads else "share that it goes of its nominal speed",
     )  # fmt: skip
     return f"{'ego.pose[3]' if nominal.leads else f'{nominal.speed:g}'} * globalParameters.OPT_ADV_SHARE", share
