@@ -12,7 +12,8 @@ from chatscene.read.account_rules import PART_NOUN
 _NOUN = r"(?:car|vehicle|truck|lorry|bus|van|taxi|suv|sedan|cyclist|bicyclist|bicycle|bike|motorcyclist|motorcycle|motorbike|pedestrian|e-scooter|scooter|minivan|trailer|pickup|wheelchair|dog|deer|ambulance)"
 _OVERTAKEN = r"(?:(?:an?|the|another|some|its|his) (?!us\b)(?:[\w-]+ ){0,2}?(?!us\b)[\w-]+)"
 _OVERTAKING = rf"(?:which |who |that )?(?:(?:is|was|starts?|begins?|tries|decides|has) (?:to )?)?(?:(?:pull|swing|move|come|veer|pop)(?:s|ed|ing)? (?:out )?(?:to |and ))?(?:overt(?:ak|ook)\w*|pass(?:es|ed|ing)?) {_OVERTAKEN}"
-_ONE = r"(?:guy|idiot|bloke|somebody|someone|clown|numpty|muppet|moron|fool|lunatic|maniac|nutter|twit|prat|joker|cowboy|boy racer|(?<![\w-] )(?:chap|dude|fella)|(?<=\bthe )(?:chap|dude|fella)|(?<=\ba )(?:chap|dude|fella)|(?<=\bsome )(?:chap|dude|fella))"
+# Whoever is not named by a kind; the last three only where no word before says which wheels
+_WHOEVER = r"(?:guy|idiot|bloke|somebody|someone|clown|numpty|muppet|moron|fool|lunatic|maniac|nutter|twit|prat|joker|cowboy|boy racer|(?<![\w-] )(?:chap|dude|fella)|(?<=\bthe )(?:chap|dude|fella)|(?<=\ba )(?:chap|dude|fella)|(?<=\bsome )(?:chap|dude|fella))"
 _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(pattern), meant)
     for pattern, meant in (
@@ -35,10 +36,10 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\bsemi(?:[ -]?truck|[ -]?trailer(?: truck)?)?\b|\btractor[ -]?trailer\b|\bbig rig(?: truck)?\b", "truck"),
         (r"\ban auto\b", "a car"),
         (r"\b(?:standing|waiting|parked|stopped) at (?:the|a|its) (?:bus )?stop\b(?![ -](?:sign|line))", "parked"),
-        (rf"\b(?:\w+ )?(?:{_ONE}|person|man|woman|juvenile|child|girl|boy|rider|one) (?:on|riding|operating|driving) (?:an? |one of those |his |her )?(?=(?:electric |kick |rental |hire |hired |shared )*(?:e-?)?scooters?\b|(?:e-)?bike|bicycle|motorcycle|motorbike|moped)", ""),
+        (rf"\b(?:\w+ )?(?:{_WHOEVER}|person|man|woman|juvenile|child|girl|boy|rider|one) (?:on|riding|operating|driving) (?:an? |one of those |his |her )?(?=(?:electric |kick |rental |hire |hired |shared )*(?:e-?)?scooters?\b|(?:e-)?bike|bicycle|motorcycle|motorbike|moped)", ""),
         (r"\b(?:without|with) (?:using |giving |any )?(?:an? |its |the )?(?:left |right |turn |direction )?(?:signal(?:ling|ing)?|indicat\w+)(?: on)?\b|\bturn(?:ing)? (?:signals?|indicators?)(?: on)?\b|\b(?:headlights?|brake lights?|no lights? on|without lights?)\b", ""),
-        (rf"\b(?:some |a |an |the )?(?:{_ONE}|man|woman|lady|person) (?:in|driving) (?:an? |her |his )(?=(?:\w+ )?(?:car|van|truck|lorry|suv|pickup|taxi|bus)\b)", "a "),
-        (rf"\b(?:some |a |an |the )?(?:{_ONE}|driver)(?= (?:coming the other|coming towards|overt|cut|pull|doing|in front|ahead|beside|next to|alongside|facing|opposite|behind|coming|accelerat|speed|sped|brak|turn|chang|merg|tailgat|swerv|drift|revers|back))", "a car"),
+        (rf"\b(?:some |a |an |the )?(?:{_WHOEVER}|man|woman|lady|person) (?:in|driving) (?:an? |her |his )(?=(?:\w+ )?(?:car|van|truck|lorry|suv|pickup|taxi|bus)\b)", "a "),
+        (rf"\b(?:some |a |an |the )?(?:{_WHOEVER}|driver)(?= (?:coming the other|coming towards|overt|cut|pull|doing|in front|ahead|beside|next to|alongside|facing|opposite|behind|coming|accelerat|speed|sped|brak|turn|chang|merg|tailgat|swerv|drift|revers|back))", "a car"),
         (r"\b(?:the|a|our) (stopped|stationary|parked|standing|waiting) us\b", r"us, we were \1,"),
         (r"\b(?:the|a|our) (stopped|stationary|parked|standing|waiting) we\b", r"we were \1 and we"),
         (r"\bus (lane|path|way)\b", r"our \1"),

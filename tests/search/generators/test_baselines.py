@@ -23,9 +23,10 @@ from chatscene.search import explore as exploring
 from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
+from chatscene.search.generators.baselines import nominal as baselines
 from chatscene.search.generators.baselines.nominal import NOMINAL, Baseline
 from chatscene.search.generators.baselines.random_triple import RandomTriple
-from chatscene.settings import PAPER, RetrievalSettings, Settings, SimulationSettings
+from chatscene.settings import PAPER, RetrievalSettings, SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.plan_text import parse_plan
@@ -207,6 +208,21 @@ def test_an_adversary_that_comes_toward_the_ego_stops_short_of_one_that_stops() 
     assert episode.collision is None
     assert episode.adversaries[0].speed.max() > 7
     assert episode.adversaries[0].speed[-1] < 0.1
+
+
+@pytest.mark.parametrize(("name", "objective"), [("reactive", "avoidable"), ("advsim", "collision")])
+def test_only_an_adversary_that_reacts_is_searched_for_avoidable_crashes_whatever_the_settings_are_after(
+    name: str, objective: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+
+    def explore(*_: object, settings: SearchSettings, **__: object) -> list[Block]:
+        asked.append(settings.objective)
+        return []
+
+    monkeypatch.setattr(baselines, "explore", explore)
+    searched(name, lambda _: 1.0, monkeypatch, blocks=1)
+    assert asked == [objective]
 
 
 def test_random_triples_are_five_a_base_scenario_determined_by_their_text_and_joinable_by_anybody() -> None:

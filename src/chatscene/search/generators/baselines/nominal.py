@@ -154,6 +154,7 @@ class Baseline:
         name: As on the command line.
         title: As in the paper's tables.
         sampler: Who searches; empty for whom the settings name, as in ChatScene's own search.
+        objective: What it searches for; empty for what the settings name.
         reference: As the reference describes it: what its search ends with is kept, whatever comes of it.
         starts: Whether it also moves where the adversary starts.
     """
@@ -161,6 +162,7 @@ class Baseline:
     name: str
     title: str
     sampler: str = ""
+    objective: str = ""
     reference: SearchSettings = replace(PAPER, scenes=100, keep=10, selection="last")
     starts: bool = False
 
@@ -241,8 +243,10 @@ class Baseline:
         settings: SearchSettings,
         done: Sequence[Sequence[Outcome]],
     ) -> Iterator[Block]:
-        """Its own search, if it has one; the sampler of the settings is ChatScene's."""
-        own = replace(settings, sampler=self.sampler or settings.sampler)
+        """Its own search, if it has one; sampler and objective of the settings are ChatScene's."""
+        own = replace(
+            settings, sampler=self.sampler or settings.sampler, objective=self.objective or settings.objective
+        )
         return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 

@@ -9,23 +9,15 @@ stop, not one of a region that a value network knows (decision 0108).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-
-from chatscene.ego.policy import EgoPolicy
-from chatscene.search.explore import Block
+from chatscene.measure.avoidability import BRAKING_DELAY, FULL_BRAKE, RAMP, RISK_EVALUATION
 from chatscene.search.generators.baselines.nominal import TO_ADVERSARY, Baseline, Nominal
-from chatscene.settings import SearchSettings
-from chatscene.simulate.simulator import Simulator
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import Slots
-from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.snippet import ParameterRange
 
 SECONDS = 0.2  # between two decisions
 REACH = 2.0  # of the nominal trigger, from where on it reacts
-UNTIL_BRAKED = 1.45  # [s] judging, the delay and half the ramp of the careful driver (UN R157, annex 3)
-HARDER = 1.054  # by how much a car's whole brake is harder than the careful driver's 0.774 g
+UNTIL_BRAKED = RISK_EVALUATION + BRAKING_DELAY + RAMP / 2  # [s] of the careful driver
+HARDER = round(AdversaryKind.CAR.row.limits.brake / FULL_BRAKE, 3)  # is a car's whole brake than that driver's
 ROOM = 5.0  # [m] between the centres of two that have just stopped short of each other
 SLOWEST = 0.2  # of the nominal speed, so that it blocks no way for ever
 
@@ -39,6 +31,7 @@ class Reactive(Baseline):
     name = "reactive"
     title = "Reactive adversary under a feasibility gate"
     sampler = "cma-es"
+    objective = "avoidable"
 
     def behavior(self, nominal: Nominal) -> tuple[str, tuple[ParameterRange, ...]]:
         """Waits, then times itself by the ego for as long as the careful driver could still stop."""
@@ -66,21 +59,6 @@ class Reactive(Baseline):
             ),
             manner,
         )  # fmt: skip
-
-    def explore(
-        self,
-        program: ScenicProgram,
-        slots: Slots,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """Its own search, for crashes that the careful driver would have avoided, whatever the settings are after."""
-        own = replace(settings, objective="avoidable")
-        return super().explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 
 def _wish(nominal: Nominal) -> tuple[str, ParameterRange]:
