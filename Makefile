@@ -5,6 +5,9 @@
 PYTHON ?= python3
 PY := .venv/bin/python
 PIP := $(PY) -m pip install --quiet --no-compile --disable-pip-version-check -c constraints.txt
+# Where it is set, each of some two hundred processes of the tests compiles every module anew; only `.venv`, caches and
+# `__pycache__` are written to.
+unexport PYTHONDONTWRITEBYTECODE
 SENTENCE ?= A car runs the red light from the left.
 
 .PHONY: demo test check suite docs clean
@@ -35,6 +38,7 @@ docs: .venv/docs
 .venv/bin/python:
 	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 14) else f'chatscene needs Python 3.11, 3.12 or 3.13, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
 	$(PYTHON) -m venv .venv
+	-$(PIP) --upgrade pip  # the one that comes with Python 3.11 takes twice the time
 
 .venv/core: .venv/bin/python pyproject.toml constraints.txt
 	$(PIP) -e .
