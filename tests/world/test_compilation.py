@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+from chatscene.errors import DoesNotCompile
+from chatscene.library.load import load_library
+from chatscene.maps.network import resolve_map
+from chatscene.terms.scenario import Component
 
 compilation: Any = importlib.import_module("chatscene.world.compilation")
 
@@ -70,3 +76,38 @@ def test_code_is_taken_from_no_folder_that_others_can_write_to(folder: Path, par
 def test_code_with_requirements_or_outside_of_the_library_is_not_kept(folder: Path) -> None:
     compilation._kept("require True\n", "place")
     assert not folder.exists() or not list(folder.iterdir())
+
+
+def test_a_program_is_parsed_in_parts_to_the_same_tree_with_the_same_lines(parsed: list[str]) -> None:
+    library, text = load_library(), ""
+    for parts in zip(*(library.of(component)[:12] for component in Component), strict=True):
+        text = "# A text\n\n" + "\n\n".join(f"## {part.id}\n{part.source}" for part in parts)
+        for _ in range(2):
+            found = compilation._parsed(text, "place")
+            whole = compilation.translator.parse_string(text, "exec", filename="place")
+            assert ast.dump(found, include_attributes=True) == ast.dump(whole, include_attributes=True)
+    parsed.clear()
+    compilation._parsed(text, "place")
+    assert not parsed
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'param word = """\n## no part\n"""\n',
+        "param numbers = (1,\n## of two\n2)\n",
+        "if True:\n    x = 1\n## else\nelse:\n    x = 2\n",
+        "behavior Waits():\n    wait\n## twice\n    wait\n",
+    ],
+)
+def test_what_only_looks_like_a_part_is_parsed_with_the_whole(text: str) -> None:
+    whole = compilation.translator.parse_string(text, "exec", filename="place")
+    assert ast.dump(compilation._parsed(text, "place"), include_attributes=True) == ast.dump(
+        whole, include_attributes=True
+    )
+
+
+def test_a_fault_in_a_part_is_told_with_its_line_in_the_program() -> None:
+    text = "model chatscene.world.model\n\n## one\nx = 1\n\n## two\ny = = 1\n"
+    with pytest.raises(DoesNotCompile, match="line 7 of"):
+        compilation.compile_program(text, map_path=resolve_map("town"), route=0)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -199,6 +200,7 @@ def wording_fault(text: str) -> str | None:
     return None
 
 
+@lru_cache(maxsize=1 << 16)  # the library's own wordings are asked for with every draft
 def _words(text: str) -> tuple[str, ...]:
     return tuple(re.findall(r"[^\W_]+", text.casefold()))
 

@@ -68,11 +68,20 @@ def load_network(path: Path | str) -> Any:
         MapError: The file cannot be read, is no OpenDRIVE, or has no lane to drive on.
     """
     path = Path(path)
+    return _parse(map_digest(path), path)
+
+
+def map_digest(path: Path) -> str:
+    """What tells the content of a map from that of every other.
+
+    Raises:
+        MapError: The file cannot be read.
+    """
     try:
         content = path.read_bytes()
     except OSError as error:
         raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
-    return _parse(hashlib.blake2b(content, digest_size=12).hexdigest(), path)
+    return hashlib.blake2b(content, digest_size=12).hexdigest()
 
 
 @lru_cache(maxsize=8)

@@ -8,7 +8,7 @@ from typing import Any
 
 from chatscene.errors import ChatSceneError, MapError, ProgramError
 from chatscene.maps.lane_map import LaneMap
-from chatscene.maps.network import load_network
+from chatscene.maps.network import load_network, map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.physics import CannotPlace, Physics, PhysicsOf
 from chatscene.simulate.roadside import RouteSurroundings
@@ -22,6 +22,8 @@ from chatscene.world.compilation import free_process, take_process
 
 DRAWN = 10  # routes of a program that draws where its ego stands; each is a sequence of draws of its own
 KEPT = 64  # routes whose surroundings are kept per process
+
+_counts: dict[tuple[str, str, str, bool], int] = {}  # of routes, which every simulator of a map is asked for anew
 
 
 class SteppedSimulator:
@@ -58,9 +60,11 @@ class SteppedSimulator:
 
     def routes(self, program: ScenicProgram) -> int:
         """How many routes the map has for a program's geometry, at most ten."""
-        scenario = self._stage.compiled(program, 0)
-        count: int = DRAWN if program.drawn else scenario.egoObject.route.count
-        return count
+        key = (map_digest(self._map_path), program.digest, program.model, program.drawn)
+        if key not in _counts:
+            scenario = self._stage.compiled(program, 0)
+            _counts[key] = DRAWN if program.drawn else scenario.egoObject.route.count
+        return _counts[key]
 
     def route_in(self, program: ScenicProgram, scene: Scene) -> Route:
         """The route of the ego in a scene."""

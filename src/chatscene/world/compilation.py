@@ -13,7 +13,7 @@ import hashlib
 import marshal
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from importlib.util import MAGIC_NUMBER
 from pathlib import Path
@@ -105,7 +105,7 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     """Scenic text to Python code, its requirements, and the hash by which Scenic tells programs apart."""
     parsed: Any
     try:
-        parsed = translator.parse_string(source, "exec", filename=filename)
+        parsed = _parsed(source, filename)
     except ScenicError:
         raise
     except Exception as error:  # a parser that loses its way in a faulty text may raise anything
@@ -118,6 +118,44 @@ def _translate(source: str, filename: str) -> tuple[Any, Any, bytes]:
     tree, requirements = translator.compileScenicAST(parsed, filename=filename)
     digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()
     return translator.compileTranslatedTree(tree, filename), requirements, digest
+
+
+def _parsed(source: str, filename: str) -> Any:
+    """`scenic.syntax.parser.parse_string`, with the parts of a program that were parsed before taken from memory.
+
+    Programs are joined from parts below `## part` lines, so that the next has most in common with those before; to
+    parse is most of what is left of a compilation. Where a line that looks like one stands within a statement, the
+    pieces do not parse, and the whole is.
+    """
+    first, *parts = source.split("\n## ")
+    try:
+        pieces = [_part(first + "\n"), *(_part(f"## {part}\n") for part in parts)] if parts else []
+    except Exception:  # noqa: BLE001 - whatever it is, the whole says it with its lines
+        pieces = []
+    if not pieces:
+        return translator.parse_string(source, "exec", filename=filename)
+    statements: list[ast.stmt] = []
+    lines = 0
+    for text, piece in zip((first, *parts), pieces, strict=True):
+        statements += ast.increment_lineno(_copied(piece), lines).body
+        lines += text.count("\n") + 1
+    return ast.Module(body=statements, type_ignores=[])
+
+
+@lru_cache(maxsize=1024)
+def _part(text: str) -> Any:
+    return translator.parse_string(text, "exec")
+
+
+def _copied(node: Any) -> Any:
+    """A syntax tree of its own; `copy.deepcopy` does not know how to make Scenic's nodes."""
+    if isinstance(node, list | tuple):
+        return type(node)(_copied(one) for one in node)
+    if not isinstance(node, ast.AST):
+        return node
+    copied = type(node).__new__(type(node))
+    vars(copied).update((name, _copied(value)) for name, value in vars(node).items())
+    return copied
 
 
 def _resolve_once(default: Any, name: str, overridden: Sequence[Any]) -> Any:
