@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -44,6 +46,16 @@ def test_what_it_does_is_the_way_that_it_chooses() -> None:
     one, taken = Planner(), street(car(22.0, 0.0), car(22.0, 3.2))
     assert SHIFT[one.choose(taken)] < 0.0  # to the right, since the left is taken
     assert one.act(taken) == carried_out(taken, one.choose(taken), WISH)
+
+
+@pytest.mark.parametrize(("y", "speed"), [(9.0, 6.0), (9.0, 8.0), (12.0, 6.0), (15.0, 8.0)])
+def test_who_crosses_where_the_route_bends_is_expected_to_keep_straight(y: float, speed: float) -> None:
+    turn = street(speed=5.0)
+    turn[4:OWN] = (5.0, 0.0, 8.5, -3.5, 8.5, -8.5, 8.5, -13.5, 8.5, -23.5)  # to the right, into the lane that he is in
+    turn[OWN : OWN + PER_ACTOR] = (1, 7.5, np.hypot(1.7, y + 1.8), 8.5, y, 0.0, -speed, -np.pi / 2, 2.45, 1.05, 0)
+    along_the_route, straight = (Planner(replace(HARDENED, crossing=belief)).choose(turn) for belief in (0.0, 1.0))
+    assert SHIFT[along_the_route] == 0.0
+    assert SHIFT[straight] < -2.0  # keeps to the inside of the turn
 
 
 @pytest.mark.parametrize(("offset", "turn"), [(1.5, 1.0), (-1.5, -1.0)])

@@ -1,9 +1,9 @@
 """A driver by rule that looks ahead: it tries ways of going on against what everybody near may do next.
 
 At each step it weighs some accelerations and sideways shifts over four seconds, in coordinates along its route.
-Everybody near is expected to go on, and with less weight to brake, to speed up or, where they stand beside the way, to
-step into it. The way that costs least is begun. It remembers nothing, so that it can be learned from
-(`chatscene.learn.finetune.pupil`).
+Everybody near is expected to go on, and with less weight to brake, to speed up, to keep straight where the route bends
+or, where they stand beside the way, to step into it. The way that costs least is begun. It remembers nothing, so that
+it can be learned from (`chatscene.learn.finetune.pupil`).
 
 Its numbers are those of any machine: arrays are only added, multiplied, compared and rooted, sums go through them in
 the order of time or of who is expected, and angles are Python's own. So `engine.c` gives the same.
@@ -31,6 +31,7 @@ _GAIN = TIMES[:, None] * ACCELERATION  # [m/s]
 MOVING, WAITING = 0.5, 1.5  # [m/s]: from here on somebody may brake or speed up; up to here, step into the way
 BESIDE, NEAR = 1.6, 8.0  # [m] from the route: who stands between these may step into it
 REACTION = 0.3  # [s] before somebody who stands sets out
+ACROSS = 0.5  # sine of the angle to the route from which on somebody crosses it
 FASTEST = 12.0  # [m/s] up to which others are expected to speed up
 AT_ONCE = 1.6  # [m] of a shift that is steered for at once
 SHORTEST = 5.0  # [m] ahead that is steered for
@@ -54,6 +55,7 @@ class Caution:
         braking: Deceleration that others may begin with [m/s²], and what that is believed.
         starting: Acceleration, likewise.
         stepping: Speed at which somebody who stands may set out for the route [m/s], and what that is believed.
+        crossing: What is believed of somebody who crosses the route: that he keeps straight where the route bends.
         room: Kept free ahead and behind [m].
         side: Kept free beside [m] …
         widening: … and so much more for each second ahead [m/s].
@@ -74,6 +76,7 @@ class Caution:
     braking: tuple[float, float] = (4.6, 0.81)
     starting: tuple[float, float] = (0.91, 0.23)
     stepping: tuple[float, float] = (1.26, 0.17)
+    crossing: float = 0.0
     room: float = 0.85
     side: float = 0.25
     widening: float = 0.07
@@ -97,7 +100,7 @@ HARDENED = Caution(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Others:
-    """What everybody near may do: (H,) expectations, (T, H) over time, in route coordinates.
+    """What everybody near may do: (H,) expectations, the first six (T, H) over time, in route coordinates.
 
     Attributes:
         along: Ahead of where the ego is now [m].
@@ -172,10 +175,12 @@ class Planner:
         along, beside, ds, db, speed, half_along, half_beside = told
         moving = speed > MOVING
         waiting = (speed < WAITING) & (np.abs(beside) > BESIDE) & (np.abs(beside) < NEAR) & (along > -2.0)
-        # Four expectations of everybody: to go on, to brake, to speed up, to step into the way.
-        belief = np.empty((4, count))
+        # Five expectations of everybody: to go on, to brake, to speed up, to step into the way, to keep straight.
+        crossing = moving & (np.abs(db) > ACROSS * speed)
+        belief = np.empty((5, count))
         belief[0], belief[1] = 1.0, caution.braking[1] * moving
         belief[2], belief[3] = caution.starting[1] * moving, caution.stepping[1] * waiting
+        belief[4] = caution.crossing * crossing
         times = TIMES[:, None]
         fast = np.empty((len(TIMES), 4, count))
         fast[:, 0] = speed
@@ -185,32 +190,31 @@ class Planner:
         heading = np.empty((2, 4, count))
         heading[:, :3] = (np.array((ds, db)) / np.maximum(speed, 0.1))[:, None]
         heading[0, 3], heading[1, 3] = 0.0, -np.sign(beside)
-        kind, who = (belief > 0.0).nonzero()
+        kind, who = (belief[:4] > 0.0).nonzero()
         speed_along, speed_beside = heading[:, None, kind, who] * fast[:, kind, who]
-        now_along, now_beside = along[who], beside[who]
-        return _Others(
-            along=now_along + speed_along.cumsum(axis=0) * DT,
-            beside=now_beside + speed_beside.cumsum(axis=0) * DT,
-            speed_along=speed_along,
-            speed_beside=speed_beside,
-            half_along=half_along[who],
-            half_beside=half_beside[who],
-            now_along=now_along,
-            now_beside=now_beside,
-            moves=moving[who],
-            belief=belief[kind, who],
-        )
+        ways = [
+            along[who] + speed_along.cumsum(axis=0) * DT,
+            beside[who] + speed_beside.cumsum(axis=0) * DT,
+            speed_along,
+            speed_beside,
+            *(np.broadcast_to(half[who], speed_along.shape) for half in (half_along, half_beside)),
+        ]
+        if (straight := (belief[4] > 0.0).nonzero()[0]).size:
+            kept = _straight(points, rows[straight], along[straight], beside[straight])
+            ways = [np.concatenate(both, axis=1) for both in zip(ways, kept, strict=True)]
+            who, kind = np.concatenate((who, straight)), np.concatenate((kind, np.full(len(straight), 4)))
+        return _Others(*ways, now_along=along[who], now_beside=beside[who], moves=moving[who], belief=belief[kind, who])
 
     def _danger(self, others: _Others, offset: float, speeds: Array, gone: Array, beside: Array) -> Array:
         """(ways,) what the crashes cost that each way may come to, and passing by too near."""
         c = self.caution
-        along, across = _CAR.length / 2 + others.half_along, _CAR.width / 2 + others.half_beside
+        along, across = _CAR.length / 2 + others.half_along, _CAR.width / 2 + others.half_beside  # (T, H)
         # Who is nearer than we want already is not to stop us from moving away.
-        apart, aside = np.abs(others.now_along) - along, np.abs(others.now_beside - offset) - across
+        apart, aside = np.abs(others.now_along) - along[0], np.abs(others.now_beside - offset) - across[0]
         room = np.where(aside < c.side + 0.2, np.minimum(np.maximum(apart - 0.1, 0.05), c.room), c.room)
         side = np.where(apart < c.room + 0.2, np.minimum(np.maximum(aside - 0.05, 0.05), c.side), c.side)
-        gap = np.abs(others.along[:, :, None] - gone[:, None]) - along[:, None]  # (T, H, ways)
-        berth = np.abs(others.beside[:, :, None] - beside[:, None]) - across[:, None]
+        gap = np.abs(others.along[:, :, None] - gone[:, None]) - along[:, :, None]  # (T, H, ways)
+        berth = np.abs(others.beside[:, :, None] - beside[:, None]) - across[:, :, None]
         hits = (gap < room[:, None]) & (berth < (side + (c.widening * TIMES)[:, None] * others.moves)[:, :, None])
         first = hits.argmax(axis=0)
         one, way = np.arange(len(others.belief))[:, None], np.arange(len(SHIFT))
@@ -255,6 +259,42 @@ def _along_the_route(points: list[list[float]], row: list[float]) -> tuple[float
     ds, db = vx * ahead + vy * left, vy * ahead - vx * left
     c, s = abs(math.cos(turned - way)), abs(math.sin(turned - way))
     return along, beside, ds, db, math.hypot(ds, db), half_length * c + half_width * s, half_length * s + half_width * c
+
+
+def _straight(points: list[list[float]], rows: Array, along: Array, beside: Array) -> tuple[Array, ...]:
+    """Who keeps straight in the plane, in coordinates of the route: (T, N) where, how fast, and half the extents."""
+    starts = [[0.0, 0.0], *points[:-1]]
+    bearings = [math.atan2(y - b, x - a) for (a, b), (x, y) in zip(starts, points, strict=True)]
+    c, s = (np.array([f(way) for way in bearings])[:, None, None] for f in (math.cos, math.sin))
+    x0, y0 = np.array(starts).T[:, :, None, None]
+    x1, y1 = np.array(points).T[:, :, None, None]
+    length = (x1 - x0) * c + (y1 - y0) * s
+    length[-1] = math.inf
+    least = np.zeros_like(length)
+    least[0] = -math.inf
+    x, y, vx, vy = rows[:, 3:7].T
+    times = np.concatenate(([0.0], TIMES))[:, None]
+    dx, dy = x + vx * times - x0, y + vy * times - y0  # (pieces of the route, 1 + T, N)
+    ahead, left = dx * c + dy * s, dy * c - dx * s
+    foot = np.minimum(np.maximum(ahead, least), length)
+    beyond = ahead - foot
+    away = beyond * beyond + left * left
+    piece = away.argmin(axis=0)
+    at = (piece, *np.indices(piece.shape))
+    gone = np.array((0.0, *AHEAD[:-1]))[piece] + foot[at]
+    aside = np.where(left[at] < 0.0, -1.0, 1.0) * np.sqrt(away[at])
+    c, s = c[piece[1:], 0, 0], s[piece[1:], 0, 0]
+    cos, sin = np.array([(math.cos(turned), math.sin(turned)) for turned in rows[:, 7].tolist()]).T
+    turned_c, turned_s = np.abs(cos * c + sin * s), np.abs(sin * c - cos * s)
+    half_length, half_width = rows[:, 8], rows[:, 9]
+    return (
+        along + (gone[1:] - gone[0]),
+        beside + (aside[1:] - aside[0]),
+        vx * c + vy * s,
+        vy * c - vx * s,
+        half_length * turned_c + half_width * turned_s,
+        half_length * turned_s + half_width * turned_c,
+    )
 
 
 def _steering(observation: Observation, speed: float, shift: float) -> float:

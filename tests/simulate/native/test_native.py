@@ -182,7 +182,7 @@ def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str) -> None:
 
 
 def test_the_planner_answers_the_same_however_cautious_it_is() -> None:
-    loaded, draw, usual = engine.load_engine(), np.random.default_rng(6), Caution()
+    loaded, draw, usual = engine.load_engine(), np.random.default_rng(6), Caution(crossing=0.5)
     for _ in range(100):
         drawn: dict[str, Any] = {}
         for field in fields(Caution):

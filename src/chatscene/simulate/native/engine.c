@@ -143,7 +143,7 @@ typedef struct {
 
 /* What the planner weighs its ways by; discount: what a crash counts that it expects then. */
 typedef struct {
-    double speed, crash, graze, braking, braked, starting, started, stepping, stepped, room, side, widening;
+    double speed, crash, graze, braking, braked, starting, started, stepping, stepped, crossing, room, side, widening;
     double berth, haste, offset, astray, jerk, resolve, agility, drift, discount[STEPS];
 } Caution;
 
@@ -987,6 +987,7 @@ static double smaller(double a, double b) { return a < b ? a : b; }
 
 typedef struct {
     double along, beside, ahead, left, speed, half_along, half_beside;
+    const double *row;
 } Near; /* somebody, along the route and beside it */
 
 typedef struct {
@@ -995,7 +996,7 @@ typedef struct {
 } Ways;
 
 static Near along_the_route(const double *seen, const double *row) {
-    Near o = {.along = row[1], .beside = row[2]};
+    Near o = {.along = row[1], .beside = row[2], .row = row};
     int at = 0.0 < o.along ? 0 : -1;
     for (int i = 0; i < 5; i++) at += AHEAD[i] < o.along;
     at = at < 0 ? 0 : at > 4 ? 4 : at;
@@ -1008,6 +1009,42 @@ static Near along_the_route(const double *seen, const double *row) {
     o.half_along = row[8] * c + row[9] * s;
     o.half_beside = row[8] * s + row[9] * c;
     return o;
+}
+
+/* The pieces of the route ahead, as straight ones. */
+typedef struct {
+    double x[5], y[5], cos[5], sin[5], length[5];
+} Pieces;
+
+static Pieces pieces_of(const double *seen) {
+    Pieces p;
+    for (int i = 0; i < 5; i++) {
+        p.x[i] = i ? seen[2 + 2 * i] : 0.0;
+        p.y[i] = i ? seen[3 + 2 * i] : 0.0;
+        double dx = seen[4 + 2 * i] - p.x[i], dy = seen[5 + 2 * i] - p.y[i], way = atan2(dy, dx);
+        p.cos[i] = cos(way);
+        p.sin[i] = sin(way);
+        p.length[i] = i == 4 ? INFINITY : dx * p.cos[i] + dy * p.sin[i];
+    }
+    return p;
+}
+
+/* Where somebody is along the route and beside it who keeps straight in the plane; says at which piece. */
+static int straight(const Pieces *p, const double *row, double time, double *along, double *beside) {
+    double best = INFINITY, x = row[3] + row[5] * time, y = row[4] + row[6] * time;
+    int at = 0;
+    for (int i = 0; i < 5; i++) {
+        double dx = x - p->x[i], dy = y - p->y[i];
+        double ahead = dx * p->cos[i] + dy * p->sin[i], left = dy * p->cos[i] - dx * p->sin[i];
+        double foot = smaller(i ? larger(ahead, 0.0) : ahead, p->length[i]), beyond = ahead - foot;
+        double away = beyond * beyond + left * left;
+        if (away >= best) continue;
+        best = away;
+        at = i;
+        *along = (i ? AHEAD[i - 1] : 0.0) + foot;
+        *beside = (left < 0.0 ? -1.0 : 1.0) * sqrt(away);
+    }
+    return at;
 }
 
 /* How somebody goes on at a time, as is expected: his speeds. */
@@ -1026,23 +1063,41 @@ static void expected(const Caution *c, const Near *o, int kind, int t, double *a
 }
 
 /* What an expectation of somebody adds to the danger of each way. */
-static void endanger(const Limits *car, const Caution *c, const Ways *ways, const Near *o, int kind, double belief,
-                     double offset, double *danger) {
+static void endanger(const Limits *car, const Caution *c, const Ways *ways, const Pieces *pieces, const Near *o,
+                     int kind, double belief, double offset, double *danger) {
     double close[WAYS] = {0}, impact[WAYS] = {0}, gone = 0.0, gone_left = 0.0;
+    double begun_along, begun_beside, room = 0.0, side = 0.0;
     int first[WAYS];
     for (int w = 0; w < WAYS; w++) first[w] = -1;
     int moves = o->speed > 0.5;
     double along = car->length / 2 + o->half_along, across = car->width / 2 + o->half_beside;
-    double apart = fabs(o->along) - along, aside = fabs(o->beside - offset) - across;
-    double room = aside < c->side + 0.2 ? smaller(larger(apart - 0.1, 0.05), c->room) : c->room;
-    double side = apart < c->room + 0.2 ? smaller(larger(aside - 0.05, 0.05), c->side) : c->side;
     double near = c->room + 0.5, beside = c->side + c->berth;
+    if (kind == 4) straight(pieces, o->row, 0.0, &begun_along, &begun_beside);
     for (int t = 0; t < STEPS; t++) {
-        double ahead, left;
-        expected(c, o, kind, t, &ahead, &left);
-        gone += ahead;
-        gone_left += left;
-        double x = o->along + gone * STRIDE, y = o->beside + gone_left * STRIDE;
+        double ahead, left, x, y;
+        if (kind == 4) {
+            const double *row = o->row;
+            int at = straight(pieces, row, (t + 1) * STRIDE, &x, &y);
+            double cs = pieces->cos[at], sn = pieces->sin[at], ct = cos(row[7]), st = sin(row[7]);
+            double turned_c = fabs(ct * cs + st * sn), turned_s = fabs(st * cs - ct * sn);
+            x = o->along + (x - begun_along);
+            y = o->beside + (y - begun_beside);
+            ahead = row[5] * cs + row[6] * sn;
+            left = row[6] * cs - row[5] * sn;
+            along = car->length / 2 + (row[8] * turned_c + row[9] * turned_s);
+            across = car->width / 2 + (row[8] * turned_s + row[9] * turned_c);
+        } else {
+            expected(c, o, kind, t, &ahead, &left);
+            gone += ahead;
+            gone_left += left;
+            x = o->along + gone * STRIDE;
+            y = o->beside + gone_left * STRIDE;
+        }
+        if (!t) { /* who is nearer than we want already is not to stop us from moving away */
+            double apart = fabs(o->along) - along, aside = fabs(o->beside - offset) - across;
+            room = aside < c->side + 0.2 ? smaller(larger(apart - 0.1, 0.05), c->room) : c->room;
+            side = apart < c->room + 0.2 ? smaller(larger(aside - 0.05, 0.05), c->side) : c->side;
+        }
         double wide = side + c->widening * ((t + 1) * STRIDE) * (moves ? 1.0 : 0.0);
         double widest = larger(wide, beside), longest = larger(room, near);
         if (x - ways->furthest[t] - along >= longest || 0.0 - x - along >= longest) continue;
@@ -1106,16 +1161,19 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
         }
     }
     Near near[NEAREST];
+    Pieces pieces = pieces_of(seen);
     int count = 0;
     for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR)
         if (row[0] > 0.0) near[count++] = along_the_route(seen, row);
-    for (int kind = 0; kind < 4; kind++) {
+    for (int kind = 0; kind < 5; kind++) {
         for (int i = 0; i < count; i++) {
             const Near *o = &near[i];
             double moves = o->speed > 0.5 ? 1.0 : 0.0, belief = 1.0;
             double waits = o->speed < 1.5 && fabs(o->beside) > 1.6 && fabs(o->beside) < 8.0 && o->along > -2.0;
+            double across = o->speed > 0.5 && fabs(o->left) > 0.5 * o->speed;
             if (kind) belief = kind == 1 ? c->braked * moves : kind == 2 ? c->started * moves : c->stepped * waits;
-            if (belief > 0.0) endanger(car, c, &ways, o, kind, belief, offset, danger);
+            if (kind == 4) belief = c->crossing * across;
+            if (belief > 0.0) endanger(car, c, &ways, &pieces, o, kind, belief, offset, danger);
         }
     }
     int best = 0;

@@ -173,8 +173,9 @@ class Caution(Structure):
         *(
             (name, c_double)
             for name in (
-                *("speed", "crash", "graze", "braking", "braked", "starting", "started", "stepping", "stepped", "room"),
-                *("side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve", "agility", "drift"),
+                *("speed", "crash", "graze", "braking", "braked", "starting", "started", "stepping", "stepped"),
+                *("crossing", "room", "side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve"),
+                *("agility", "drift"),
             )
         ),
         ("discount", c_double * STEPS),

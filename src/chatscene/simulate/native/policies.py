@@ -23,7 +23,7 @@ from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 RULE_BASED, INTELLIGENT_DRIVER, NETWORK, PLANNER = range(4)  # as engine.c numbers them
 _AS_CALLED = (
     *("speed", "crash", "graze", "room", "side", "widening", "berth", "haste", "offset", "astray", "jerk", "resolve"),
-    *("agility", "drift"),
+    *("agility", "drift", "crossing"),
 )  # of the planner's caution, what the engine calls alike
 ASKED = 16  # observations on which a network's answers are held against numpy's
 
