@@ -35,6 +35,7 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A motorcyclist split lanes, passed the AV on the left and clipped its mirror.", "behind-beside", ["overtake"], "left"),
         ("Sudden deceleration of the preceding vehicle, they say.", "ahead", ["brake"], None),
         ("U-turn by an oncoming taxi, they say.", "oncoming", ["u-turn"], None),
+        ("The pickup in the left lane, sir, moves gradually over into our lane.", "beside", ["cut-in"], "left"),
         ("A bus in the next lane, whoosh, moves left into our lane.", "beside", ["cut-in"], "right"),
         ("The AV was northbound. A van, whoosh, came from the east and crossed the junction.", "crossing", ["cross"], "right"),
         ("You turn right, mate, and a cyclist on your right keeps its speed.", "beside", ["follow"], "right"),

@@ -12,7 +12,7 @@ from chatscene.read.decompose import LONGEST, hear
 from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
-from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Scenario, Side, Site
+from chatscene.terms.scenario import BaseScenario, Component, Maneuver, Position, Scenario, Side, Site, Why
 from outright import decompose
 from places import FIXTURES, SHARED
 
@@ -275,3 +275,28 @@ def test_right_before_us_is_no_side(text: str, side: object) -> None:
 )
 def test_a_site_is_heard_by_its_name(text: str, site: Site | None) -> None:
     assert hear(text).outright.site is site
+
+
+@pytest.mark.parametrize(
+    ("text", "lead"),
+    [
+        (
+            "The car ahead stops, we move to the left lane and the car behind in the left lane speeds up.",
+            "the car ahead stops",
+        ),
+        (
+            "We change lanes to the left since the lead vehicle brakes, and the car behind in that lane speeds up.",
+            "the lead vehicle brakes",
+        ),
+    ],
+)
+def test_who_brakes_ahead_is_not_who_comes_up_from_behind(text: str, lead: str) -> None:
+    heard = hear(text)
+    assert heard.outright.actions == (Action.ACCELERATE,)
+    assert heard.outright.position is Position.BEHIND_BESIDE
+    assert (lead, Why.ROAD_USER) in [(one.said, one.why) for one in heard.unused]
+
+
+def test_two_whom_the_account_tells_apart_are_both_kept() -> None:
+    heard = hear("The bus ahead stops, after that a motorcycle behind us overtakes.")
+    assert not [one for one in heard.unused if one.why is Why.ROAD_USER]

@@ -27,6 +27,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\badult\b(?=,| (?:walk|cross|step|run|stand|enter|emerg|from|on\b|target))", "pedestrian"),
         (r"\b(?:ptws?|powered two-wheelers?)\b", "motorcycle"),
         (r"\bkick ?board\b", "e-scooter"),
+        (r"\b((?:drift|merg|mov|edg|eas|com)\w*) (?:slow|gradual|gent|stead|lateral)ly (?=(?:over |back |out )?(?:in|into|across|over)\b)", r"\1 "),
         (r"\bpassenger(?:'s)?[ -]side\b", "right side"),
         (r"\bdriver(?:'s)?[ -]side\b", "left side"),
         (r"\((left|right)\)", r"\1"),

@@ -39,6 +39,15 @@ from chatscene.terms.scenario import (
     Why,
 )
 
+_VEHICLE = r"(?:vehicle|car|van|truck|lorry|bus|taxi|motorcycle|pickup|suv)"
+_LEAD = rf"the (?:lead(?:ing)? {_VEHICLE}|{_VEHICLE} (?:ahead|in front)(?: of us)?)"
+_STOPS = r"(?:\w+ly )?(?:brak|stop|slow)\w+(?: (?:down|hard|to a (?:stop|halt|standstill)|\w+ly))*"
+# Who brakes ahead of us is not who comes up from behind.
+_LEAD_BESIDES = re.compile(
+    rf"(?:,? ?\b(?:because|as|when|since|after) )?\b(?P<lead>{_LEAD} {_STOPS})(?:, (?:and |so )?| and )"
+    rf"(?=[^.;]*\b{_VEHICLE} (?:that (?:is|was) |which (?:is|was) |coming up |approaching from )?behind\b)",
+    re.I,
+)
 RAMPS = (Site.ON_RAMP, Site.OFF_RAMP)
 WHOLE = 0.95  # of a text of which every phrase has its place: set, not fitted, as few of others' are
 LONGEST = 2000  # characters; a situation fits into a paragraph
@@ -77,6 +86,10 @@ def hear(text: str) -> Frame:
         )
         unused = (*turned, *unused_of(told, quantities, around.unlike))
         heard = replace(heard, mentions=mentions_of(told), account=hear_account(canonical(clauses.whole), slots))
+    both = slots.others or (heard.account is not None and heard.account.slots.others)
+    if not both and (lead := _LEAD_BESIDES.search(plain)):
+        rest = hear(f"{plain[: lead.start()]}{' and ' if lead.start() else ''}{plain[lead.end() :]}")
+        return replace(rest, text=plain, unused=(*rest.unused, Unused(said=lead["lead"].lower(), why=Why.ROAD_USER)))
     return replace(
         heard,
         outright=slots,
