@@ -39,7 +39,7 @@ from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import Rejected, Scene
 
 Array = NDArray[np.float64]
-START = replace(Caution(), speed=7.0)
+START = replace(Caution(), speed=7.0, crossing=1.0)
 FASTEST = 9.0  # [m/s]
 SLOWEST = 6.1  # [m/s], on ordinary drives
 ASIDE = 0.8  # [m] from the route beyond which an ordinary drive has left it

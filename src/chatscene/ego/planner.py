@@ -92,10 +92,11 @@ class Caution:
 
 HARDENED = Caution(
     speed=7.63, crash=11.3, graze=0.0781, patience=1.71, braking=(5.57, 0.205), starting=(0.721, 0.946),
-    stepping=(1.53, 0.0311), room=2.23, side=0.0765, widening=0.223, berth=0.533, haste=8.47, offset=0.0429,
-    astray=0.118, jerk=0.0655, resolve=0.109, agility=0.99, drift=1.79,
+    stepping=(1.53, 0.0311), crossing=1.0, room=2.23, side=0.0765, widening=0.223, berth=0.533, haste=8.47,
+    offset=0.0429, astray=0.118, jerk=0.0655, resolve=0.109, agility=0.99, drift=1.79,
 )  # fmt: skip
-"""Found by CMA-ES against adversaries that were searched for again after each round (decision 0106)."""
+"""Found by CMA-ES against adversaries that were searched for again after each round (decision 0106), but for
+`crossing`, which came after (decision 0110)."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
