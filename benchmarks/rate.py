@@ -41,7 +41,7 @@ from chatscene.terms.scene import Rejected, Scene
 
 CASES = (  # further scenes of a rate: the more, the rarer
     ("A car runs the red light from the left.", "planner", 300),
-    ("We go straight on at the lights; from the left a car ignores its red signal and turns left.", "idm", 2000),
+    ("We go straight on at the lights; from the left a car ignores its red signal and turns left.", "idm", 6000),
     (
         "We try to overtake a slow leader by changing lanes; the car in the next lane drops to the speed of the leader "
         "and keeps us from getting in.",
