@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Collection, Iterator
+from functools import lru_cache
 from typing import Any
 
 from chatscene.simulate.confined.plain_text import REPORTED, Refusal, check_text
@@ -60,8 +61,9 @@ def refused(name: str, refusals: tuple[Refusal, ...]) -> str:
     return f"program {name!r} uses what a stranger's program may not: {'; '.join(map(str, refusals[:3]))}{more}"
 
 
+@lru_cache(maxsize=64)  # of one program every simulator of a run asks anew
 def parse_foreign(source: str) -> Any | Refusal:
-    """Scenic's syntax tree of a text, or why it has none."""
+    """Scenic's syntax tree of a text, which is not to be changed, or why it has none."""
     from scenic.syntax.parser import parse_string
 
     try:
