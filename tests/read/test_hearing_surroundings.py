@@ -30,6 +30,8 @@ def around(light: str = "day", weather: str = "clear", surface: str = "dry") -> 
         ("On a foggy night the car ahead brakes.", around("night", "fog")),
         ("The road is icy and the car ahead brakes.", around(surface="ice")),
         ("Black ice: the car ahead brakes.", around(surface="ice")),
+        ("There was ice on the road. The car ahead brakes.", around(surface="ice")),
+        ("Snow on our street; the car ahead brakes.", around(surface="snow")),
         ("The car ahead brakes because the road is covered in snow.", around(surface="snow")),
         ("It is snowing. The car ahead brakes.", around(weather="snow", surface="snow")),
         ("The car ahead brakes in broad daylight.", around()),

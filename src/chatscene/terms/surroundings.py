@@ -130,7 +130,8 @@ class Surface(_Row):
             said="snow on the road",
             words=(
                 rf"{on_the_road('snowy|snow-?covered|covered (?:in|with|by) (?:fresh )?snow')}|"
-                r"(?:packed|compacted|trodden) snow|on (?:the )?snow"
+                rf"(?:packed|compacted|trodden) snow|on (?:the )?snow|"
+                rf"(?:there (?:is|was) )?snow (?:all over|on) (?:the |our )?{_ROADS}"
             ),
             friction=0.25,
         ),
@@ -139,7 +140,10 @@ class Surface(_Row):
         "ice",
         Condition(
             said="ice on the road",
-            words=rf"{on_the_road('icy|frozen|iced')}|icy|black ice|freezing rain|(?:sheet of|on|over) (?:the )?ice",
+            words=(
+                rf"{on_the_road('icy|frozen|iced')}|icy|black ice|freezing rain|(?:sheet of|on|over) (?:the )?ice|"
+                rf"(?:there (?:is|was) )?ice (?:all over|on) (?:the |our )?{_ROADS}"
+            ),
             friction=0.1,
         ),
     )
