@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from chatscene.errors import DoesNotCompile
+from chatscene.errors import DoesNotCompile, StuckBehavior
 from chatscene.library.load import load_library
 from chatscene.maps.network import resolve_map
 from chatscene.terms.scenario import Component
@@ -111,3 +111,16 @@ def test_a_fault_in_a_part_is_told_with_its_line_in_the_program() -> None:
     text = "model chatscene.world.model\n\n## one\nx = 1\n\n## two\ny = = 1\n"
     with pytest.raises(DoesNotCompile, match="line 7 of"):
         compilation.compile_program(text, map_path=resolve_map("town"), route=0)
+
+
+def test_a_parser_whose_time_is_up_does_not_begin_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list[str] = []
+
+    def stuck(text: str, *_: Any, **_named: Any) -> Any:
+        begun.append(text)
+        raise StuckBehavior("its time is up")
+
+    monkeypatch.setattr(compilation.translator, "parse_string", stuck)
+    with pytest.raises(StuckBehavior):
+        compilation._parsed("x = 1\n\n## never parsed before\ny = 2\n", "place")
+    assert len(begun) == 1

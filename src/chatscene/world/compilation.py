@@ -130,6 +130,8 @@ def _parsed(source: str, filename: str) -> Any:
     first, *parts = source.split("\n## ")
     try:
         pieces = [_part(first + "\n"), *(_part(f"## {part}\n") for part in parts)] if parts else []
+    except (ChatSceneError, MemoryError):  # its time is up
+        raise
     except Exception:  # noqa: BLE001 - whatever it is, the whole says it with its lines
         pieces = []
     if not pieces:
