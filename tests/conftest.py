@@ -4,6 +4,7 @@ import gc
 import importlib
 import pkgutil
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 import chatscene
@@ -11,14 +12,20 @@ import chatscene
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
 
-# A module that is first loaded while a test has put something in the place of a function keeps that for good. So all
-# are there before.
-for _found in pkgutil.walk_packages(chatscene.__path__, "chatscene."):
-    try:
-        importlib.import_module(_found.name)
-    except ModuleNotFoundError:  # an extra that is not installed, or a module of Scenic's
-        continue
 
-gc.collect()
-gc.freeze()  # what is loaded stays
-gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
+def pytest_configure(config: pytest.Config) -> None:
+    """Load everything, but where others run the tests.
+
+    A module that is first loaded while a test has put something in the place of a function keeps that for good. So all
+    are there before.
+    """
+    if config.getoption("numprocesses", None) and not hasattr(config, "workerinput"):
+        return
+    for found in pkgutil.walk_packages(chatscene.__path__, "chatscene."):
+        try:
+            importlib.import_module(found.name)
+        except ModuleNotFoundError:  # an extra that is not installed, or a module of Scenic's
+            continue
+    gc.collect()
+    gc.freeze()  # what is loaded stays
+    gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
