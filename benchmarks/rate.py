@@ -39,7 +39,7 @@ from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.scenario import BaseScenario
 from chatscene.terms.scene import Rejected, Scene
 
-CASES = (  # further scenes of a rate: the more, the rarer
+CASES = (  # further scenes of a rate: as many as most rates of the case can be told from
     ("A car runs the red light from the left.", "planner", 300),
     ("We go straight on at the lights; from the left a car ignores its red signal and turns left.", "idm", 6000),
     (
