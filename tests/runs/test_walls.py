@@ -500,7 +500,7 @@ def greeted(monkeypatch: pytest.MonkeyPatch, missing: str, user: int) -> tuple[s
     layers = [layer for layer in LAYERS if layer != missing]
     theirs.sendall(json.dumps({"layers": layers}).encode() + b"\n{}\n")
     monkeypatch.setattr(nurseries.os, "geteuid", lambda: user)
-    confined = Confined(Mock(limits=Limits()), 0, ours)
+    confined = Confined(Mock(), Limits(), 0, ours)
     with theirs:
         confined.greet(ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=()))
     return confined.layers

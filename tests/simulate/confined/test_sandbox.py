@@ -39,7 +39,7 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign
 from chatscene.simulate.confined.confinement import AUDIT, LIMITS, SECCOMP, Limits
 from chatscene.simulate.confined.landlock import landlock_version
-from chatscene.simulate.confined.nursery import Confined, Nursery
+from chatscene.simulate.confined.nursery import Confined, Nursery, shared_nursery
 from chatscene.simulate.confined.plain_text import check_text
 from chatscene.simulate.confined.simulator import ConfinedSession, ConfinedSimulator
 from chatscene.simulate.confined.wire import (
@@ -266,7 +266,7 @@ def stopped(limits: Limits) -> Generator[tuple[Confined, int]]:
     """A confined process that does not get its turn, and its number."""
     with Nursery(TOWN, SimulationSettings(), limits) as nursery:
         confined = nursery.confine(CROSSES)
-        pid = confined._pid  # pyright: ignore[reportPrivateUsage]
+        pid = confined.pid
         os.kill(pid, signal.SIGSTOP)
         yield confined, pid
         confined.close()
@@ -365,6 +365,26 @@ def test_nothing_is_left_when_a_nursery_is_closed(tmp_path: Path, monkeypatch: p
     confined.close()
     with pytest.raises(SandboxError, match="cannot be asked again"):
         confined.ask("routes")
+
+
+def test_who_confines_on_one_map_shares_what_processes_are_forked_from(tmp_path: Path) -> None:
+    other = tmp_path / "town.xodr"
+    other.write_bytes(TOWN.read_bytes())
+    before = shared_nursery(other, SimulationSettings(), Limits())
+    assert shared_nursery(other, SimulationSettings(), Limits()) is before
+    other.write_bytes(TOWN.read_bytes() + b"\n")
+    assert shared_nursery(other, SimulationSettings(), Limits()) is not before
+    assert shared_nursery(other, SimulationSettings(), Limits(memory=256)) is not before
+
+
+def test_a_nursery_whose_process_is_killed_says_so_and_starts_another() -> None:
+    with Nursery(TOWN, SimulationSettings()) as nursery:
+        confined = nursery.confine(CROSSES)
+        os.kill(int(Path(f"/proc/{confined.pid}/stat").read_text().rpartition(")")[2].split()[1]), signal.SIGKILL)
+        with pytest.raises(SandboxError, match="does not answer"):
+            nursery.confine(CROSSES)
+        assert nursery.confine(CROSSES).ask("routes") == {"routes": 10}
+        assert confined.close() == 0  # went with what it was forked from
 
 
 # What comes back

@@ -11,17 +11,20 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import weakref
 from contextlib import suppress
 from dataclasses import asdict
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from platformdirs import user_cache_path
 
 from chatscene import errors
-from chatscene.errors import ChatSceneError, DoesNotCompile, SandboxError, StuckBehavior
+from chatscene.errors import ChatSceneError, DoesNotCompile, MapError, SandboxError, StuckBehavior
+from chatscene.maps.network import map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.child import CHUNK, WATCHMAN
 from chatscene.simulate.confined.confinement import LAYERS, Limits, check_layers
@@ -30,6 +33,7 @@ from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
 from chatscene.terms.scene import ScenicProgram
 
 LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
+SHARED = 2  # nurseries that are kept for the next who asks
 ENVIRONMENT = {"LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0"}
 
 _PASSED_ON = {
@@ -47,8 +51,25 @@ _PASSED_ON = {
 }
 
 
+def shared_nursery(map_path: Path, settings: SimulationSettings, limits: Limits) -> Nursery:
+    """The nursery of this process for a map as it is now, settings and limits: starting one takes seconds.
+
+    Nobody closes it; it goes with the process, or once others were asked for and nobody uses it.
+    """
+    try:
+        content = map_digest(map_path)
+    except MapError:  # told by the process that reads it
+        content = ""
+    return _nursery(map_path, settings, limits, content, os.getpid())
+
+
+@lru_cache(maxsize=SHARED)
+def _nursery(map_path: Path, settings: SimulationSettings, limits: Limits, _content: str, _process: int) -> Nursery:
+    return Nursery(map_path, settings, limits)
+
+
 class Nursery:
-    """Makes a confined process for each program it is given.
+    """Makes a confined process for each program it is given; threads may share it.
 
     One process imports Scenic and reads the map, once; each program gets a fork of it that has seen no other program.
 
@@ -63,6 +84,7 @@ class Nursery:
         self._map_path = map_path
         self._settings = settings
         self._warm: _Warm | None = None
+        self._starting = threading.Lock()
 
     def __enter__(self) -> Nursery:
         return self
@@ -90,9 +112,12 @@ class Nursery:
         warm = self._started()
         ours, theirs = socket.socketpair()
         with theirs:
-            socket.send_fds(warm.control, [b"fork"], [theirs.fileno()])
-            pid = int(warm.hear())
-        confined = Confined(self, pid, ours)
+            try:
+                pid = warm.ask(b"fork", theirs.fileno())
+            except BaseException:
+                ours.close()
+                raise
+        confined = Confined(warm, self.limits, pid, ours)
         try:
             confined.greet(program)
         except BaseException:
@@ -100,49 +125,38 @@ class Nursery:
             raise
         return confined
 
-    @property
-    def alive(self) -> bool:
-        """Whether its processes have not been ended."""
-        return self._warm is not None
-
-    def reap(self, pid: int) -> int:
-        """The exit status of a process that has ended or been killed; negative: by which signal."""
-        warm = self._started()
-        warm.control.send(b"%d" % pid)
-        return int(warm.hear())
-
     def close(self) -> None:
         """End all processes and delete their folder."""
-        if self._warm is not None:
-            self._warm.close()
-            self._warm = None
+        with self._starting:
+            if self._warm is not None:
+                self._warm.close()
 
     def _started(self) -> _Warm:
-        if self._warm is None:
-            if sys.platform != "linux":
-                raise SandboxError(
-                    "programs by strangers are confined by the Linux kernel, which this system does not have; "
-                    "run chatscene in a Linux container or virtual machine"
-                )
-            self._warm = warm = _Warm()
-            weakref.finalize(self, warm.close)
-            try:
-                warm.set_up(self._map_path, self._settings, self.limits)
-            except BaseException:
-                self.close()
-                raise
-        return self._warm
+        with self._starting:
+            if self._warm is None or not self._warm.alive:
+                if sys.platform != "linux":
+                    raise SandboxError(
+                        "programs by strangers are confined by the Linux kernel, which this system does not have; "
+                        "run chatscene in a Linux container or virtual machine"
+                    )
+                self._warm = warm = _Warm()
+                try:
+                    warm.set_up(self._map_path, self._settings, self.limits)
+                except BaseException:
+                    warm.close()
+                    raise
+            return self._warm
 
 
 class _Warm:
-    """The process that confined ones are forked from: our own code alone."""
+    """The process that confined ones are forked from: our own code alone. It goes with this object."""
 
     def __init__(self) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix="chatscene-"))
-        self.control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         here = str(self._folder)
         with theirs, (self._folder / "errors").open("wb") as log:
-            self._process = subprocess.Popen(
+            process = subprocess.Popen(
                 [sys.executable, "-I", "-m", "chatscene.simulate.confined.child", str(theirs.fileno())],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
@@ -151,6 +165,13 @@ class _Warm:
                 env={**ENVIRONMENT, "HOME": here, "TMPDIR": here, "MPLCONFIGDIR": here},
                 pass_fds=(theirs.fileno(),),
             )
+        self._one_at_a_time = threading.Lock()
+        self._end = weakref.finalize(self, _end, self._control, process, self._folder)
+
+    @property
+    def alive(self) -> bool:
+        """Whether it has not been ended."""
+        return self._end.alive
 
     def set_up(self, map_path: Path, settings: SimulationSettings, limits: Limits) -> None:
         """Say what is to be simulated, and wait until it is ready.
@@ -167,19 +188,29 @@ class _Warm:
             "folder": str(self._folder),
         }
         with suppress(BrokenPipeError):  # it is no more, and has left its reason in the log
-            self.control.send(json.dumps(setup).encode())
-        said = json.loads(self.hear())
+            self._control.send(json.dumps(setup).encode())
+        said = json.loads(self._hear())
         if "error" in said:
             raise _PASSED_ON.get(said["error"], SandboxError)(said["message"])
 
-    def hear(self) -> bytes:
-        """Its next message.
+    def ask(self, request: bytes, *handles: int) -> int:
+        """The number that it answers to a request that comes with handles; without an answer it is ended.
 
         Raises:
             SandboxError: There is none.
         """
+        with self._one_at_a_time:
+            try:
+                with suppress(ConnectionError):  # its reason is in the log
+                    socket.send_fds(self._control, [request], handles)
+                return int(self._hear())
+            except BaseException:
+                self.close()
+                raise
+
+    def _hear(self) -> bytes:
         with suppress(ConnectionError):
-            if said := self.control.recv(CHUNK):
+            if said := self._control.recv(CHUNK):
                 return said
         log = self._folder / "errors"
         tail = words(log.read_text(encoding="utf-8", errors="replace")[-400:]) if log.exists() else ""
@@ -187,10 +218,14 @@ class _Warm:
 
     def close(self) -> None:
         """End it, and with it all that was forked from it; may be called again."""
-        self.control.close()
-        self._process.kill()
-        self._process.wait()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._end()
+
+
+def _end(control: socket.socket, process: subprocess.Popen[bytes], folder: Path) -> None:
+    control.close()
+    process.kill()
+    process.wait()
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 class _Patience:
@@ -232,14 +267,15 @@ class Confined:
     """One confined process, and the program in it; made by `Nursery.confine`.
 
     Attributes:
+        pid: Of the process.
         layers: The layers of the second wall that are in force for it.
     """
 
-    def __init__(self, nursery: Nursery, pid: int, channel: socket.socket) -> None:
-        self._nursery = nursery
-        self._pid = pid
+    def __init__(self, warm: _Warm, limits: Limits, pid: int, channel: socket.socket) -> None:
+        self._warm = warm
+        self._limits = limits
+        self.pid = pid
         self._channel = channel
-        self._limits = nursery.limits
         self._rest = bytearray()
         self._label = "the program"
         self._open = True
@@ -270,7 +306,7 @@ class Confined:
     @property
     def spent(self) -> bool:
         """Whether it has used half of the processor time that its life has."""
-        return self._open and _processor_time(self._pid) > self._limits.processor / 2
+        return self._open and _processor_time(self.pid) > self._limits.processor / 2
 
     def ask(self, do: str, **arguments: Any) -> Message:
         """Have something done.
@@ -302,13 +338,13 @@ class Confined:
             return 0
         self._open = False
         self._channel.close()
-        if not self._nursery.alive:
+        if not self._warm.alive:
             return 0  # the kernel has ended it with the process that it was forked from
         with suppress(ProcessLookupError):
-            os.kill(self._pid, signal.SIGKILL)
+            os.kill(self.pid, signal.SIGKILL)
         with suppress(ProcessLookupError, PermissionError):
-            os.killpg(self._pid, signal.SIGKILL)
-        return self._nursery.reap(self._pid)
+            os.killpg(self.pid, signal.SIGKILL)
+        return self._warm.ask(b"%d" % self.pid)
 
     def _say(self, line: bytes) -> None:
         self._channel.settimeout(self._limits.wall)
@@ -318,7 +354,7 @@ class Confined:
             raise self._ended() from error
 
     def _hear(self, do: str) -> Message:
-        patience = _Patience(self._pid, self._limits.answer, self._limits.wall)
+        patience = _Patience(self.pid, self._limits.answer, self._limits.wall)
         scanned = 0
         while (end := self._rest.find(b"\n", scanned)) < 0:
             scanned = len(self._rest)
@@ -355,9 +391,9 @@ class Confined:
     def _last_moment(self) -> int:
         """Wait for a process that has closed its end to die by itself, so that its own cause is seen, but not long."""
         with suppress(OSError):
-            handle = os.pidfd_open(self._pid)
+            handle = os.pidfd_open(self.pid)
             try:
-                _Patience(self._pid, LAST_MOMENT, self._limits.wall).until_readable(handle)
+                _Patience(self.pid, LAST_MOMENT, self._limits.wall).until_readable(handle)
             finally:
                 os.close(handle)
         return self.close()

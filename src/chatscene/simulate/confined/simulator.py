@@ -17,7 +17,7 @@ from chatscene.errors import EgoError, ForeignCodeRefused, SettingsError
 from chatscene.settings import SIMULATOR, SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign, refused
 from chatscene.simulate.confined.confinement import Limits
-from chatscene.simulate.confined.nursery import Confined, Nursery
+from chatscene.simulate.confined.nursery import Confined, shared_nursery
 from chatscene.simulate.confined.wire import (
     Message,
     episode_from_json,
@@ -69,7 +69,7 @@ class ConfinedSimulator:
             )
         self.identity = replace(hosted, name=NAME)
         self._settings = settings
-        self._nursery = Nursery(map_path, settings, limits)
+        self._nursery = shared_nursery(map_path, settings, limits or Limits())
         self._confined: OrderedDict[str, Confined] = OrderedDict()
         self._routes: dict[tuple[str, int], Route] = {}
 
@@ -80,10 +80,9 @@ class ConfinedSimulator:
         self.close()
 
     def close(self) -> None:
-        """End all processes; the simulator can still be used and starts new ones then."""
+        """End the processes of its programs; the simulator can still be used and starts new ones then."""
         while self._confined:
             self._confined.popitem()[1].close()
-        self._nursery.close()
 
     def route(self, program: ScenicProgram, index: int) -> Route:
         """The route a program's geometry picks under this index."""
