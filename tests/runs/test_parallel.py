@@ -57,6 +57,20 @@ def test_a_script_that_lacks_its_guard_ends_with_what_to_do(tmp_path: Path) -> N
     assert 'lacks if __name__ == "__main__"' in ended.stderr
 
 
+def _environment(_: None) -> Callable[[str], str | None]:
+    return os.environ.get
+
+
+def test_workers_have_the_environment_of_when_they_began_and_not_of_the_first_pool(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("FIRST", "1")
+    assert set(spread(_environment, None, ["FIRST", "FIRST"], workers=Workers(2))) == {"1"}
+    monkeypatch.delenv("FIRST")
+    monkeypatch.setenv("SECOND", "2")
+    assert set(spread(_environment, None, ["FIRST", "SECOND"], workers=Workers(2))) == {None, "2"}
+
+
 def test_an_executor_that_is_not_there_is_told_of() -> None:
     with pytest.raises(SettingsError, match="executor"):
         load_executor("process", 1, print)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
@@ -12,12 +13,14 @@ from multiprocessing.shared_memory import ShareableList
 from typing import Any
 
 _SAFE_PATH = "PYTHONSAFEPATH"
+_LOADED_ONCE = ["chatscene.runs.searching"]  # and with it Scenic, which takes longest
 
 
 class Processes(ProcessPoolExecutor):
     """Processes that begin without this one's state, and without the working folder among the places of modules.
 
-    Python puts it first in a process that is started with ``-c``, as these are, unless it is told otherwise.
+    Python puts it first in a process that is started with ``-c``, as these are, unless it is told otherwise. On Linux
+    they are forked from a process that loads what most of them need, once for all pools of this one.
 
     Args:
         max_workers: How many.
@@ -29,10 +32,10 @@ class Processes(ProcessPoolExecutor):
         self._before = os.environ.get(_SAFE_PATH)
         os.environ[_SAFE_PATH] = "1"
         # Not by the pipe: it holds less, and this process would wait for ever for a child that died before it read it.
-        self._setup = ShareableList([pickle.dumps((initializer, initargs))])
-        super().__init__(
-            max_workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(self._setup.shm.name,)
-        )
+        self._setup = ShareableList([pickle.dumps((dict(os.environ), initializer, initargs))])
+        context = get_context("forkserver" if sys.platform == "linux" else "spawn")
+        context.set_forkserver_preload(_LOADED_ONCE)
+        super().__init__(max_workers, mp_context=context, initializer=_begin, initargs=(self._setup.shm.name,))
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Take no more; see `chatscene.runs.executor.Executor`."""
@@ -48,8 +51,10 @@ class Processes(ProcessPoolExecutor):
 def _begin(setup: str) -> None:
     threading.Thread(target=_die_with_parent, daemon=True).start()
     shared: ShareableList[bytes] = ShareableList(name=setup)
-    initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own
+    environment, initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own
     shared.shm.close()
+    os.environ.clear()  # that of when the process began from which it was forked
+    os.environ.update(environment)
     initializer(*initargs)
 
 
