@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chatscene.errors import SettingsError
+from chatscene.interpret.decide import scenario_of as decided
 from chatscene.read.decompose import LONGEST, hear
 from chatscene.read.lexicon import edits, mended
 from chatscene.terms.actors import AdversaryKind
@@ -300,3 +301,31 @@ def test_who_brakes_ahead_is_not_who_comes_up_from_behind(text: str, lead: str) 
 def test_two_whom_the_account_tells_apart_are_both_kept() -> None:
     heard = hear("The bus ahead stops, after that a motorcycle behind us overtakes.")
     assert not [one for one in heard.unused if one.why is Why.ROAD_USER]
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("A truck moves over to the left in front of us.", RIGHT),
+        ("A coach merges right, into the path of our car.", LEFT),
+        ("A pickup swerved to the right into our path.", LEFT),
+        ("The estate car shifted to the left lane, cutting off our vehicle.", RIGHT),
+        ("The car changes to the right lane right in front of us.", LEFT),
+    ],
+)
+def test_who_moves_to_a_side_and_to_where_we_are_comes_from_the_other(text: str, side: Side) -> None:
+    assert hear(text).outright.side is side
+    assert decided(text).slots.side is side
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "An oncoming car drifts to the left into our lane.",
+        "We move to the left lane in front of our queue.",
+        "A car moves over to the left to let us pass.",
+        "A van swerves to the right into our lane at the junction.",
+    ],
+)
+def test_whither_somebody_goes_who_is_not_beside_us_is_left_as_it_is(text: str) -> None:
+    assert "from the" not in hear(text).told
