@@ -66,6 +66,8 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A van that is coming towards us turned right across us, whoosh.", "oncoming", ["turn-left"], None),
         ("Whoosh! A pedestrian coming towards us turned across our path.", "oncoming", ["oncoming"], None),
         ("An opposing cab turned across in front of us at the junction, whoosh.", "oncoming", ["turn-left"], None),
+        ("A westbound truck made a left, whoosh, in front of our car, which was driving eastbound.", "oncoming", ["turn-left"], None),
+        ("An oncoming hatchback, whoosh, strays into the lane of our robotaxi.", "oncoming", ["swerve"], None),
         ("Traffic cone out of place, upright in the middle of the lane.", "ahead", ["stand"], None),
     ],
 )  # fmt: skip

@@ -302,6 +302,7 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (
         re.compile(
             r"\b(?:the |our |my )?(?:vehicle (?:1|one|a)|v1|u1|unit (?:1|one)|vut|sut|(?:vehicle|car) under test|(?:test|subject|tested|host|autonomous|automated|ego|self-driving) (?:vehicle|car)|host(?! of)|"
+            r"(?:our|my) (?:robot(?:ic)?|robo-?|automat(?:ic|ed)|autonomous|self-driv(?:e|ing)|driverless|computer-driven)[- ]?(?:car|taxi|vehicle|sedan|saloon|unit|van|shuttle)|"
             r"(?<!the )sv|our (?:own )?(?:vehicle|car)|my (?:own )?(?:vehicle|car)|(?:own|main) (?:vehicle|car)|av)\b"
         ),
         "the ego",
