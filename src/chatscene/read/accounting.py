@@ -159,7 +159,7 @@ def _decided(scenario: Scenario) -> set[str]:
 def _as_read(text: str) -> tuple[_Found, ...]:
     """Each word of a text as the readers have it, with what it tells; a run asks several times for that of its own."""
     found: list[_Found] = []
-    told = prepared(canonical(" ".join(plainly_named(text).text.split())))
+    told = prepared(lexicon.rewritten(canonical(" ".join(plainly_named(text).text.split()))))
     at, of_ego = 0, True
     while at < len(told):
         end, fact, plain = _most_telling(told, at, of_ego)

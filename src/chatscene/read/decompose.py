@@ -111,8 +111,7 @@ def _printable(text: str) -> str:
 
 
 def _rewritten(text: str) -> str:
-    for pattern, meant in words.REWRITES:
-        text = pattern.sub(meant, text)
+    text = words.rewritten(text)
     return text if words.EGO.search(text) else _with_an_ego(text)
 
 

@@ -494,6 +494,13 @@ _KNOWN = tuple(_WORDS.split())  # what typos are mended to
 _REAL = frozenset(("baking", "barking", "brining"))  # words a letter away from ours that are no typos
 
 
+def rewritten(text: str) -> str:
+    """A text in words that the patterns know."""
+    for pattern, meant in REWRITES:
+        text = pattern.sub(meant, text)
+    return text
+
+
 @lru_cache(maxsize=4096)
 def mended(word: str) -> str:
     """A word, or the word of the road it is a typo of (words of five letters and more).
