@@ -45,7 +45,7 @@ class Camera:
 
     @classmethod
     def on(cls, episode: Episode, shown: Sequence[int], largest: float) -> Camera:
-        """Hold the ego and its adversaries over the steps shown, or the end of it if they go too far.
+        """Hold the ego and its adversaries over the steps shown; if they go too far, the ego alone, or its end.
 
         The ego sets out to the right, along the longer side of the picture.
         """
@@ -57,13 +57,11 @@ class Camera:
             turn,
         )
         width = max(np.ptp(x), np.ptp(y) * WIDTH / HEIGHT) + 2 * SIDE
-        (end_x,), (end_y,) = (end.tolist() for end in _turned(ego.x[-1:], ego.y[-1:], turn))
         middle_x, middle_y = float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2
-        if width > largest:  # then the ego's last position is kept inside
-            reach = largest / 2 - 4 * SIDE
-            middle_x = end_x + min(max(middle_x - end_x, -reach), reach)
-            reach *= HEIGHT / WIDTH
-            middle_y = end_y + min(max(middle_y - end_y, -reach), reach)
+        if width > largest:
+            reach = largest / 2 - 2 * SIDE
+            middle_x = _holding(x[: len(shown)], reach, middle_x)
+            middle_y = _holding(y[: len(shown)], reach * HEIGHT / WIDTH, middle_y)
         return cls(middle_x, middle_y, WIDTH * OVERSAMPLE / float(min(max(width, 40.0), largest)), turn)
 
     @classmethod
@@ -81,6 +79,14 @@ class Camera:
     def pixels(self, metres: float) -> int:
         """A width [m] in pixels of the large picture, at least one of the small one."""
         return max(round(metres * self.scale), OVERSAMPLE)
+
+
+def _holding(way: Array, reach: float, middle: float) -> float:
+    """Of middles from which one sees so far [m], the nearest to another from which a way is seen, or its end is."""
+    low, high = float(way.max()) - reach, float(way.min()) + reach
+    if low > high:
+        low, high = float(way[-1]) - reach, float(way[-1]) + reach
+    return min(max(middle, low), high)
 
 
 def _turned(x: Array, y: Array, turn: float) -> tuple[Array, Array]:
