@@ -355,3 +355,16 @@ def test_who_crosses_and_turns_nowhere_has_a_way_straight_on_where_the_road_leav
     choice = understand(sentence).retrieval
     assert choice is not None
     assert choice.geometry.snippet.slots.place is place
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car from a side street on the left turns left in front of us.",
+        "A truck coming from the left turns left at the junction in front of us.",
+        "A taxi comes out of the side road on the left and turns right, we go straight.",
+    ],
+)
+def test_nobody_who_is_not_said_to_runs_a_red_light(text: str) -> None:
+    with pytest.raises(NothingFits):
+        understand(text)

@@ -82,6 +82,7 @@ AS_A_WHOLE = 0.3  # a behavior as likely as this is meant, with all that it does
 HEARD = 0.25  # an action less likely than this was not heard
 
 IN_LANE = (Position.AHEAD, Position.BEHIND)
+OFFENCES = (Action.RUN_LIGHT,)  # nobody is shown to commit them who is not said to
 NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
 
 Scores = NDArray[np.float64]
@@ -367,13 +368,13 @@ class _Shelf:
         return agreement, conflicts
 
     def _opposes(self, said: tuple[Action, ...], beliefs: Beliefs) -> NDArray[np.bool_]:
-        """(N,) whether a behavior does an action that was not said, and whose opposite was.
+        """(N,) whether a behavior does an action that was not said, and whose opposite was, or that breaks the law.
 
         Where nothing is settled yet, what the classifier hears was said, and the likeliest behavior is heard as a
         whole: who "brakes, then moves off" need not name the throttle.
         """
         heard = said or tuple(action for action in Action if beliefs.heard(action) >= HEARD)
-        unheard = [action not in heard and action.opposite in heard for action in Action]
+        unheard = [action not in heard and (action.opposite in heard or action in OFFENCES) for action in Action]
         against = self.actions @ np.array(unheard, float) > 0
         if not said:
             against[np.argmax([beliefs.behaviors.get(snippet.id, 0.0) for snippet in self.snippets])] = False
