@@ -216,21 +216,6 @@ KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
 )
 
 
-_TURNS_IN = r"oncoming|opposite|opposing|junction|intersection|crossroads|arm|side (?:road|street)|corner|driveway"
-
-
-def _whither(side: str) -> re.Pattern[str]:
-    """Somebody who moves to a side, and so comes to be where the ego is."""
-    return re.compile(
-        rf"^(?!.*\b(?:{_TURNS_IN})\b)(.*?(?<!\bwe )(?<!\bi )(?<!\bego )\b(?:chang|mov|merg|shift|slid|swerv|veer|drift|wander)\w*"
-        r"(?: (?:lanes?|over|across|suddenly|abruptly|sharply|slowly|quickly|back|out|in)){0,2}),? "
-        rf"(?:to )?(?:the |its |his |her )?{side}(?:-hand)?(?: lane)?"
-        r"(,?(?: (?!(?:and|to|so|it|he|she|they|an?|left|right(?! in\w* ))\b)[\w-]+){0,3}? "
-        r"(?:(?:in)?to (?:the )?(?:path|way|lane) of|into|onto|in front of|ahead of|before|across|cutting off|in (?=our|my|the ego's)) "
-        r"?(?:our|us|my|me|the ego)\b)"
-    )
-
-
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # What is asked for, before it is told
@@ -312,9 +297,6 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\b(?:ept[ac]?|pedestrian target|child target)\b"), "pedestrian"),
     (re.compile(r"\b(?:ebt[a]?|bicyclist target|cyclist target)\b"), "cyclist"),
     (re.compile(r"\b(?:emt|motorcyclist target)\b"), "motorcyclist"),
-    # Who moves to a side, to where the ego is, comes from the other
-    (_whither("left"), r"\1 from the right lane\2"),
-    (_whither("right"), r"\1 from the left lane\2"),
     # Somebody parked of whom more is told is no thing that stands about
     (
         re.compile(
@@ -333,6 +315,20 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         r"\1 at the kerb\2",
     ),
 )
+
+# Whoever moves to a side and so comes to be where the ego is, comes from the other; but for those who turn
+_TURNS_IN = re.compile(
+    r"\b(?:oncoming|opposite|opposing|junction|intersection|crossroads|arm|side (?:road|street)|corner|driveway)\b"
+)
+_WHITHER = re.compile(
+    r"(?<!\bwe )(?<!\bi )(?<!\bego )\b((?:chang|mov|merg|shift|slid|swerv|veer|drift|wander)\w*"
+    r"(?: (?:lanes?|over|across|suddenly|abruptly|sharply|slowly|quickly|back|out|in)){0,2}),? "
+    r"(?:to )?(?:the |its |his |her )?(left|right)(?:-hand)?(?: lane)?"
+    r"(,?(?: (?!(?:and|to|so|it|he|she|they|an?|left|right(?! in\w* ))\b)[\w-]+){0,3}? "
+    r"(?:(?:in)?to (?:the )?(?:path|way|lane) of|into|onto|in front of|ahead of|before|across|cutting off|in (?=our|my|the ego's)) "
+    r"?(?:our|us|my|me|the ego)\b)"
+)
+_OTHER_SIDE = {"left": "right", "right": "left"}
 
 # What happens on roads and is in no library of ours; who speaks of it is refused rather than served something else
 FOREIGN = _p(
@@ -498,7 +494,9 @@ def rewritten(text: str) -> str:
     """A text in words that the patterns know."""
     for pattern, meant in REWRITES:
         text = pattern.sub(meant, text)
-    return text
+    if _TURNS_IN.search(text):
+        return text
+    return _WHITHER.sub(lambda m: f"{m[1]} from the {_OTHER_SIDE[m[2]]} lane{m[3]}", text, count=1)
 
 
 @lru_cache(maxsize=4096)
