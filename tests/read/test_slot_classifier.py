@@ -191,7 +191,7 @@ def test_a_kind_and_a_slot_that_were_not_trained_are_heard_as_words_say_them() -
     classes["adversary"] = ("", "pedestrian", "car")
     deer = hear("A deer runs out in front of us from the right, suddenly.")
     assert deer.outright.adversary is AdversaryKind.DEER
-    member = fit(sentences(), classes, epochs=30, seed=0, told=_silent)
+    member = fit(sentences(), classes, epochs=18, seed=0, told=_silent)
     classifier = SlotClassifier((member,), classes, dict.fromkeys(TRUSTED, Trust(found=4.0)))
     found = believed_by(classifier, classifier.encoders(), deer)
     assert set(found.slots["adversary"]) == {None, AdversaryKind.DEER, AdversaryKind.CAR}
