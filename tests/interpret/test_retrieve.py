@@ -368,3 +368,9 @@ def test_who_crosses_and_turns_nowhere_has_a_way_straight_on_where_the_road_leav
 def test_nobody_who_is_not_said_to_runs_a_red_light(text: str) -> None:
     with pytest.raises(NothingFits):
         understand(text)
+
+
+def test_who_is_only_said_to_turn_is_not_served_by_who_runs_a_red_light_as_well() -> None:
+    text = "A truck coming from the left turns left at the junction in front of us."
+    offered = retrieve(scenario_of(text), load_library(), load_embedder(), ANYTHING)
+    assert "run-light" not in offered.snippets[0].id

@@ -325,6 +325,12 @@ def test_who_moves_to_a_side_and_to_where_we_are_comes_from_the_other(text: str,
         "We move to the left lane in front of our queue.",
         "A car moves over to the left to let us pass.",
         "A van swerves to the right into our lane at the junction.",
+        "We are changing to the left lane ahead of our exit and a car brakes in front of us.",
+        "The lead car swerves right in front of us to avoid a box.",
+        "The car in our lane changes to the right lane ahead of us.",
+        "A bus at a bus stop moves out to the left in front of us.",
+        "A pedestrian wanders to the left in front of us.",
+        "A car approaching head-on veers to its left into our lane.",
     ],
 )
 def test_whither_somebody_goes_who_is_not_beside_us_is_left_as_it_is(text: str) -> None:

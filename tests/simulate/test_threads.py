@@ -101,9 +101,7 @@ def test_the_process_that_strangers_programs_are_forked_from_has_one_thread() ->
     program = ScenicProgram(scenario_id="x", source="", parameters=(), snippet_ids=())
     with Nursery(resolve_map("town"), SimulationSettings()) as nursery:
         nursery.confine(program).close()
-        warm = [
-            pid for pid in _children() if b"simulate.confined.child" in Path(f"/proc/{pid}/cmdline").read_bytes()
-        ]
+        warm = [pid for pid in _children() if b"simulate.confined.child" in Path(f"/proc/{pid}/cmdline").read_bytes()]
         assert warm
         assert all("Threads:\t1\n" in Path(f"/proc/{pid}/status").read_text() for pid in warm)
 

@@ -469,6 +469,12 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
             against = wanted is not None and _agreement(wanted, does) == 0.0
         if against:
             found.append(f"{slot}: said {_words(wanted)}, does {_words(does)}")
+        elif slot == "actions" and wanted:
+            found += [
+                f"{slot}: does {action}, which was not said"
+                for action in OFFENCES
+                if action in does and action not in wanted
+            ]
     if said.adversary is not None and snippet.adversaries and said.adversary.acts_as not in snippet.adversaries:
         found.append(f"adversary: said {said.adversary}, does {_words(snippet.adversaries)}")
     return found

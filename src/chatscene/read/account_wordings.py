@@ -107,7 +107,7 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(which|who|that) then\b", r"\1"),
         (r"\bus,? (?:which|who|that) (stood|waited|had stopped|had come to a (?:stop|halt))\b", r"us, we \1,"),
         (r"(?<!parked )(?<!standing )(?<!waiting )(?<!stopped )\b(?:by|at|near|towards?|to|for|before|past|opposite|outside) (?:the|an?|its|his|her) (?:bus|tram|coach) (?:stop|station|shelter)\b", ""),
-        (r"\bus,? (?:which|who|that) (?:is|are|was|were) (?=(?:proceed|driv|head|go|travell?)ing (?:straight |on )*(?:north|south|east|west)|turning (?:left|right))", "us, we were "),
+        (r"(?<!ahead of )(?<!behind )(?<!beside )(?<!left of )(?<!right of )\bus, (?:which|who) (?:is|are|was|were) (?=(?:proceed|driv|head|go|travell?)ing (?:straight |on )*(?:north|south|east|west)|turning (?:left|right))", "us, we were "),
         (r"\be scooter", "e-scooter"),
         (r"\bbetwen\b", "between"),
         (r"\bcomming\b", "coming"),

@@ -316,17 +316,21 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     ),
 )
 
-# Whoever moves to a side and so comes to be where the ego is, comes from the other; but for those who turn
+# Whoever moves to a side and so comes to be where the ego is, comes from the lane on the other; but for the ego, for
+# those who turn, and for who is ahead, at the kerb, on foot, or comes towards us
 _TURNS_IN = re.compile(
-    r"\b(?:oncoming|opposite|opposing|junction|intersection|crossroads|arm|side (?:road|street)|corner|driveway)\b"
+    r"\b(?:oncoming|opposite|opposing|head-on|wrong[ -]way|towards?|junction|intersection|crossroads|arm|side (?:road|street)|corner|driveway)\b"
+)
+_NOT_BESIDE = re.compile(
+    rf"\b(?:we|i|the ego|ahead|front|lead(?:ing)?|preceding|(?:our|my|the same|the ego's) lane|kerb|curb|stop|parked|sidewalk|pavement|shoulder|{_ON_FOOT})\b[^.;!?]*$"
 )
 _WHITHER = re.compile(
-    r"(?<!\bwe )(?<!\bi )(?<!\bego )\b((?:chang|mov|merg|shift|slid|swerv|veer|drift|wander)\w*"
+    r"\b((?:chang|mov|merg|shift|slid|swerv|veer|drift|wander)\w*"
     r"(?: (?:lanes?|over|across|suddenly|abruptly|sharply|slowly|quickly|back|out|in)){0,2}),? "
     r"(?:to )?(?:the |its |his |her )?(left|right)(?:-hand)?(?: lane)?"
     r"(,?(?: (?!(?:and|to|so|it|he|she|they|an?|left|right(?! in\w* ))\b)[\w-]+){0,3}? "
     r"(?:(?:in)?to (?:the )?(?:path|way|lane) of|into|onto|in front of|ahead of|before|across|cutting off|in (?=our|my|the ego's)) "
-    r"?(?:our|us|my|me|the ego)\b)"
+    r"?(?:us|me|the ego(?!')|(?:our|my|the ego's) (?:own )?(?:lane|path|way|car|vehicle|side|nose|bonnet|hood|bumper))\b)"
 )
 _OTHER_SIDE = {"left": "right", "right": "left"}
 
@@ -494,9 +498,11 @@ def rewritten(text: str) -> str:
     """A text in words that the patterns know."""
     for pattern, meant in REWRITES:
         text = pattern.sub(meant, text)
-    if _TURNS_IN.search(text):
+    moved = None if _TURNS_IN.search(text) else _WHITHER.search(text)
+    if moved is None or _NOT_BESIDE.search(text[: moved.start()]):
         return text
-    return _WHITHER.sub(lambda m: f"{m[1]} from the {_OTHER_SIDE[m[2]]} lane{m[3]}", text, count=1)
+    came = f"{moved[1]} from the {_OTHER_SIDE[moved[2]]} lane{moved[3]}"
+    return f"{text[: moved.start()]}{came}{text[moved.end() :]}"
 
 
 @lru_cache(maxsize=4096)

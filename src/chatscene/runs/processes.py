@@ -6,13 +6,14 @@ import os
 import pickle
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import connection, get_context, parent_process
+from functools import cache
+from multiprocessing import connection, forkserver, get_context, parent_process
 from multiprocessing.shared_memory import ShareableList
 from typing import Any
 
-_SAFE_PATH = "PYTHONSAFEPATH"
+_SAFE_PATH, _PATHS = "PYTHONSAFEPATH", "PYTHONPATH"
 _LOADED_ONCE = ["chatscene.runs.searching"]  # and with it Scenic, which takes longest
 
 
@@ -31,10 +32,11 @@ class Processes(ProcessPoolExecutor):
     def __init__(self, max_workers: int, *, initializer: Callable[..., object], initargs: tuple[Any, ...]) -> None:
         self._before = os.environ.get(_SAFE_PATH)
         os.environ[_SAFE_PATH] = "1"
+        context, begun_with = _context()
+        names = {*os.environ, *begun_with}
+        differs = {name: os.environ.get(name) for name in names if os.environ.get(name) != begun_with.get(name)}
         # Not by the pipe: it holds less, and this process would wait for ever for a child that died before it read it.
-        self._setup = ShareableList([pickle.dumps((dict(os.environ), initializer, initargs))])
-        context = get_context("forkserver" if sys.platform == "linux" else "spawn")
-        context.set_forkserver_preload(_LOADED_ONCE)
+        self._setup = ShareableList([pickle.dumps((differs, initializer, initargs))])
         super().__init__(max_workers, mp_context=context, initializer=_begin, initargs=(self._setup.shm.name,))
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
@@ -42,19 +44,45 @@ class Processes(ProcessPoolExecutor):
         super().shutdown(wait, cancel_futures=cancel_futures)
         self._setup.shm.close()
         self._setup.shm.unlink()
-        if self._before is None:
-            os.environ.pop(_SAFE_PATH, None)
-        else:
-            os.environ[_SAFE_PATH] = self._before
+        _set(_SAFE_PATH, self._before)
+
+
+def _context() -> tuple[Any, Mapping[str, str]]:
+    """How processes are started, and with which environment."""
+    if sys.platform != "linux":
+        return get_context("spawn"), os.environ
+    before = os.environ.get(_PATHS)
+    os.environ[_PATHS] = os.pathsep.join(filter(None, sys.path))  # so that what it loads is what is loaded here
+    try:
+        forkserver.set_forkserver_preload(_LOADED_ONCE)
+        forkserver.ensure_running()
+        return get_context("forkserver"), _as_it_was()
+    except ChildProcessError:  # this process is a fork of one that has started one
+        return get_context("spawn"), os.environ
+    finally:
+        _set(_PATHS, before)
+
+
+@cache
+def _as_it_was() -> Mapping[str, str]:
+    """The environment of when this was asked first: when the process was started that others are forked from."""
+    return dict(os.environ)
+
+
+def _set(name: str, value: str | None) -> None:
+    if value is None:
+        os.environ.pop(name, None)
+    else:
+        os.environ[name] = value
 
 
 def _begin(setup: str) -> None:
     threading.Thread(target=_die_with_parent, daemon=True).start()
     shared: ShareableList[bytes] = ShareableList(name=setup)
-    environment, initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own
+    differs, initializer, initargs = pickle.loads(shared[0])  # noqa: S301 - its parent's own
     shared.shm.close()
-    os.environ.clear()  # that of when the process began from which it was forked
-    os.environ.update(environment)
+    for name, value in differs.items():
+        _set(name, value)
     initializer(*initargs)
 
 

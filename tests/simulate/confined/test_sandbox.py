@@ -7,7 +7,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Generator, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from copy import deepcopy
 from dataclasses import replace
@@ -372,9 +374,37 @@ def test_who_confines_on_one_map_shares_what_processes_are_forked_from(tmp_path:
     other.write_bytes(TOWN.read_bytes())
     before = shared_nursery(other, SimulationSettings(), Limits())
     assert shared_nursery(other, SimulationSettings(), Limits()) is before
+    assert shared_nursery(other, SimulationSettings(), Limits(memory=256)) is not before
     other.write_bytes(TOWN.read_bytes() + b"\n")
     assert shared_nursery(other, SimulationSettings(), Limits()) is not before
-    assert shared_nursery(other, SimulationSettings(), Limits(memory=256)) is not before
+
+
+def test_a_fork_of_a_process_leaves_its_nursery_alone() -> None:
+    with Nursery(TOWN, SimulationSettings()) as nursery:
+        nursery.confine(CROSSES)
+        if (pid := os.fork()) == 0:
+            nursery.close()
+            os._exit(0)
+        os.waitpid(pid, 0)
+        assert nursery.confine(CROSSES).ask("routes") == {"routes": 10}
+
+
+def test_threads_that_share_a_nursery_each_get_their_own_process() -> None:
+    with Nursery(TOWN, SimulationSettings()) as nursery, ThreadPoolExecutor(4) as threads:
+        confined = list(threads.map(lambda _: nursery.confine(CROSSES), range(8)))
+        assert len({one.pid for one in confined}) == 8
+        list(threads.map(Confined.close, confined))
+        assert not any(Path(f"/proc/{one.pid}").exists() for one in confined)
+
+
+def test_whom_nobody_holds_any_more_is_gone_before_the_next_is_forked() -> None:
+    with Nursery(TOWN, SimulationSettings()) as nursery:
+        dropped = nursery.confine(CROSSES).pid
+        gone = time.monotonic() + 10.0
+        while Path(f"/proc/{dropped}/stat").read_text().rpartition(")")[2].split()[0] != "Z":
+            assert time.monotonic() < gone
+        nursery.confine(CROSSES)
+        assert not Path(f"/proc/{dropped}").exists()
 
 
 def test_a_nursery_whose_process_is_killed_says_so_and_starts_another() -> None:

@@ -166,7 +166,7 @@ class _Warm:
                 pass_fds=(theirs.fileno(),),
             )
         self._one_at_a_time = threading.Lock()
-        self._end = weakref.finalize(self, _end, self._control, process, self._folder)
+        self._end = weakref.finalize(self, _end, os.getpid(), self._control, process, self._folder)
 
     @property
     def alive(self) -> bool:
@@ -200,6 +200,8 @@ class _Warm:
             SandboxError: There is none.
         """
         with self._one_at_a_time:
+            if not self.alive:  # ended while another thread had its turn
+                raise SandboxError("the process that confines programs was ended")
             try:
                 with suppress(ConnectionError):  # its reason is in the log
                     socket.send_fds(self._control, [request], handles)
@@ -221,8 +223,10 @@ class _Warm:
         self._end()
 
 
-def _end(control: socket.socket, process: subprocess.Popen[bytes], folder: Path) -> None:
+def _end(owner: int, control: socket.socket, process: subprocess.Popen[bytes], folder: Path) -> None:
     control.close()
+    if os.getpid() != owner:  # a fork of who started it, which has it only to forget
+        return
     process.kill()
     process.wait()
     shutil.rmtree(folder, ignore_errors=True)
@@ -344,7 +348,10 @@ class Confined:
             os.kill(self.pid, signal.SIGKILL)
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.pid, signal.SIGKILL)
-        return self._warm.ask(b"%d" % self.pid)
+        try:
+            return self._warm.ask(b"%d" % self.pid)
+        except SandboxError:  # likewise
+            return 0
 
     def _say(self, line: bytes) -> None:
         self._channel.settimeout(self._limits.wall)
