@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from chatscene.maps.picture import HEIGHT, OVERSAMPLE, WIDEST, WIDTH, Camera
 from chatscene.terms.episode import Ending, Episode, Role, Track
@@ -20,7 +23,7 @@ def going(role: Role, x: float, y: float, speed_x: float, speed_y: float = 0.0) 
     )  # fmt: skip
 
 
-def seen(*tracks: Track) -> np.ndarray:
+def seen(*tracks: Track) -> NDArray[Any]:
     """Where the ego is in the picture at each step that is shown [px]."""
     drive = Episode(
         scene_id="s", ego="e", dt=0.1, tracks=tracks, events=(), signals=(), route_completion=0.5,
@@ -30,7 +33,7 @@ def seen(*tracks: Track) -> np.ndarray:
     return np.array(camera.points([(ego.x[step], ego.y[step]) for step in SHOWN])) / OVERSAMPLE
 
 
-def inside(points: np.ndarray) -> bool:
+def inside(points: NDArray[Any]) -> bool:
     return bool((points > 0).all() and (points < (WIDTH, HEIGHT)).all())
 
 

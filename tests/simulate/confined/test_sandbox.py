@@ -391,7 +391,7 @@ def test_a_fork_of_a_process_leaves_its_nursery_alone() -> None:
 
 def test_threads_that_share_a_nursery_each_get_their_own_process() -> None:
     with Nursery(TOWN, SimulationSettings()) as nursery, ThreadPoolExecutor(4) as threads:
-        confined = list(threads.map(lambda _: nursery.confine(CROSSES), range(8)))
+        confined = list(threads.map(nursery.confine, [CROSSES] * 8))
         assert len({one.pid for one in confined}) == 8
         list(threads.map(Confined.close, confined))
         assert not any(Path(f"/proc/{one.pid}").exists() for one in confined)
