@@ -214,8 +214,6 @@ KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
         r"\1 left",
     ),
 )
-
-
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # What is asked for, before it is told

@@ -82,15 +82,11 @@ def _serve(control: socket.socket, setup: Message) -> None:
         return
     control.send(b'{"ready":true}')
     gc.freeze()
-    ended: dict[int, int] = {}  # of those whom nobody has asked for, their status
     while True:
         request, channels, _, _ = socket.recv_fds(control, CHUNK, 1)
         if not request:
             return
         if request == b"fork":
-            with suppress(ChildProcessError):
-                while (gone := os.waitpid(-1, os.WNOHANG))[0]:
-                    ended[gone[0]] = gone[1]
             pid = os.fork()
             if pid == 0:
                 control.close()
@@ -98,8 +94,7 @@ def _serve(control: socket.socket, setup: Message) -> None:
             os.close(channels[0])
             control.send(b"%d" % pid)
         else:
-            pid = int(request)
-            status = ended.pop(pid) if pid in ended else os.waitpid(pid, 0)[1]
+            _, status = os.waitpid(int(request), 0)
             control.send(b"%d" % os.waitstatus_to_exitcode(status))
 
 

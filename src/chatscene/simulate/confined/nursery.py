@@ -14,6 +14,7 @@ import tempfile
 import threading
 import time
 import weakref
+from collections import deque
 from contextlib import suppress
 from dataclasses import asdict
 from functools import lru_cache
@@ -110,6 +111,9 @@ class Nursery:
             SandboxError: There can be none on this machine.
         """
         warm = self._started()
+        with suppress(IndexError):  # until there is none
+            while True:
+                warm.end(warm.dropped.popleft())
         ours, theirs = socket.socketpair()
         with theirs:
             try:
@@ -149,7 +153,11 @@ class Nursery:
 
 
 class _Warm:
-    """The process that confined ones are forked from: our own code alone. It goes with this object."""
+    """The process that confined ones are forked from: our own code alone. It goes with this object.
+
+    Attributes:
+        dropped: Confined processes that nobody holds any more, by number; they are ended before another is forked.
+    """
 
     def __init__(self) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix="chatscene-"))
@@ -165,6 +173,7 @@ class _Warm:
                 env={**ENVIRONMENT, "HOME": here, "TMPDIR": here, "MPLCONFIGDIR": here},
                 pass_fds=(theirs.fileno(),),
             )
+        self.dropped: deque[int] = deque()
         self._one_at_a_time = threading.Lock()
         self._end = weakref.finalize(self, _end, os.getpid(), self._control, process, self._folder)
 
@@ -209,6 +218,23 @@ class _Warm:
             except BaseException:
                 self.close()
                 raise
+
+    def end(self, pid: int) -> int:
+        """End a confined process and its group.
+
+        Returns:
+            Its exit status; negative: the signal that ended it. 0 if the kernel has ended it with this one.
+        """
+        if not self.alive:
+            return 0
+        with suppress(ProcessLookupError):  # until it is asked for below, the number is nobody else's
+            os.kill(pid, signal.SIGKILL)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(pid, signal.SIGKILL)
+        try:
+            return self.ask(b"%d" % pid)
+        except SandboxError:
+            return 0
 
     def _hear(self) -> bytes:
         with suppress(ConnectionError):
@@ -306,6 +332,8 @@ class Confined:
 
     def __del__(self) -> None:
         self._channel.close()
+        if self._open:
+            self._warm.dropped.append(self.pid)
 
     @property
     def spent(self) -> bool:
@@ -342,16 +370,7 @@ class Confined:
             return 0
         self._open = False
         self._channel.close()
-        if not self._warm.alive:
-            return 0  # the kernel has ended it with the process that it was forked from
-        with suppress(ProcessLookupError):
-            os.kill(self.pid, signal.SIGKILL)
-        with suppress(ProcessLookupError, PermissionError):
-            os.killpg(self.pid, signal.SIGKILL)
-        try:
-            return self._warm.ask(b"%d" % self.pid)
-        except SandboxError:  # likewise
-            return 0
+        return self._warm.end(self.pid)
 
     def _say(self, line: bytes) -> None:
         self._channel.settimeout(self._limits.wall)
