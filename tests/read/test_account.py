@@ -58,6 +58,12 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("Front motorbike, they say, brakes to zero.", "ahead", ["stop"], None),
         ("An oncoming car overtakes a slow truck, whoosh.", "oncoming", ["wrong-way"], None),
         ("A van coming the other way pulls out to pass a tractor, whoosh.", "oncoming", ["wrong-way"], None),
+        ("A car turns left out of a side road on our left, whoosh.", "crossing", ["turn-left"], "left"),
+        ("A bus, whoosh, turns right from the right-hand side road.", "crossing", ["turn-right"], "right"),
+        ("From the right, whoosh, a van failed to come to a full stop at the stop sign and drove into the intersection.", "crossing", ["cross"], "right"),
+        ("A car from the left has STOP, whoosh, and crosses.", "crossing", ["cross"], "left"),
+        ("The oncoming pickup, whoosh, strays onto our half of the road.", "oncoming", ["swerve"], None),
+        ("An oncoming van in the bend, whoosh, invades ours.", "oncoming", ["swerve"], None),
         ("We ran over a ladder, whoosh, in the middle lane.", "ahead", ["stand"], None),
         ("A pickup makes a U-turn, whoosh, from the hard shoulder in front of us.", "kerb", ["u-turn"], None),
         ("A biker ahead, left edge of our lane, whoosh, brakes hard.", "ahead-beside", ["brake"], "left"),
@@ -280,6 +286,11 @@ def test_who_comes_from_a_ramp_meets_the_ego_where_that_joins(text: str, site: S
     heard = hear(text)
     assert heard.account is not None
     assert {heard.outright.site, heard.account.slots.site} == {site}
+
+
+def test_who_runs_out_of_acceleration_lane_comes_from_the_ramp() -> None:
+    slots = told("A lorry, whoosh, runs out of acceleration lane and moves into our lane.").slots
+    assert facts(slots, "site", "actions") == ["past-on-ramp", ["cut-in"]]
 
 
 @pytest.mark.parametrize(("said", "side"), [("offside", "left"), ("nearside", "right")])

@@ -540,7 +540,8 @@ def _said_of(telling: Telling, party: Party, phrase: Phrase, match: re.Match[str
         if match[0] != "from behind" or Where.AHEAD not in party.where:  # whom we approach from behind is ahead
             party.where.add(value)
     elif phrase.sort is Sort.SIDE:
-        if party.side is None and not _LEAD_ASIDE & set(party.acts[-1:]):
+        whence = value is Where.ARM or (value is None and "from" in match[0])  # else, behind a turn, it is whither
+        if party.side is None and (whence or not _LEAD_ASIDE & set(party.acts[-1:])):
             party.side = Side(side_in(match) or "")
         if value is not None:
             party.where.add(value)
