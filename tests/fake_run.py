@@ -435,7 +435,7 @@ def evaluated(folder: Path, *, text: str = TEXT, kept_for: str = "idm", reported
     if reported:
         write_report(source.path)
     told = SourceRecord(
-        folder=str(source.path),
+        folder=SourceRecord.seen_from(folder / "compared", source.path),
         scenario_id=SCENARIO,
         base="straight-obstacle",
         generator="chatscene",

@@ -116,6 +116,20 @@ def test_an_evaluation_that_was_cut_ends_like_one_that_was_not(searched: Path, t
     assert content(tmp_path / "cut") == content(tmp_path / "whole")
 
 
+def test_an_evaluation_and_its_runs_can_be_moved_together_and_gone_on_with(searched: Path, tmp_path: Path) -> None:
+    evaluate([searched], tmp_path / "whole", egos=["idm"], progress=silent)
+    shutil.copytree(searched, tmp_path / "old" / "runs")
+
+    def cut(_what: str, _done: int, _total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evaluate([tmp_path / "old" / "runs"], tmp_path / "old" / "cut", egos=["idm"], progress=cut)
+    (tmp_path / "old").rename(tmp_path / "new")
+    resume(tmp_path / "new" / "cut")
+    assert content(tmp_path / "new" / "cut") == content(tmp_path / "whole")
+
+
 class _Bad:
     """Egos that do what no ego may."""
 

@@ -75,7 +75,7 @@ def write_evaluation(run: Workspace) -> Path:
 
 def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, Any]:
     """A run that scenes are from: what it was asked for, and where its report is, if it has one."""
-    folder = Path(source.folder)
+    folder = source.within(run.path)
     try:
         text = read_record(Workspace(folder), RunRecord).title
     except RunError:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import asdict
 from enum import StrEnum
+from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
@@ -84,7 +86,8 @@ class SourceRecord(_Frozen):
     """A run whose scenes an evaluation drives.
 
     Attributes:
-        folder: Its absolute path.
+        folder: Its folder as seen from the evaluation's, so that both can be moved together; an absolute path in
+            records of before.
         scenario_id: Its scenario.
         base: The base scenario it belongs to.
         generator: Who made its scenes.
@@ -98,6 +101,15 @@ class SourceRecord(_Frozen):
     generator: str
     first_route: int = 0
     kept_for: str = ""
+
+    @staticmethod
+    def seen_from(evaluation: Path, run: Path) -> str:
+        """The `folder` of a run for an evaluation in another; both may be told by way of links."""
+        return os.path.relpath(run.resolve(), evaluation.resolve())
+
+    def within(self, evaluation: Path) -> Path:
+        """Where the run is, for an evaluation in a folder."""
+        return Path(os.path.normpath(evaluation.resolve() / self.folder))
 
 
 class SimulatorRecord(_Frozen):

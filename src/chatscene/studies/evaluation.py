@@ -137,14 +137,14 @@ def evaluate(
                 f"{run.path} and {found[0].path} differ in map, step, simulator or physics; evaluate them one by one"
             )
     told = [
-        _source(run, record, first_route, kept_for="" if every_scene else record.ego)
+        _source(run, folder, record, first_route, kept_for="" if every_scene else record.ego)
         for run, record in zip(found, records, strict=True)
     ]
     for number, source in enumerate(told):
         if (twin := next((s for s in told[:number] if s.scenario_id == source.scenario_id), None)) is not None:
             raise RunError(
-                f"{twin.folder} and {source.folder} hold scenes of one and the same sentence, which the tables cannot "
-                "tell apart; evaluate them one by one"
+                f"{twin.within(folder)} and {source.within(folder)} hold scenes of one and the same sentence, which "
+                "the tables cannot tell apart; evaluate them one by one"
             )
     map_of(records[0])  # it must still be the file that they were made on
     settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
@@ -165,12 +165,14 @@ def _where(record: runs.RunRecord, simulator: str, physics: str) -> tuple[str, s
     return record.map_name, record.map_digest, simulation
 
 
-def _source(run: runs.Workspace, record: runs.RunRecord, first_route: int, *, kept_for: str) -> runs.SourceRecord:
+def _source(
+    run: runs.Workspace, folder: Path, record: runs.RunRecord, first_route: int, *, kept_for: str
+) -> runs.SourceRecord:
     scenario, _ = runs.read_choice(run)
     if scenario.base is None:
         raise RunError(f"the scenario of {run.path} belongs to none of the eight base scenarios that tables have")
     return runs.SourceRecord(
-        folder=str(run.path),
+        folder=runs.SourceRecord.seen_from(folder, run.path),
         scenario_id=scenario.id,
         base=scenario.base,
         generator=record.generator,
@@ -197,16 +199,16 @@ def resume(
 def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
     record = runs.read_record(run, runs.EvaluationRecord)
-    sources = [runs.Workspace(Path(source.folder)) for source in record.sources]
+    sources = [runs.Workspace(source.within(run.path)) for source in record.sources]
     follow(repeated, egos_of=[run], simulators_of=[run], joining_of=sources)
     failures = dict(record.failures)
     with working(run, progress) as tell:
         runs.resume(run, told=lambda said: tell(said, 0, 0))
         if runs.read_record(run, runs.Record).status is not runs.Status.DONE:
-            tasks = _tasks(record)
+            tasks = _tasks(run, record)
             failures |= _drive_all(run, record, tasks, failures, workers, tell)
             every = [(t.source.scenario_id, t.route, t.number) for t in tasks if t.ego not in failures]
-            runs.finish(run, selected=_fill_ins(record), expected=every)
+            runs.finish(run, selected=_fill_ins(run, record), expected=every)
         tell("computing the tables", 0, 0)
         tables = tabulate(run)
         write_tables(run.file("tables"), tables)
@@ -222,20 +224,20 @@ def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeate
     )
 
 
-def _tasks(record: runs.EvaluationRecord) -> list[_Task]:
+def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
     """Every ego that did not fail on every route with scenes of every source.
 
     Raises:
         RunError: A source is damaged.
     """
     for source in record.sources:
-        runs.open_run(Path(source.folder))
+        runs.open_run(source.within(run.path))
     return [
         _Task(source=source, ego=ego, number=number, route=route)
         for number, ego in enumerate(record.egos)
         if ego not in record.failures
         for source in record.sources
-        for route in sorted({row for row, _ in _kept(source, record)})
+        for route in sorted({row for row, _ in _kept(run, source, record)})
     ]
 
 
@@ -251,7 +253,7 @@ def _drive_all(
     done = runs.done_blocks(run)
     left = [task for task in tasks if (task.source.scenario_id, task.route, task.number) not in done]
     failures: dict[str, str] = {}
-    given = _given(left, record)
+    given = _given(run, left, record)
     came = spread(_Evaluator, CarriedMap.of(map_of(record)), given, workers=workers)
     for count, (task, block) in enumerate(came, len(tasks) - len(left) + 1):
         if isinstance(block, Block):
@@ -266,16 +268,16 @@ def _drive_all(
     return failures
 
 
-def _given(tasks: Sequence[_Task], record: runs.EvaluationRecord) -> list[_Given]:
+def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationRecord) -> list[_Given]:
     """Tasks with the programs of their sources, made again, and how these are run."""
     found: list[_Given] = []
     sources: dict[str, tuple[Scenario, ScenicProgram, runs.RunRecord]] = {}
     for task in tasks:
         if task.source.folder not in sources:
-            source = runs.Workspace(Path(task.source.folder))
+            source = runs.Workspace(task.source.within(run.path))
             sources[task.source.folder] = (*rebuild(source), runs.read_record(source))
         scenario, program, made = sources[task.source.folder]
-        rows = [row for route, row in _kept(task.source, record) if route == task.route]
+        rows = [row for route, row in _kept(run, task.source, record) if route == task.route]
         found.append(
             _Given(
                 task=task,
@@ -291,9 +293,11 @@ def _given(tasks: Sequence[_Task], record: runs.EvaluationRecord) -> list[_Given
     return found
 
 
-def _kept(source: runs.SourceRecord, record: runs.EvaluationRecord) -> list[tuple[int, dict[str, object]]]:
+def _kept(
+    run: runs.Workspace, source: runs.SourceRecord, record: runs.EvaluationRecord
+) -> list[tuple[int, dict[str, object]]]:
     """The rows of a source that are to be driven, each with its route."""
-    rows = runs.read_scenes(runs.Workspace(Path(source.folder)))
+    rows = runs.read_scenes(runs.Workspace(source.within(run.path)))
     every = record.scenes is runs.Driven.EVERY
     return [
         (runs.route_index(row["route_id"]), row)
@@ -303,8 +307,9 @@ def _kept(source: runs.SourceRecord, record: runs.EvaluationRecord) -> list[tupl
     ]
 
 
-def _fill_ins(record: runs.EvaluationRecord) -> dict[str, bool]:
-    return {str(row["scene_id"]): bool(row["fill_in"]) for source in record.sources for _, row in _kept(source, record)}
+def _fill_ins(run: runs.Workspace, record: runs.EvaluationRecord) -> dict[str, bool]:
+    kept = (row for source in record.sources for _, row in _kept(run, source, record))
+    return {str(row["scene_id"]): bool(row["fill_in"]) for row in kept}
 
 
 class _Evaluator:
