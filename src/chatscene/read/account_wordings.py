@@ -66,7 +66,6 @@ _PREPARED: tuple[tuple[re.Pattern[str], str], ...] = tuple(
         (r"\b(?:the |a |our )?(?:third[ -]party|other (?:driver|motorist|party|person)|(?:guy|someone|somebody|idiot|driver|person|one)(?= behind)|idiot in|some idiot in)(?! (?:vehicle|car))\b", "the car"),
         (r"\bthird[ -]party (?=vehicle|car)", "other "),
         (r"\b(the|a|another|an) ((?:(?!us\b)[\w-]+ )?(?!us\b)[\w-]+)'s ((?:\w+ ){0,4}(?:" + PART_NOUN + r"))\b", r"the \3 of \1 \2"),
-        (r"\bfail(s|ed|ing)? to come to an? (?:\w+ )?(?:stop|halt|standstill)\b", r"fail\1 to stop"),
         (r"\b(has|had|with|facing) (?:an? )?stop(?=[,.;]|$| but\b| and never\b)", r"\1 a stop sign"),
         (r"\b(?:posted|marked) (?=stop sign)", ""),
         (r"\br[au]n(?:s|ning)? out of (?:the |its )?(?:acceleration|merg(?:e|ing)) lane\b", "comes from the on-ramp"),
