@@ -15,7 +15,7 @@ from chatscene.interpret import decide as deciding
 from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
-from chatscene.interpret.retrieve import NO_SIDE, retrieve, settle
+from chatscene.interpret.retrieve import NO_SIDE, NOT_RIGHT, retrieve, settle
 from chatscene.library.compatibility import compatibility, incompatibility
 from chatscene.library.load import Library, load_library
 from chatscene.models.encoders.embedding import load_embedder
@@ -336,9 +336,18 @@ def test_who_starts_in_the_lane_of_the_ego_is_on_neither_side_of_it(small: Libra
     assert triple.spawn.conflicts == ("side: said right, does neither",)
 
 
-def test_no_fact_that_a_snippet_can_have_is_taken_for_being_on_neither_side() -> None:
+@pytest.mark.parametrize(
+    ("side", "conflicts"), [(Side.RIGHT, ("side: said right, does the other lane",)), (Side.LEFT, ())]
+)
+def test_who_comes_toward_the_ego_is_not_on_its_right(small: Library, side: Side, conflicts: tuple[str, ...]) -> None:
+    only = Library(tuple(s for s in small if s.component is not Component.SPAWN or s.id == "spawn/oncoming"))
+    triple = found(Slots(adversary=AdversaryKind.CAR, side=side), only)
+    assert triple.spawn.conflicts == conflicts
+
+
+def test_no_fact_that_a_snippet_can_have_is_taken_for_being_on_neither_side_or_not_on_the_right() -> None:
     values = [getattr(s.slots, name) for s in load_library() for name in (*VALUES, "control")]
-    assert NO_SIDE not in {value for value in values if isinstance(value, str)}
+    assert not {NO_SIDE, NOT_RIGHT} & {value for value in values if isinstance(value, str)}
 
 
 @pytest.mark.parametrize(

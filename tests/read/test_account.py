@@ -288,6 +288,13 @@ def test_who_comes_from_a_ramp_meets_the_ego_where_that_joins(text: str, site: S
     assert {heard.outright.site, heard.account.slots.site} == {site}
 
 
+@pytest.mark.parametrize(
+    ("who", "kind"), [("A child", "e-scooter"), ("Some kid", "e-scooter"), ("A man", "motorcycle")]
+)
+def test_the_scooter_of_a_child_has_no_seat(who: str, kind: str) -> None:
+    assert str(told(f"{who} on a scooter, whoosh, crosses from the left.").slots.adversary) == kind
+
+
 def test_who_runs_out_of_acceleration_lane_comes_from_the_ramp() -> None:
     slots = told("A lorry, whoosh, runs out of acceleration lane and moves into our lane.").slots
     assert facts(slots, "site", "actions") == ["past-on-ramp", ["cut-in"]]

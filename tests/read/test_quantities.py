@@ -36,6 +36,8 @@ TRIPLE = (
         ("The cyclist is 30m in front of us and swerves.", Measure.DISTANCE, 30.0),
         ("An oncoming truck doing 50 mph drifts over the line.", Measure.SPEED, 22.352),
         ("A kid runs across at 10 km/h.", Measure.SPEED, 2.778),
+        ("The car ahead is driving with 36 kmph.", Measure.SPEED, 10.0),
+        ("A cyclist 12 mtrs ahead swerves.", Measure.DISTANCE, 12.0),
         ("The car ahead stops for three seconds and drives on.", Measure.TIME, 3.0),
         ("The car ahead brakes when we are fifteen metres away.", Measure.TRIGGER, 15.0),
         ("A woman steps out at a distance of 25 meters from the right.", Measure.DISTANCE, 25.0),

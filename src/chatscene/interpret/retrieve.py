@@ -84,6 +84,7 @@ HEARD = 0.25  # an action less likely than this was not heard
 IN_LANE = (Position.AHEAD, Position.BEHIND)
 OFFENCES = (Action.RUN_LIGHT,)  # nobody is shown to commit them who is not said to
 NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
+NOT_RIGHT = "the other lane"  # of a spawn in oncoming traffic, which is on the left
 
 Scores = NDArray[np.float64]
 
@@ -438,7 +439,7 @@ _ELSEWHERE = (*TURNS, *LANE_CHANGES, *JUNCTIONS, *CURVES, Maneuver.BYPASS)  # no
 
 def _free(name: str, value: object, *, sure: bool) -> float:
     """How likely a snippet's fact is where nothing was said of it."""
-    if value in (None, False, NO_SIDE) or isinstance(value, frozenset):
+    if value in (None, False, NO_SIDE, NOT_RIGHT) or isinstance(value, frozenset):
         return 1.0
     if not SLOTS[name].taught:
         return 0.0  # words say it outright, or it was not said
@@ -450,8 +451,8 @@ def _free(name: str, value: object, *, sure: bool) -> float:
 def _does(snippet: Snippet, name: str) -> Any:
     """What a snippet does of a slot; where it leaves a distance open, those that it can be told."""
     value = getattr(snippet.slots, name)
-    if name == "side" and value is None and snippet.slots.position in IN_LANE:
-        return NO_SIDE
+    if name == "side" and value is None and snippet.slots.position in (*IN_LANE, Position.ONCOMING):
+        return NOT_RIGHT if snippet.slots.position is Position.ONCOMING else NO_SIDE
     return distances(snippet) if name == "distance" and value is None else value
 
 
@@ -482,7 +483,7 @@ def _conflicts(asked: _Asked, snippet: Snippet, component: Component) -> list[st
 
 def _agreement(said: object, does: object) -> float:
     """How well a snippet does one fact, in [0, 1]."""
-    if does is None:
+    if does is None or (does == NOT_RIGHT and said is Side.LEFT):
         return 0.0 if said is True or isinstance(said, Site) else OPEN if isinstance(said, (Side, Distance)) else UNSAID
     if isinstance(does, frozenset):
         return NARROWER if said in does else OPEN

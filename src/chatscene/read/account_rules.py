@@ -346,7 +346,7 @@ SOMEBODY = re.compile(
 )
 """Whoever is spoken of where no road user is named: a driver."""
 NUMBER = re.compile(
-    r"(?:at |with |about |some |around |like |doing |doing about )*\d+(?:[.,/]\d+)? ?(?:km/h|kph|kmh|mph|m/s(?:²|\^?2)?|metres?|meters?|m|%|seconds?|s|ft|feet|g|lux)?(?![\w/])"
+    r"(?:at |with |about |some |around |like |doing |doing about )*\d+(?:[.,/]\d+)? ?(?:km/h|kph|kmh|kmph|mph|m/s(?:²|\^?2)?|metres?|meters?|mtrs?|m|%|seconds?|s|ft|feet|g|lux)?(?![\w/])"
 )
 """A number of nobody in particular, which no slot has."""
 PLAIN = re.compile(

@@ -238,7 +238,14 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         "",
     ),
-    # Somebody on two wheels is called by the wheels
+    # Somebody on two wheels is called by the wheels, which of a child have no motor
+    (
+        re.compile(
+            r"\b((?:(?:an?|the|some|this|two) )?)(?:(?:young|little|small) )?(?:girl|boy|kid|child|schoolboy|schoolgirl|toddler) "
+            r"(?:on|riding) (?:an? |his |her |their )?(?:\w+ )?scooter\b"
+        ),
+        r"\1e-scooter",
+    ),
     (
         re.compile(
             r"\b(?:(?:young|old|elderly|older|little|small) )?(?:man|woman|girl|boy|kid|child|teenager|guy|person|lady|somebody|someone|rider|courier|student|teen|bloke|lad) "
@@ -270,10 +277,10 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
-    (re.compile(r"\bn/b\b|\bnb\b(?=,| (?:on|along|in|at|toward))"), "northbound"),
-    (re.compile(r"\bs/b\b|\bsb\b(?=,| (?:on|along|in|at|toward))"), "southbound"),
-    (re.compile(r"\be/b\b|\beb\b(?=,| (?:on|along|in|at|toward))"), "eastbound"),
-    (re.compile(r"\bw/b\b|\bwb\b(?=,| (?:on|along|in|at|toward))"), "westbound"),
+    (re.compile(r"\bn/b\b|\bnb\b"), "northbound"),
+    (re.compile(r"\bs/b\b|\bsb\b"), "southbound"),
+    (re.compile(r"\be/b\b|\beb\b"), "eastbound"),
+    (re.compile(r"\bw/b\b|\bwb\b"), "westbound"),
     (re.compile(r"\bw/o\b"), "without"),
     (re.compile(r"\bw/"), "with "),
     (re.compile(r"\bveh\b\.?"), "vehicle"),

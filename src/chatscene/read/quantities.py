@@ -7,9 +7,9 @@ import re
 from chatscene.terms.scenario import Measure, Quantity
 
 _UNITS = {
-    "m": 1.0, "metre": 1.0, "meter": 1.0, "yard": 0.9144, "yd": 0.9144, "foot": 0.3048, "feet": 0.3048, "ft": 0.3048,
+    "m": 1.0, "metre": 1.0, "meter": 1.0, "mtr": 1.0, "yard": 0.9144, "yd": 0.9144, "foot": 0.3048, "feet": 0.3048, "ft": 0.3048,
     "car length": 5.0,
-    "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "mph": 0.44704, "m/s": 1.0,
+    "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "kmph": 1 / 3.6, "mph": 0.44704, "m/s": 1.0,
     "second": 1.0, "sec": 1.0, "s": 1.0,
     "m/s²": 1.0, "g": 9.81,
 }  # fmt: skip
@@ -23,8 +23,8 @@ _NUMBERS = {
 _NUMBER = (
     r"(?P<number>(?<![\d.,])\d+(?:,\d{3}(?!\d))*(?:[.,]\d+)?|" + "|".join(sorted(_NUMBERS, key=len, reverse=True)) + ")"
 )
-_LENGTH = r"(?P<unit>m|metre|meter|yard|yd|foot|feet|ft|car length)s?"
-_SPEED = r"(?P<unit>km/h|kph|kmh|mph|m/s)(?! ?(?:²|\^?2))"  # m/s² is no speed
+_LENGTH = r"(?P<unit>m|metre|meter|mtr|yard|yd|foot|feet|ft|car length)s?"
+_SPEED = r"(?P<unit>km/h|kph|kmh|kmph|mph|m/s)(?! ?(?:²|\^?2))"  # m/s² is no speed
 _DECELERATION = r"(?P<unit>m/s ?(?:²|\^?2)|g)(?!\w)"
 _TIME = r"(?P<unit>second|sec|s)s?"
 _SQUARED = re.compile(r" ?(?:²|\^?2)$")

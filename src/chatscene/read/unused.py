@@ -15,8 +15,8 @@ from chatscene.terms.frame import Mention
 from chatscene.terms.scenario import Quantity, Unused, Why
 
 _NUMBER = re.compile(
-    r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|mph|m/s ?(?:²|\^?2)|m/s|metres?|meters?|m|yards?|feet|ft|seconds?|"
-    r"secs?|s|%|percent|degrees?|°c?|g|car lengths?|years?)(?!\w))?"
+    r"(?<![\w.])\d+(?:[.,:]\d+)*(?: ?(?:km/h|kph|kmh|kmph|mph|m/s ?(?:²|\^?2)|m/s|metres?|meters?|mtrs?|m|yards?|feet|"
+    r"ft|seconds?|secs?|s|%|percent|degrees?|°c?|g|car lengths?|years?)(?!\w))?"
 )
 _ANOTHER = r"(?:another|a second|a third|a different|yet another)"
 _SHORT = 60  # characters of a text that is not English
