@@ -337,7 +337,8 @@ def test_who_starts_in_the_lane_of_the_ego_is_on_neither_side_of_it(small: Libra
 
 
 @pytest.mark.parametrize(
-    ("side", "conflicts"), [(Side.RIGHT, ("side: said right, does the other lane",)), (Side.LEFT, ())]
+    ("side", "conflicts"),
+    [(Side.RIGHT, (f"side: said right, does {NOT_RIGHT}",)), (Side.LEFT, ())],
 )
 def test_who_comes_toward_the_ego_is_not_on_its_right(small: Library, side: Side, conflicts: tuple[str, ...]) -> None:
     only = Library(tuple(s for s in small if s.component is not Component.SPAWN or s.id == "spawn/oncoming"))

@@ -61,7 +61,7 @@ def facts(slots: Slots, *names: str) -> list[object]:
         ("A car turns left out of a side road on our left, whoosh.", "crossing", ["turn-left"], "left"),
         ("A bus, whoosh, turns right from the right-hand side road.", "crossing", ["turn-right"], "right"),
         ("From the right, whoosh, a van failed to come to a full stop at the stop sign and drove into the intersection.", "crossing", ["cross"], "right"),
-        ("A car from the left has STOP, whoosh, and crosses.", "crossing", ["cross"], "left"),
+        ("A car from the left, whoosh, has STOP, never slows down, and crosses.", "crossing", ["cross"], "left"),
         ("The oncoming pickup, whoosh, strays onto our half of the road.", "oncoming", ["swerve"], None),
         ("An oncoming van in the bend, whoosh, invades ours.", "oncoming", ["swerve"], None),
         ("We ran over a ladder, whoosh, in the middle lane.", "ahead", ["stand"], None),
@@ -289,10 +289,27 @@ def test_who_comes_from_a_ramp_meets_the_ego_where_that_joins(text: str, site: S
 
 
 @pytest.mark.parametrize(
-    ("who", "kind"), [("A child", "e-scooter"), ("Some kid", "e-scooter"), ("A man", "motorcycle")]
+    ("who", "kind"),
+    [
+        ("A child on a scooter", "e-scooter"),
+        ("A little girl on her kick scooter", "e-scooter"),
+        ("A child on a motor scooter", "motorcycle"),
+        ("A delivery boy on a scooter", "motorcycle"),
+    ],
 )
-def test_the_scooter_of_a_child_has_no_seat(who: str, kind: str) -> None:
-    assert str(told(f"{who} on a scooter, whoosh, crosses from the left.").slots.adversary) == kind
+def test_the_scooter_of_a_child_has_no_motor(who: str, kind: str) -> None:
+    assert str(told(f"{who}, whoosh, crosses from the left.").slots.adversary) == kind
+
+
+@pytest.mark.parametrize("said", ["NB", "N/B", "Nb"])
+def test_points_of_the_compass_may_be_abbreviated(said: str) -> None:
+    slots = told(f"The AV was E/B. A van {said} crossed the junction, whoosh.").slots
+    assert facts(slots, "side", "position") == ["right", "crossing"]
+
+
+@pytest.mark.parametrize("said", ["An NB-registered van", "A van with NB plates", "NB: a van"])
+def test_two_letters_of_a_name_are_no_point_of_the_compass(said: str) -> None:
+    assert "northbound" not in hear(f"{said} brakes ahead of us.").told
 
 
 def test_who_runs_out_of_acceleration_lane_comes_from_the_ramp() -> None:

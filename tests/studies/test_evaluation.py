@@ -130,6 +130,23 @@ def test_an_evaluation_and_its_runs_can_be_moved_together_and_gone_on_with(searc
     assert content(tmp_path / "new" / "cut") == content(tmp_path / "whole")
 
 
+def test_an_evaluation_of_before_knows_its_runs_by_absolute_paths_and_is_gone_on_with(
+    searched: Path, tmp_path: Path
+) -> None:
+    def cut(_what: str, _done: int, _total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evaluate([searched], tmp_path / "before", egos=["idm"], progress=cut)
+    run = runs.open_run(tmp_path / "before")
+    sources = runs.read_record(run, runs.EvaluationRecord).sources
+    absolute = [one.model_copy(update={"folder": str(one.path_from(run.path))}) for one in sources]
+    assert {Path(one.folder) for one in absolute} == set(runs.run_folders([searched]))
+    runs.update(run, sources=absolute)
+    done = evaluate([searched], tmp_path / "before", egos=["idm"], progress=silent)
+    assert runs.read_record(runs.open_run(done.folder), runs.EvaluationRecord).sources == absolute
+
+
 class _Bad:
     """Egos that do what no ego may."""
 

@@ -84,7 +84,7 @@ HEARD = 0.25  # an action less likely than this was not heard
 IN_LANE = (Position.AHEAD, Position.BEHIND)
 OFFENCES = (Action.RUN_LIGHT,)  # nobody is shown to commit them who is not said to
 NO_SIDE = "neither"  # of a spawn in the ego's lane, which contradicts a side; one that leaves it open has either
-NOT_RIGHT = "the other lane"  # of a spawn in oncoming traffic, which is on the left
+NOT_RIGHT = "oncoming traffic, which keeps left of us"  # of a spawn there, which contradicts the right side
 
 Scores = NDArray[np.float64]
 
@@ -449,10 +449,12 @@ def _free(name: str, value: object, *, sure: bool) -> float:
 
 
 def _does(snippet: Snippet, name: str) -> Any:
-    """What a snippet does of a slot; where it leaves a distance open, those that it can be told."""
+    """What a snippet does of a slot; of a side or a distance that it leaves open, what is possible."""
     value = getattr(snippet.slots, name)
-    if name == "side" and value is None and snippet.slots.position in (*IN_LANE, Position.ONCOMING):
-        return NOT_RIGHT if snippet.slots.position is Position.ONCOMING else NO_SIDE
+    if name == "side" and value is None and snippet.slots.position in IN_LANE:
+        return NO_SIDE
+    if name == "side" and value is None and snippet.slots.position is Position.ONCOMING:
+        return NOT_RIGHT
     return distances(snippet) if name == "distance" and value is None else value
 
 

@@ -214,6 +214,8 @@ KEEPING_RIGHT: tuple[tuple[re.Pattern[str], str], ...] = (
         r"\1 left",
     ),
 )
+# Behind two letters that are no point of the compass: a plate, a line, a firm, or "note well"
+_NO_NAME = r"(?![-':\u2019]| (?:plates?|registered|line|ramp|mason)\b)"
 # Other ways to say what the patterns know
 REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
     # What is asked for, before it is told
@@ -238,11 +240,11 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         "",
     ),
-    # Somebody on two wheels is called by the wheels, which of a child have no motor
+    # A child's scooter has no motor; others on two wheels are called by their wheels
     (
         re.compile(
-            r"\b((?:(?:an?|the|some|this|two) )?)(?:(?:young|little|small) )?(?:girl|boy|kid|child|schoolboy|schoolgirl|toddler) "
-            r"(?:on|riding) (?:an? |his |her |their )?(?:\w+ )?scooter\b"
+            r"\b((?:(?:an?|the|some|this) )?)(?:(?:young|little|small) )?(?:child|toddler|schoolboy|schoolgirl|(?<=little )(?:girl|boy|kid)|(?<=small )(?:girl|boy|kid)) "
+            r"(?:on|riding) (?:an? |his |her |their )?(?:(?:little|small|toy|kick|push|balance) )*scooter\b"
         ),
         r"\1e-scooter",
     ),
@@ -274,13 +276,36 @@ REWRITES: tuple[tuple[re.Pattern[str], str], ...] = (
         ),
         "swerved",
     ),
+    # Who does not come to a stop does not stop, and who "has stop" has a sign that says so
+    (
+        re.compile(
+            r"\b(?:fail(?:s|ed|ing)? to|(?:did|does|do|could|would) not|(?:did|does|do|could|would)n't) (?:come to|make) (?:an? )?(?:(?:\w+ and )?\w+ )?"
+            r"(?:stop|halt|standstill)\b"
+        ),
+        "did not stop",
+    ),
+    (
+        re.compile(r"\bwithout (?:coming to|making) (?:an? )?(?:(?:\w+ and )?\w+ )?(?:stop|halt|standstill)\b"),
+        "without stopping",
+    ),
+    (
+        re.compile(
+            r"\b(has|had) (?:an? )?stop(?=,? (?:and |but )?(?:never|does not|doesn't|did not|didn't|fails|failed|ignores|ignored|runs|ran|rolls)\b)"
+        ),
+        r"\1 a stop sign",
+    ),
+    # Where the lane of a ramp ends, whoever is on it has to come over
+    (
+        re.compile(r"(?<!\bwe )\b(?:runs|ran) out of (?:acceleration|merg(?:e|ing)) lane\b"),
+        "comes from the on-ramp",
+    ),
     (re.compile(r"\bpeds?\b"), "pedestrian"),
     (re.compile(r"\bint\b\.?"), "intersection"),
     (re.compile(r"\b(?:jct|jn)\b\.?"), "junction"),
-    (re.compile(r"\bn/b\b|\bnb\b"), "northbound"),
-    (re.compile(r"\bs/b\b|\bsb\b"), "southbound"),
-    (re.compile(r"\be/b\b|\beb\b"), "eastbound"),
-    (re.compile(r"\bw/b\b|\bwb\b"), "westbound"),
+    (re.compile(r"\bn/b\b|\bnb\b" + _NO_NAME), "northbound"),
+    (re.compile(r"\bs/b\b|\bsb\b" + _NO_NAME), "southbound"),
+    (re.compile(r"\be/b\b|\beb\b" + _NO_NAME), "eastbound"),
+    (re.compile(r"\bw/b\b|\bwb\b" + _NO_NAME), "westbound"),
     (re.compile(r"\bw/o\b"), "without"),
     (re.compile(r"\bw/"), "with "),
     (re.compile(r"\bveh\b\.?"), "vehicle"),

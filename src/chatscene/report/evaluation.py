@@ -75,13 +75,13 @@ def write_evaluation(run: Workspace) -> Path:
 
 def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, Any]:
     """A run that scenes are from: what it was asked for, and where its report is, if it has one."""
-    folder = source.within(run.path)
+    folder = source.path_from(run.path)
     try:
         text = read_record(Workspace(folder), RunRecord).title
     except RunError:
         text = source.scenario_id  # it is not there any more
     report = folder / "report.html"
-    link = quote(Path(os.path.relpath(report, run.path)).as_posix()) if report.is_file() else ""
+    link = quote(Path(os.path.relpath(report, run.path.resolve())).as_posix()) if report.is_file() else ""
     return {"number": number, "scenario_id": source.scenario_id, "text": text, "link": link, "ego": source.kept_for}
 
 

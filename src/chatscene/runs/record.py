@@ -104,11 +104,11 @@ class SourceRecord(_Frozen):
 
     @staticmethod
     def seen_from(evaluation: Path, run: Path) -> str:
-        """The `folder` of a run for an evaluation in another; both may be told by way of links."""
+        """The `folder` of a run for an evaluation in another; either path may lead through symbolic links."""
         return os.path.relpath(run.resolve(), evaluation.resolve())
 
-    def within(self, evaluation: Path) -> Path:
-        """Where the run is, for an evaluation in a folder."""
+    def path_from(self, evaluation: Path) -> Path:
+        """Where the run is, for an evaluation in a folder; an absolute `folder` is that, wherever the evaluation is."""
         return Path(os.path.normpath(evaluation.resolve() / self.folder))
 
 

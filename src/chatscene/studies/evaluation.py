@@ -143,19 +143,31 @@ def evaluate(
     for number, source in enumerate(told):
         if (twin := next((s for s in told[:number] if s.scenario_id == source.scenario_id), None)) is not None:
             raise RunError(
-                f"{twin.within(folder)} and {source.within(folder)} hold scenes of one and the same sentence, which "
-                "the tables cannot tell apart; evaluate them one by one"
+                f"{twin.path_from(folder)} and {source.path_from(folder)} hold scenes of one and the same sentence, "
+                "which the tables cannot tell apart; evaluate them one by one"
             )
     map_of(records[0])  # it must still be the file that they were made on
     settings = replace(runs.settings_of(records[0]), simulation=_where(records[0], simulator, physics)[-1])
     check_jobs(settings.simulation, workers.jobs)
     scenes = runs.Driven.EVERY if every_scene else runs.Driven.KEPT
+    told = _as_before(folder, told)
     asked = runs.asked_evaluation(told, scenes=scenes, egos=egos, settings=settings, map_name=records[0].map_name)
     with runs.alone(folder):
         kept = runs.take_up(folder, asked)
         return _carry_on(
             kept, workers, progress, replace(repeated, ego=tuple(egos), simulator=(settings.simulation.simulator,))
         )
+
+
+def _as_before(folder: Path, told: list[runs.SourceRecord]) -> list[runs.SourceRecord]:
+    """Sources by their absolute paths, if an evaluation of before is to be gone on with, which knew them by these."""
+    try:
+        record = runs.read_record(runs.Workspace(folder), runs.EvaluationRecord)
+    except RunError:
+        return told
+    if not any(Path(source.folder).is_absolute() for source in record.sources):
+        return told
+    return [source.model_copy(update={"folder": str(source.path_from(folder))}) for source in told]
 
 
 def _where(record: runs.RunRecord, simulator: str, physics: str) -> tuple[str, str, SimulationSettings]:
@@ -199,7 +211,7 @@ def resume(
 def _carry_on(run: runs.Workspace, workers: Workers, progress: Progress, repeated: Repeated) -> Evaluated:
     began = time.monotonic()
     record = runs.read_record(run, runs.EvaluationRecord)
-    sources = [runs.Workspace(source.within(run.path)) for source in record.sources]
+    sources = [runs.Workspace(source.path_from(run.path)) for source in record.sources]
     follow(repeated, egos_of=[run], simulators_of=[run], joining_of=sources)
     failures = dict(record.failures)
     with working(run, progress) as tell:
@@ -231,7 +243,7 @@ def _tasks(run: runs.Workspace, record: runs.EvaluationRecord) -> list[_Task]:
         RunError: A source is damaged.
     """
     for source in record.sources:
-        runs.open_run(source.within(run.path))
+        runs.open_run(source.path_from(run.path))
     return [
         _Task(source=source, ego=ego, number=number, route=route)
         for number, ego in enumerate(record.egos)
@@ -274,7 +286,7 @@ def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationR
     sources: dict[str, tuple[Scenario, ScenicProgram, runs.RunRecord]] = {}
     for task in tasks:
         if task.source.folder not in sources:
-            source = runs.Workspace(task.source.within(run.path))
+            source = runs.Workspace(task.source.path_from(run.path))
             sources[task.source.folder] = (*rebuild(source), runs.read_record(source))
         scenario, program, made = sources[task.source.folder]
         rows = [row for route, row in _kept(run, task.source, record) if route == task.route]
@@ -297,7 +309,7 @@ def _kept(
     run: runs.Workspace, source: runs.SourceRecord, record: runs.EvaluationRecord
 ) -> list[tuple[int, dict[str, object]]]:
     """The rows of a source that are to be driven, each with its route."""
-    rows = runs.read_scenes(runs.Workspace(source.within(run.path)))
+    rows = runs.read_scenes(runs.Workspace(source.path_from(run.path)))
     every = record.scenes is runs.Driven.EVERY
     return [
         (runs.route_index(row["route_id"]), row)

@@ -427,8 +427,7 @@ class AdversaryKind(StrEnum):
             osi="STANDUP_SCOOTER",
             words=(
                 r"(?:[a-z]+ (?:on|riding) (?:an?|his|her|their) )?"
-                r"(?:e-?scooters?|(?:electric|stand-?up|kick|push|hire|rental|lime|bird|voi|tier)[- ]?(?:e-)?scooters?)"
-                r"(?: riders?)?|"
+                r"(?:e-?scooters?|(?:electric|stand-?up|kick|push|hire|rental)[- ]?(?:e-)?scooters?)(?: riders?)?|"
                 r"e-?scooterists?"
             ),
             nouns="""
