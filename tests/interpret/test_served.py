@@ -19,6 +19,11 @@ from chatscene.errors import NothingFits
         ("An oncoming car moves into our half of the road.", "oncoming-swerve", "oncoming-lane"),
         ("A child on a scooter shoots out between parked cars on the left.", "cross", "behind-parked-car-left"),
         ("The cyclist on our right wobbles toward us when the bus passes.", "wobble", "right-edge"),
+        (
+            "We turn right and a cyclist who comes from behind on our right goes straight on.",
+            "follow-lane",
+            "rider-straight-on-behind",
+        ),
     ],
 )
 def test_who_was_misread_is_served_as_told(text: str, behavior: str, spawn: str) -> None:

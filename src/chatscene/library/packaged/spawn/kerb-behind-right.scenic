@@ -1,5 +1,5 @@
 #: description = "The adversary is positioned behind on the right, between the ego and the kerb."
-#: adversaries = ["car", "truck", "bus", "motorcycle", "bicycle"]
+#: adversaries = ["car", "truck", "bus", "motorcycle"]
 #: origin = "base scenario right-turn; own code"
 #: [slots]
 #: side = "right"

@@ -5,10 +5,12 @@
 #: maneuver = "right-turn"
 #: [variants]
 #: rider-straight-on-ahead = { position = "ahead-beside", y = [8, 24] }
+#: rider-straight-on-behind = { position = "behind-beside", y = [-9, -4], adversaries = ["bicycle"] }
 #: rider-straight-on-level = { position = "beside", y = [-2, 4] }
 #: rider-straight-on-level-group = { position = "beside", y = [0, 6], group = true }
 #: [descriptions]
 #: rider-straight-on-ahead = "The adversary rides ahead at the right edge of the ego's lane and goes straight on where the ego turns right."
+#: rider-straight-on-behind = "The adversary rides behind the ego on the right, at the edge of its lane, and goes straight on where the ego turns right."
 #: rider-straight-on-level = "The adversary rides level with the ego, at the right edge of its lane, and goes straight on where the ego turns right."
 #: rider-straight-on-level-group = "A group rides level with the ego at the right edge of its lane, the adversary first, and goes straight on where the ego turns right."
 
