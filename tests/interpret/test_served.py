@@ -28,6 +28,7 @@ from chatscene.errors import NothingFits
 )
 def test_who_was_misread_is_served_as_told(text: str, behavior: str, spawn: str) -> None:
     retrieval = chatscene.explain(text).retrieval
+    assert retrieval is not None
     assert behavior in retrieval.behavior.snippet.id
     assert spawn in retrieval.spawn.snippet.id
 
