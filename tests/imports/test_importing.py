@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -12,11 +13,16 @@ from click.testing import CliRunner
 import chatscene
 from chatscene.commands.main import main
 from chatscene.errors import ScenarioError, SettingsError
+from chatscene.imports.given import Given
 from chatscene.imports.openscenario import Imported, read_openscenario
+from chatscene.imports.player import lane_beside
+from chatscene.imports.positions import Positions
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.terms.plan import Number
 from chatscene.terms.plan_text import print_plan
+from chatscene.world.places import laneLine
+from places import SHARED
 from red_team.scenario_files import ATTACKS, NEAR, SLOWS, WALKER, event, scenario
 
 AFTER = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="brakes" state="completeState"/></ByValueCondition>'
@@ -169,3 +175,31 @@ def test_the_command_writes_a_program_once_and_says_how_it_is_run(beside: Path) 
     with pytest.raises(ScenarioError, match="does not lie beside it"):
         (beside / "town.xodr").unlink()
         chatscene.import_scenario(beside / "theirs.xosc", out=beside / "other.scenic")
+
+
+@pytest.mark.parametrize("of", [-3, -1, 1, 3])
+@pytest.mark.parametrize("lanes", [-2, -1, 0, 1, 2])
+def test_a_lane_beside_another_has_no_number_zero_and_the_way_back_leads_home(of: int, lanes: int) -> None:
+    to = lane_beside(of, lanes)
+    assert to != 0
+    assert lane_beside(to, -lanes) == of
+
+
+def test_the_left_of_who_faces_against_the_reference_line_has_lower_numbers() -> None:
+    positions = Positions(Given(), resolve_map("town"))
+    sections = positions.network.laneSections
+    for section in (next(s for s in sections if (int(s.openDriveID) > 0) is against) for against in (True, False)):
+        line = laneLine(section.lane)
+        (x, y), heading = line.point_at(line.length / 2), line.heading_at(line.length / 2)
+        along = 1 if int(section.openDriveID) < 0 else -1
+        assert positions.in_lane(section, (x, y, heading)).left == along
+        assert positions.in_lane(section, (x, y, heading + math.pi)).left == -along
+
+
+def test_a_change_to_the_left_of_who_drives_against_the_reference_line_goes_to_the_left(tmp_path: Path) -> None:
+    case = SHARED / "cases" / "import-relative-lane-direction"
+    if not case.is_dir():
+        pytest.skip("the scenario of a road with three lanes each way is not laid out beside the project")
+    found = read_openscenario(case / "esmini444.xosc")
+    assert found.board.lines["otherWay"].points[0][1] == pytest.approx(5.25)
+    assert found.board.lines["otherWay2"].points[0][1] == pytest.approx(1.75)

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from chatscene.imports.conditions import Conditions
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.player import AHEAD, STANDS, Done, Player, State
+from chatscene.imports.player import AHEAD, STANDS, Done, Player, State, lane_beside
 from chatscene.imports.stranger_xml import Element
 from chatscene.terms.plan import (
     After,
@@ -173,9 +173,7 @@ class _Reader:
         if relative is None:
             raise Refused(way, "it names no lane")
         of = self._player.lane_from(relative, self._given.text(relative, "entityRef"))
-        lanes = round(self._given.number(relative, "value"))
-        to = of + lanes
-        return to if of * to > 0 else to + (1 if lanes > 0 else -1)  # there is no lane 0
+        return lane_beside(of.number, of.left * round(self._given.number(relative, "value")))
 
     def _follows(self, way: Element) -> None:
         state, player = self._state, self._player

@@ -19,7 +19,7 @@ from chatscene.imports.entities import Entities
 from chatscene.imports.environment import surroundings_of
 from chatscene.imports.events import plan_of
 from chatscene.imports.given import Given, Refused
-from chatscene.imports.player import Player
+from chatscene.imports.player import InLane, Player
 from chatscene.imports.positions import Pose, Positions
 from chatscene.imports.stranger_xml import Element, read_xml
 from chatscene.maps.network import check_opendrive, resolve_map
@@ -325,12 +325,12 @@ class _Reader:
         return Phase("DrivePath", (Name(player.way, Kind.PATH), speed))
 
     def _player(self, name: str, ego: str, prefix: str, kind: str, speed: float, way: str | None, pose: Pose) -> Player:
-        def lane_from(element: Element, other: str) -> int:
+        def lane_from(element: Element, other: str) -> InLane:
             where = self._positions.known.get(other, pose if other == name else None)
             section = self._positions.network.laneSectionAt(where[:2]) if where else None
-            if section is None:
+            if where is None or section is None:
                 raise Refused(element, f"{other[:40]!r} stands on no lane")
-            return int(section.openDriveID)
+            return self._positions.in_lane(section, where)
 
         def lane(element: Element, number: int) -> Polyline:
             line = self._positions.lane_line(element, pose, number)
@@ -354,7 +354,7 @@ class _Reader:
             way=way,
             lane=lane,
             lane_from=lane_from,
-            left=-1 if section is not None and int(section.openDriveID) > 0 else 1,
+            left=self._positions.in_lane(section, pose).left if section is not None else 1,
             ego_at=ego_at,
             line_of=self._line_of,
             lines=self._lines,

@@ -15,6 +15,26 @@ AHEAD = "ahead"  # the way of somebody who goes straight on, and follows no line
 STANDS = 0.1  # [m/s]
 
 
+@dataclass(frozen=True, slots=True)
+class InLane:
+    """A lane that somebody stands in.
+
+    Attributes:
+        number: Of the lane, as OpenDRIVE counts: it grows to the left of the road's reference line.
+        left: 1 where the left of whoever stands there is the left of the reference line; -1 where that road user faces
+            against the line, so that lanes to its left have lower numbers.
+    """
+
+    number: int
+    left: int
+
+
+def lane_beside(of: int, lanes: int) -> int:
+    """The number of the lane so many lanes beside another, as OpenDRIVE counts: there is no lane 0."""
+    to = of + lanes
+    return to if lanes == 0 or of * to > 0 else to + (1 if lanes > 0 else -1)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Player:
     """Whose events are read.
@@ -29,7 +49,7 @@ class Player:
         way: The name of the line that it follows at first; None if it follows none.
         start: Where on that line it is, of its centre [m].
         lane: The line of a lane beside its own, by number.
-        lane_from: The number of the lane that somebody stands in at first.
+        lane_from: The lane that somebody stands in at first, and how that road user faces.
         left: 1 where a lane's offset to the left of the road's line is left of who drives in it, else -1.
         ego_at: How far along the ego's route [m] a position is.
         lines: All lines, by name; those of its own are added.
@@ -44,7 +64,7 @@ class Player:
     speed: float
     way: str | None
     lane: Callable[[Element, int], Polyline]
-    lane_from: Callable[[Element, str], int]
+    lane_from: Callable[[Element, str], InLane]
     left: int
     ego_at: Callable[[Element], float]
     line_of: Callable[[Element, str], tuple[str, Polyline]]

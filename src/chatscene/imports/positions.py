@@ -9,6 +9,7 @@ from typing import Any
 
 from chatscene.errors import MapError
 from chatscene.imports.given import Given, Refused
+from chatscene.imports.player import InLane, lane_beside
 from chatscene.imports.stranger_xml import Element
 from chatscene.maps.neighbours import section_beside
 from chatscene.maps.network import load_network
@@ -120,13 +121,14 @@ class Positions:
 
     def _relative(self, one: Element) -> Pose:
         """So far along the lanes from somebody, and so many lanes or metres beside."""
-        x, y, _ = self._of(one)
+        x, y, facing = self._of(one)
         section = self.network.laneSectionAt((x, y))
         if section is None:
             raise Refused(one, "whom it is told beside stands on no lane")
         lanes = int(self._given.number(one, "dLane", "0"))
-        if lanes:
-            section = self.beside(one, section, int(section.openDriveID) + lanes)
+        if lanes:  # counted to the left of whom it is told beside
+            of = self.in_lane(section, (x, y, facing))
+            section = self.beside(one, section, lane_beside(of.number, of.left * lanes))
         line = laneLine(section.lane)
         along, aside, _ = line.project(x, y)
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
@@ -140,6 +142,14 @@ class Positions:
             py + aside * math.cos(heading),
             self._turned(one, heading, heading),
         )
+
+    def in_lane(self, section: Any, pose: Pose) -> InLane:
+        """The lane of a section, for somebody who stands in it and faces along or against it."""
+        number = int(section.openDriveID)
+        line = laneLine(section.lane)
+        turn = math.remainder(pose[2] - line.heading_at(line.project(pose[0], pose[1])[0]), math.tau)
+        along = abs(turn) <= math.pi / 2
+        return InLane(number, 1 if along == (number < 0) else -1)
 
     def beside(self, one: Element, section: Any, number: int) -> Any:
         """The lane section with a number in OpenDRIVE, beside another."""
