@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from chatscene.errors import MapError
+from chatscene.errors import MapError, StuckBehavior
 from chatscene.maps import network
 from chatscene.maps.network import install_network_memo, load_network, resolve_map
 from chatscene.maps.survey import check_map
@@ -212,3 +212,48 @@ def test_checking_a_broken_map_says_why_instead_of_raising(tmp_path: Path, cache
 
 def test_a_map_too_small_for_any_route_is_a_problem(tmp_path: Path, cache: Path) -> None:
     assert any("no base scenario" in problem for problem in check_map(_map(tmp_path)))
+
+
+def test_a_copy_of_a_map_that_was_changed_is_made_anew_and_that_is_said(tmp_path: Path, cache: Path) -> None:
+    path = _map(tmp_path / "maps")
+    content = path.read_bytes()
+    load_network(path)
+    (copy,) = cache.rglob("small.xodr")
+    copy.write_bytes(content.replace(b"3.5", b"9.5"))
+    network._parse.cache_clear()
+    with pytest.warns(UserWarning, match=r"copy of map 'small\.xodr'.*was changed; it is made anew"):
+        (lane,) = load_network(path).lanes
+    assert copy.read_bytes() == content
+    assert lane.polygon.area == pytest.approx(50 * 3.5, rel=0.01)
+
+
+def test_a_map_of_left_hand_traffic_is_refused_by_its_road(tmp_path: Path) -> None:
+    path = _map(tmp_path)
+    path.write_text(path.read_text().replace("<road ", '<road rule="LHT" ', 1))
+    with pytest.raises(MapError, match=r"left-hand traffic: road '.*' keeps to the left \(rule LHT\)"):
+        load_network(path)
+    assert "left-hand traffic" in str(check_map(path))
+
+
+@pytest.mark.parametrize("encoding", ["UTF-7", "rot13", "idna", "no-such"])
+def test_a_map_in_an_encoding_of_no_map_is_refused(encoding: str, tmp_path: Path) -> None:
+    path = tmp_path / "odd.xodr"
+    path.write_text(f'<?xml version="1.0" encoding="{encoding}"?><OpenDRIVE/>')
+    with pytest.raises(MapError, match=r"odd\.xodr"):
+        load_network(path)
+
+
+def test_a_map_in_a_namespace_is_said_to_be_in_one(tmp_path: Path) -> None:
+    path = _map(tmp_path)
+    path.write_text(path.read_text().replace("<OpenDRIVE", '<OpenDRIVE xmlns="http://www.opendrive.org"', 1))
+    with pytest.raises(MapError, match=r"OpenDRIVE in the XML namespace 'http://www\.opendrive\.org'"):
+        load_network(path)
+
+
+def test_that_the_time_for_a_map_is_up_is_no_fault_of_the_map(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: object, **__: object) -> None:
+        raise StuckBehavior("its time is up")
+
+    monkeypatch.setattr(network, "_parse_quietly", stopped)
+    with pytest.raises(StuckBehavior, match="its time is up"):
+        load_network(_map(tmp_path))

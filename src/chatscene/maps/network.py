@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
 
-from chatscene.errors import MapError
+from chatscene.errors import ChatSceneError, MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.terms.scenario import Site
@@ -96,6 +96,8 @@ def _parse(digest: str, path: Path) -> Any:
     try:
         network = _parse_quietly(parse, copy or path, cached=copy is not None)
         furniture = read_furniture(path, network)
+    except ChatSceneError:  # such as that the time for it is up
+        raise
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
         message = str(error) or type(error).__name__
         raise MapError(
@@ -144,11 +146,25 @@ def check_opendrive(path: Path) -> None:
         root = Xml.parse(path).getroot()
     except Xml.ParseError as error:
         raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
+    except (ValueError, LookupError) as error:
+        why = f"is no XML in an encoding that is known: {error}; save it as UTF-8"
+        raise MapError(f"map {path.name!r} {why} ({path})") from error
+    if root.tag.endswith("}OpenDRIVE"):
+        space = root.tag[1:].partition("}")[0]
+        raise MapError(
+            f"map {path.name!r} is OpenDRIVE in the XML namespace {space!r}, which is not read; take the attribute "
+            f"xmlns away from its first element ({path})"
+        )
     if root.tag != "OpenDRIVE":
         raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
     if root.find("road") is None:
         raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
     for road in root.iter("road"):
+        if road.get("rule") == "LHT":
+            raise MapError(
+                f"map {path.name!r} is of left-hand traffic: road {road.get('id')!r} keeps to the left (rule LHT), and "
+                f"here everybody keeps to the right; take a map of right-hand traffic ({path})"
+            )
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
 
@@ -180,8 +196,14 @@ def _private_copy(path: Path, digest: str) -> Path | None:
         return None
     copy = folder / path.name
     try:
+        content = path.read_bytes()
         if not copy.exists():
-            write_whole(copy, path.read_bytes())
+            write_whole(copy, content)
+        elif copy.read_bytes() != content:
+            warnings.warn(
+                f"the copy of map {path.name!r} in {folder} was damaged or changed; it is made anew", stacklevel=2
+            )
+            write_whole(copy, content)
     except OSError:
         return None
     return copy
