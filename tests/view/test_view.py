@@ -7,7 +7,7 @@ import json
 import shutil
 import threading
 import time
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +20,10 @@ from chatscene.commands.main import main
 from chatscene.errors import RunError, SettingsError
 from chatscene.report.evaluation import write_evaluation
 from chatscene.runs.record import Status
+from chatscene.view import working
 from chatscene.view.below import run_below
 from chatscene.view.child import Child, Ended
+from chatscene.view.conversation import Conversation
 from chatscene.view.server import MOST, Server
 from chatscene.view.turns import between
 from fake_run import evaluated, finished, started
@@ -369,3 +371,41 @@ def test_in_a_browser_runs_are_found_sorted_and_opened_and_nothing_that_was_said
         titled = browser.run("document.querySelector('#report-title').textContent")
         assert titled == "idm, planner on every scene of 1 run"
         assert browser.run("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_what_was_refused_or_began_a_run_is_not_heard_again_by_another_process(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    came_of = {
+        "a car ahead brakes": "shown",
+        "run /tmp/elsewhere": "failed",
+        "a flea jumps": "refused",
+        "run": "refused",
+    }
+
+    class Answering:
+        def __init__(self, setup: Callable[[], dict[str, Any]]) -> None:
+            self.setup = setup
+
+        def start(self) -> None: ...
+
+        def ask(self, question: dict[str, str], _: object) -> dict[str, Any]:
+            return {"kind": came_of[question["line"]]}
+
+    monkeypatch.setattr("chatscene.view.conversation.Child", Answering)
+    talk = Conversation(tmp_path, {}, {})
+    for line in came_of:
+        talk._answer(line, {"since": 0.0})
+    assert talk._child.setup()["heard"] == ["a car ahead brakes", "a flea jumps"]  # type: ignore[attr-defined]
+
+
+def test_a_process_begins_no_run_that_it_is_told_to_have_heard() -> None:
+    heard: list[str] = []
+
+    class Listening:
+        def hear(self, line: str) -> None:
+            heard.append(line)
+
+    for line in ("the car ahead brakes", "run /tmp/elsewhere", "run", "make it a truck"):
+        working._hear_again(Listening(), line)
+    assert heard == ["the car ahead brakes", "make it a truck"]

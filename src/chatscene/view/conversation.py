@@ -9,8 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.view.child import Child, Ended
+from chatscene.view.working import begins_run
 
 Turn = dict[str, Any]
+
+_HEARD = frozenset(("shown", "edited", "undone", "refused"))
+"""What came of the lines that another process hears again: what was understood, and sentences about which something
+was asked back. What failed, such as an order that the page does not take, is over."""
 
 
 class Busy(Exception):  # noqa: N818 - reads as what it says
@@ -93,7 +98,7 @@ class Conversation:
     def _answer(self, line: str, work: dict[str, Any]) -> None:
         try:
             turn = self._child.ask({"line": line}, lambda told: self._tell(work, told))
-            if turn["kind"] != "ran":
+            if turn["kind"] in _HEARD and not begins_run(line):
                 self._heard.append(line)
         except Ended as error:
             turn = self._ended(work, str(error))

@@ -62,7 +62,14 @@ def _talking(setup: Question, tell: Tell) -> Callable[[Question], dict[str, Any]
     return hear
 
 
+def begins_run(line: str) -> bool:
+    """Whether a line has a talk drive something, rather than understand or change it."""
+    return line.split(maxsplit=1)[:1] == ["run"]
+
+
 def _hear_again(talk: Any, line: str) -> None:
+    if begins_run(line):
+        return  # whatever came of it, it is not begun again
     try:
         talk.hear(line)
     except ChatSceneError:
