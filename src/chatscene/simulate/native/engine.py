@@ -7,10 +7,13 @@ compiler makes one into the user's cache; where there is no compiler either, the
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import math
 import os
 import random
+import stat
 import tempfile
+import warnings
 from collections.abc import Callable, Sequence
 from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_int64, c_uint64
 from functools import lru_cache
@@ -21,6 +24,7 @@ from chatscene.files.caches import cache_folder, keep, only_mine
 from chatscene.simulate.native.building import NoEngine, compile_engine, source_digest
 
 PACKAGED = Path(__file__).with_name("libengine.so")  # by a name that Python takes for no module of ours
+_SEAL = 16  # bytes
 CHECKED = 4000  # numbers on which each function is held against Python's
 ARGUMENTS, LOCALS, SEEN, MOST_BODIES, STACK, STEPS = 6, 8, 80, 32, 64, 20  # as in engine.c
 END = 2**63 - 1  # a step that no scene comes to
@@ -326,11 +330,33 @@ def _kept(digest: str) -> Path:
     if (folder := only_mine(cache_folder("engines"))) is None:
         raise NoEngine("no compiled engine came with this installation, and there is no folder to keep one in")
     path = folder / f"engine-{digest}-{os.uname().machine}.so"
-    if not path.exists():
+    if not _is_sealed(path):
+        if os.path.lexists(path):
+            warnings.warn(
+                f"the compiled engine {path} was damaged or is not of this user; it is made anew", stacklevel=2
+            )
+            path.unlink()
         with tempfile.TemporaryDirectory() as made:
             compile_engine(target := Path(made) / "engine.so")
-            keep(path, target.read_bytes())
+            content = target.read_bytes()
+            keep(path, content + _seal(content))
     return path
+
+
+def _seal(content: bytes) -> bytes:
+    """What stands behind a library: the loader of ELF files looks at nothing there."""
+    return hashlib.blake2b(content, digest_size=_SEAL).digest()
+
+
+def _is_sealed(path: Path) -> bool:
+    """Whether a library is a file of this user, to the byte as it was kept; to load a damaged one kills the process."""
+    try:
+        state = path.lstat()
+        whole = path.read_bytes()
+    except OSError:
+        return False
+    mine = stat.S_ISREG(state.st_mode) and state.st_uid == os.getuid() and not state.st_mode & 0o022
+    return mine and whole[-_SEAL:] == _seal(whole[:-_SEAL])
 
 
 def _opened(path: Path, digest: str) -> ctypes.CDLL | None:
