@@ -466,3 +466,15 @@ def test_words_of_a_stranger_are_fit_for_a_terminal(text: str) -> None:
     assert len(shown) <= 500
     assert shown.isascii()
     assert shown.isprintable() or not shown
+
+
+@pytest.mark.parametrize("said", ["light = 'night'", "weather = 'rain'", "surface = 'wet'"])
+def test_a_program_may_say_light_weather_and_surface(said: str) -> None:
+    program = f"param {said}\nmodel chatscene.world.model\nego = new Car at (0, 0)\n"
+    assert not [one for one in check_foreign(program) if "param" in str(one)]
+
+
+@pytest.mark.parametrize("said", ["light = 'pitch'", "weather = Range(0, 1)", "surface = 1"])
+def test_a_program_may_say_no_light_weather_or_surface_that_there_is_not(said: str) -> None:
+    program = f"param {said}\nmodel chatscene.world.model\nego = new Car at (0, 0)\n"
+    assert [one for one in check_foreign(program) if "it is one of" in str(one)]

@@ -15,6 +15,7 @@ from functools import lru_cache
 from importlib.resources import files
 
 from chatscene.terms.scene import OWN_MODEL
+from chatscene.terms.surroundings import Light, Surface, Weather
 
 
 def _set(words: str) -> frozenset[str]:
@@ -95,6 +96,9 @@ RESERVED = _set("globalParameters network simulation workspace model param new r
 PARAMETERS = {
     "signals": frozenset(("clock", "ego-green", "ego-red")),
     "egoStart": frozenset(("approach", "at-line")),
+    "light": frozenset(str(one) for one in Light),
+    "weather": frozenset(str(one) for one in Weather),
+    "surface": frozenset(str(one) for one in Surface),
 }
 """Parameters besides ``OPT_…``, and their values."""
 
