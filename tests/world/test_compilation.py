@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -124,3 +125,21 @@ def test_a_parser_whose_time_is_up_does_not_begin_again(monkeypatch: pytest.Monk
     with pytest.raises(StuckBehavior):
         compilation._parsed("x = 1\n\n## never parsed before\ny = 2\n", "place")
     assert len(begun) == 1
+
+
+def test_nothing_is_imported_from_the_working_folder_while_a_program_is_compiled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    paths: list[list[str]] = []
+    stream = compilation._compile_stream
+
+    def noted(*arguments: Any) -> Any:
+        paths.append(list(sys.path))
+        return stream(*arguments)
+
+    monkeypatch.setattr(compilation, "_compile_stream", noted)
+    program = "model chatscene.world.model\nego = new Car\n"
+    compilation.compile_program(program, map_path=resolve_map("town"), route=0)
+    assert paths
+    assert not [path for one in paths for path in one if path in ("", ".", str(tmp_path))]

@@ -178,8 +178,19 @@ _default: Any = PropertyDefault
 _resolve: Any = PropertyDefault.resolveFor
 
 
+@contextmanager
+def _namespace(path: str | None = None) -> Generator[dict[str, Any]]:
+    """`scenic.syntax.translator.topLevelNamespace`, which leaves `sys.path` alone.
+
+    Scenic puts the working folder first while it compiles. Whatever a package imports only then, such as `colorsys`,
+    would come from there, and a folder may be anybody's.
+    """
+    yield {"__name__": "__main__"} | ({"__file__": path} if path is not None else {})
+
+
 def _extend_scenic() -> None:
     translator.compileStream = _compile_stream
+    translator.topLevelNamespace = _namespace
     install_network_memo()
     if _default.resolveFor is _resolve_once:
         return
