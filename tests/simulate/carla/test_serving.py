@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import socket
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -76,3 +77,14 @@ def test_without_the_wheel_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -
     done = CliRunner().invoke(main, ["serve-carla"])
     assert done.exit_code == 1
     assert 'pip install "chatscene[carla]"' in done.output
+
+
+def test_a_web_page_that_posts_a_call_is_closed_and_not_obeyed(tmp_path: Path) -> None:
+    msgpack = pytest.importorskip("msgpack")
+    made = tmp_path / "made.log"
+    call: bytes = msgpack.packb([0, 1, "start_recorder", [[0, False], str(made), False]])
+    request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: %d\r\n\r\n" % len(call) + call
+    with serving() as (port, _), socket.create_connection(("127.0.0.1", port), timeout=60) as page:
+        page.sendall(request)
+        assert page.recv(100) == b""
+    assert not made.exists()

@@ -112,6 +112,8 @@ class Server:
             while chunk := await reader.read(_AT_ONCE):
                 unpacker.feed(chunk)
                 for message in unpacker:
+                    if not isinstance(message, list):  # such as the letters of an HTTP request, each a small number
+                        raise TypeError("its messages are lists; this one is none, and so none after it is obeyed")
                     if _steps(message):
                         await self._streams.opened()
                     writer.write(self._reply(client, message))
