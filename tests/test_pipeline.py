@@ -74,6 +74,14 @@ def test_a_run_says_how_many_kept_scenes_do_not_show_what_was_said() -> None:
     )
 
 
+def test_a_run_says_how_many_drives_left_the_road_or_never_arrived_beside_how_many_collided() -> None:
+    bad = summed_up(collided=0, off_road=3, timeout=2, waiting=1)
+    assert "collided in 0 (0%, 95 % interval 0% to 7%), left the road in 3, ran out of time in 2, " in bad
+    assert "waited behind somebody to the end in 1; 2 kept" in bad
+    assert "left the road in 0" in summed_up(off_road=0)
+    assert "left the road" not in summed_up()  # a folder of before it was counted
+
+
 def test_a_run_says_who_stepped_its_drives_and_why_not_the_simulator_that_was_asked_for() -> None:
     record = runs.asked_run(SENTENCES["bus-stop"], settings=Settings(simulation=SimulationSettings(simulator="native")))
     assert stepped_in_words(record) == ""

@@ -101,10 +101,10 @@ class Run:
 
     @property
     def summary(self) -> Summary:
-        """How many scenes were driven, collided and were kept, and who drove."""
+        """How many scenes were driven, collided, left the road and were kept, and who drove."""
         from chatscene.report.summary import Summary
 
-        return Summary.of(self._record)
+        return Summary.of(self._record, runs.read_counts(self._workspace))
 
     @property
     def scenes(self) -> Table:
@@ -224,16 +224,16 @@ class Run:
         joining = replace(self._repeated, sampler=(), embedder=(), language_model=())  # no text is read for a scene
         return DrivenScene(row=row, _workspace=self._workspace, _repeated=joining)
 
-    def _unread(self) -> list[str]:
-        """A line for each of its scenarios of which words were not read."""
-        from chatscene.report.accounting import unread_in_words
+    @property
+    def told_first(self) -> list[str]:
+        """Words that were not read, and what was built otherwise than it was read; read this before any number."""
+        from chatscene.report.accounting import told_first
         from chatscene.runs.explanation import read_explanation
 
-        told = read_explanation(self._workspace).get("scenarios", [])
-        return [line for one in told if (line := unread_in_words(one["text"], one.get("words", [])))]
+        return told_first(read_explanation(self._workspace))
 
     def __str__(self) -> str:
-        return "\n".join([self.summary.in_words(), *self._unread(), f"report: {self.report}"])
+        return "\n".join([*self.told_first, self.summary.in_words(), f"report: {self.report}"])
 
     def __repr__(self) -> str:
         counts = self._record.counts

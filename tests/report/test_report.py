@@ -252,7 +252,10 @@ def test_the_verdict_carries_an_interval() -> None:
     row = {"status": "ran", "selected": False, "fill_in": False, "meaning_ok": True, "impact_speed": None}
     rows = [row | {"collision": i < 41, "avoidable": i < 12 if i < 41 else None} for i in range(50)]
     assert "<dd>29%</dd>" in tiles(rows)
-    assert "82%, 95 % interval 69% to 90%" in verdict(rows, read=True)
+    counts = {"ran": 50, "collided": 41, "off_road": 3, "timeout": 2, "waiting": 1, "selected": 0}
+    head = verdict(rows, counts, read=True)
+    assert "82%, 95 % interval 69% to 90%" in head
+    assert "left the road in 3, ran out of time in 2, waited behind somebody to the end in 1" in head
 
 
 def test_where_nothing_collided_there_is_no_hardest_impact() -> None:
@@ -292,7 +295,7 @@ def test_a_program_of_ones_own_is_named_and_held_to_nothing(tmp_path: Path) -> N
         {"status": "ran", "selected": True, "fill_in": False, "collision": True, "avoidable": None, "meaning_ok": True}
         | {"impact_speed": 3.0}
     ]
-    assert "show all" not in verdict(rows, read=False)
+    assert "show all" not in verdict(rows, {"ran": 1, "collided": 1, "selected": 1}, read=False)
 
 
 def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:

@@ -25,6 +25,7 @@ from chatscene.runs import (
     finish,
     metrics_of,
     open_run,
+    read_counts,
     read_drawing,
     read_episode,
     read_episodes,
@@ -42,7 +43,7 @@ from chatscene.runs import (
 )
 from chatscene.search.explore import outcomes
 from chatscene.settings import SearchSettings, Settings
-from chatscene.terms.episode import Episode
+from chatscene.terms.episode import Ending, Episode, Event, EventKind
 from fake_run import DECLARED, SCENARIO, TEXT, asked, blocks, drive, finished, scene, selection, started
 from places import TESTS
 
@@ -118,6 +119,25 @@ def test_kept_scenes_that_show_what_was_said_are_counted(tmp_path: Path) -> None
     finish(run, selected={ids[0]: False, ids[1]: False}, expected=[(SCENARIO, 0, 0)])
     counts = read_record(run).counts
     assert (counts["selected"], counts["selected_shown"]) == (2, 1)
+
+
+def test_drives_off_the_road_out_of_time_and_waiting_are_counted(tmp_path: Path) -> None:
+    run, done = started(tmp_path / "run"), blocks(1)
+    first, second = done[0].ran[:2]
+    left = (Event(kind=EventKind.OFF_ROAD, step=3), Event(kind=EventKind.OFF_ROAD, step=9))
+    off = replace(first, episode=replace(first.episode, events=left, ending=Ending.ARRIVED))
+    late = replace(second, episode=replace(second.episode, events=(), ending=Ending.TIMEOUT), waits=True)
+    write_block(run, replace(done[0], ran=(off, late)))
+    finish(run, selected={}, expected=[(SCENARIO, 0, 0)])
+    counts = read_record(run).counts
+    assert (counts["off_road"], counts["timeout"], counts["waiting"]) == (1, 1, 1)
+    assert read_counts(run) == counts
+    update(
+        run, counts={name: counts[name] for name in ("scenes", "ran", "rejected", "collided", "selected", "fill_in")}
+    )
+    of_before = read_counts(run)  # as an older version left it
+    assert (of_before["off_road"], of_before["timeout"]) == (1, 1)
+    assert "waiting" not in of_before
 
 
 def test_events_and_ranges_are_kept(tmp_path: Path) -> None:

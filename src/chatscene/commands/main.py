@@ -739,6 +739,8 @@ def _say_trained(trained: Trained, as_json: bool) -> None:
 
 def _say_done(run: Run, as_json: bool) -> None:
     if as_json:
-        say(json.dumps({"folder": str(run.folder), "seconds": run.summary.seconds, **run.summary.counts}))
+        summary = run.summary
+        told = {"folder": str(run.folder), "seconds": summary.seconds, "told_first": run.told_first}
+        say(json.dumps({**told, **summary.counts}))
     else:
         say(str(run))

@@ -67,3 +67,16 @@ def unread_in_words(text: str, words: Sequence[Mapping[str, Any]]) -> str:
     """One line: which words of a text were not read; empty if every one was."""
     unread = [repr(part.text) for part in parts_of(text, words) if part.unread]
     return f"words that were not read, and may not be shown: {', '.join(unread)}" if unread else ""
+
+
+def told_first(explanation: Mapping[str, Any]) -> list[str]:
+    """What stands before any number: words that were not read, and what was built otherwise than it was read.
+
+    Args:
+        explanation: As in `explanation.json`; older ones do not tell what was built otherwise.
+    """
+    told: list[str] = []
+    for one in explanation.get("scenarios", []):
+        unread = unread_in_words(one["text"], one.get("words", []))
+        told += [*([unread] if unread else []), *one.get("otherwise", [])]
+    return told

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any, cast
 from urllib.parse import quote
 
 from chatscene.measure.score import wilson
-from chatscene.report.accounting import parts_of
+from chatscene.report.accounting import parts_of, told_first
 from chatscene.report.highlight import highlight
 from chatscene.report.measures import scene_label
 from chatscene.report.outcomes import Outcomes, plot_outcomes
 from chatscene.report.ranges import Plot, plot_ranges
+from chatscene.report.summary import outcomes_in_words
 from chatscene.report.templates import fill_section
 from chatscene.runs import RunRecord, Status
 from chatscene.runs.beside import Beside
@@ -46,7 +47,9 @@ def heading(record: RunRecord, explanation: Row, around: str) -> Markup:
     """
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
     own = record.program is not None
-    return fill_section("heading", record.title, own, facts, around, _BANNERS.get(record.status), record.reason)
+    return fill_section(
+        "heading", record.title, own, told_first(explanation), facts, around, _BANNERS.get(record.status), record.reason
+    )
 
 
 def facts_of(explanation: Row) -> list[tuple[str, object]]:
@@ -58,24 +61,22 @@ def _words(name: str) -> str:
     return name.replace("_", " ")
 
 
-def verdict(scenes: Sequence[Row], *, read: bool) -> Markup:
+def verdict(scenes: Sequence[Row], counts: Mapping[str, int], *, read: bool) -> Markup:
     """How many scenes there are, how many crashed, how many were kept and show what was read.
 
     Args:
         scenes: Driven ones and rejected ones.
+        counts: What they came to (`chatscene.runs.read_counts`).
         read: Whether anything was read that scenes are held against.
     """
     ran = [row for row in scenes if row["status"] == "ran"]
     if not ran:
         return fill_section("undriven")
-    hits, kept = sum(row["collision"] for row in ran), sum(row["selected"] for row in ran)
-    low, high = wilson(hits, len(ran))
     return fill_section(
         "verdict",
         _scenes(len(ran)),
-        hits,
-        f"{hits / len(ran):.0%}, 95 % interval {low:.0%} to {high:.0%}",
-        kept,
+        outcomes_in_words(counts),
+        counts["selected"],
         _shown(ran) if read else "Nothing was read that a scene would have to show.",
     )
 

@@ -31,10 +31,10 @@ class Summary:
     stepped: str = ""
 
     @classmethod
-    def of(cls, record: runs.RunRecord) -> Summary:
-        """The summary of a run by its record."""
+    def of(cls, record: runs.RunRecord, counts: Mapping[str, int]) -> Summary:
+        """The summary of a run by its record, and by what its drives came to (`chatscene.runs.read_counts`)."""
         return cls(
-            counts=record.counts,
+            counts=counts,
             seconds=record.timings.get("total", 0.0),
             ego=egos_in_words(record)[0],
             phases={name: spent for name, spent in record.timings.items() if name != "total"},
@@ -43,8 +43,7 @@ class Summary:
 
     def in_words(self) -> str:
         """Lines for a person: what came of it, what the ego could see, who stepped it, and where the time went."""
-        ran, collided = self.counts["ran"], self.counts["collided"]
-        low, high = wilson(collided, ran)
+        ran = self.counts["ran"]
         rejected = f", {self.counts['rejected']} draws rejected" if self.counts["rejected"] else ""
         kept, fill_in = self.counts["selected"], self.counts["fill_in"]
         unlike = kept - self.counts.get("selected_shown", kept)  # folders of before it was counted
@@ -52,14 +51,31 @@ class Summary:
         but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
         phases = "; ".join(f"{name} {spent:.1f} s" for name, spent in self.phases.items() if spent >= SHORTEST)
         return (
-            f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego collided in {collided} "
-            f"({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%}); "
+            f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego {outcomes_in_words(self.counts)}; "
             f"{kept} kept"
             + (f" ({', '.join(but)})" if but else "")
             + f"\n{self.ego}"
             + (f"\n{self.stepped}" if self.stepped else "")
             + (f"\ntime: {phases}" if phases else "")
         )
+
+
+def outcomes_in_words(counts: Mapping[str, int]) -> str:
+    """What the ego did in the drives, in one line: no collision alone is not yet a drive that went well.
+
+    Args:
+        counts: As in `run.json`; what a folder did not count is not named.
+    """
+    ran, collided = counts["ran"], counts["collided"]
+    low, high = wilson(collided, ran)
+    told = [f"collided in {collided} ({collided / max(ran, 1):.0%}, 95 % interval {low:.0%} to {high:.0%})"]
+    if (off := counts.get("off_road")) is not None:
+        told.append(f"left the road in {off}")
+    if late := counts.get("timeout"):
+        told.append(f"ran out of time in {late}")
+    if waiting := counts.get("waiting"):
+        told.append(f"waited behind somebody to the end in {waiting}")
+    return ", ".join(told)
 
 
 def stepped_in_words(record: runs.MapRecord) -> str:

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         drop_blocks,
         finish,
         read_adversaries,
+        read_counts,
         read_episode,
         read_episodes,
         read_events,
@@ -128,6 +129,7 @@ __all__ = [
     "open_run",
     "read_adversaries",
     "read_choice",
+    "read_counts",
     "read_drawing",
     "read_episode",
     "read_episodes",
@@ -160,7 +162,7 @@ _NAMES = {
     "asked": "asked_benchmark asked_evaluation asked_run edited_scenario ego_digests scenario_of",
     "blocks": (
         "done_blocks drop_blocks finish read_adversaries read_episode read_episodes read_events "
-        "read_ranges read_scenes read_signals resume write_block"
+        "read_counts read_ranges read_scenes read_signals resume write_block"
     ),
     "checking": "Condition check",
     "exclusive": "alone",

@@ -21,6 +21,7 @@ from chatscene.runs.atomic import json_of, read_bytes, sweep, writing
 from chatscene.runs.digests import CHANGED, DRAWN, KEPT, MISSING, digest_of, digests, is_sealed, write_sealed
 from chatscene.runs.record import (
     EventRow,
+    MapRecord,
     Part,
     RangeRow,
     Record,
@@ -50,7 +51,7 @@ from chatscene.runs.tables import (
 )
 from chatscene.runs.workspace import Workspace, read_record, update
 from chatscene.terms.criticality import Fault
-from chatscene.terms.episode import Episode, Role, Track
+from chatscene.terms.episode import Ending, Episode, EventKind, Role, Track
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scene import Rejected
 from chatscene.terms.snippet import ParameterRange
@@ -287,7 +288,9 @@ def finish(
         write_table(run.file("scenes.parquet"), scenes)
         files = digests(run.path, (*KEPT, *DRAWN))
         stepped, instead = _stepped(parts)
-        record = update(run, status=Status.DONE, counts=_counts(scenes), stepped=stepped, instead=instead, files=files)
+        record = update(
+            run, status=Status.DONE, counts=_counts(scenes, parts), stepped=stepped, instead=instead, files=files
+        )
     _drop_parts(run)
     return record
 
@@ -321,20 +324,42 @@ def _drop_parts(run: Workspace) -> None:
             shutil.rmtree(folder)
 
 
-def _counts(scenes: Table) -> dict[str, int]:
-    def count(column: str, value: object = True) -> int:
-        return scenes.column(column).to_pylist().count(value)
+def _counts(scenes: Table, parts: Sequence[Part]) -> dict[str, int]:
+    rows, events = scenes.to_pylist(), [row.model_dump() for part in parts for row in part.events]
+    waiting = sum(scene.waits for part in parts for scene in part.scenes)
+    return counts_of(rows, events) | {"waiting": waiting}
 
-    shown = list(zip(*(scenes.column(name).to_pylist() for name in ("selected", "meaning_ok")), strict=True))
+
+def counts_of(scenes: Sequence[Mapping[str, Any]], events: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+    """What drives came to, in numbers: what every summary, page and script shows.
+
+    Args:
+        scenes: Rows of `scenes.parquet`.
+        events: Rows of `events.parquet`.
+    """
+    off_road = {(row["scene_id"], row["ego"]) for row in events if row["kind"] == EventKind.OFF_ROAD}
     return {
-        "scenes": scenes.num_rows,
-        "ran": count("status", "ran"),
-        "rejected": count("status", "rejected"),
-        "collided": count("collision"),
-        "selected": count("selected"),
-        "selected_shown": shown.count((True, True)),
-        "fill_in": count("fill_in"),
+        "scenes": len(scenes),
+        "ran": sum(row["status"] == "ran" for row in scenes),
+        "rejected": sum(row["status"] == "rejected" for row in scenes),
+        "collided": sum(row["collision"] is True for row in scenes),
+        "off_road": sum((row["scene_id"], row["ego"]) in off_road for row in scenes),
+        "timeout": sum(row["ending"] == Ending.TIMEOUT for row in scenes),
+        "selected": sum(row["selected"] for row in scenes),
+        "selected_shown": sum(row["selected"] and row["meaning_ok"] is True for row in scenes),
+        "fill_in": sum(row["fill_in"] for row in scenes),
     }
+
+
+def read_counts(run: Workspace) -> dict[str, int]:
+    """What its drives came to so far; what an older folder did not count is counted from its tables.
+
+    Those who wait behind somebody are counted only in the record, as no table of an older folder says it.
+    """
+    record = read_record(run, MapRecord)
+    if "off_road" in record.counts:
+        return record.counts
+    return counts_of(read_scenes(run), read_events(run))
 
 
 def read_scenes(run: Workspace) -> list[dict[str, Any]]:

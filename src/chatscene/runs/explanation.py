@@ -41,9 +41,11 @@ def write_choice(run: Workspace, scenario: Scenario, written: Written | None = N
 
 
 def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]:
+    from chatscene.interpret.otherwise import otherwise
     from chatscene.interpret.readings import offered  # who reads an explanation again reads no sentence
     from chatscene.read.accounting import words_of
 
+    words = [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())]
     return {
         "scenario_id": scenario.id,
         "text": scenario.text,
@@ -51,7 +53,8 @@ def _scenario(scenario: Scenario, retrieval: Retrieval | None) -> dict[str, Any]
         "parts": {component.value: scenario.parts[component] for component in Component},
         "slots": {name: _plain(value) for name, value in scenario.slots.said().items()},
         "surroundings": {name: value.value for name, value in scenario.surroundings.said().items()},
-        "words": [one.as_dict() for one in words_of(scenario, retrieval.unused if retrieval else ())],
+        "words": words,
+        "otherwise": list(otherwise(scenario, retrieval, words)) if retrieval else [],
         "readings": [one.as_dict() for one in offered(scenario.readings)],
         "notes": [*map(str, scenario.notes), *(retrieval.notes if retrieval else ())],
         "unused": [

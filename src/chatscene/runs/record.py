@@ -185,7 +185,8 @@ class MapRecord(Record):
         ego_digests: SHA-256 of each ego that is a file, by the ego as it was given.
         senses: What each ego sees and brakes with, by ego, as `chatscene.ego.policy.senses_of` names it.
         simulator: What runs the scenes.
-        counts: scenes, ran, rejected, collided, selected, selected_shown, fill_in; empty until there are some.
+        counts: scenes, ran, rejected, collided, off_road, timeout, waiting, selected, selected_shown, fill_in; empty
+            until there are some. Older records lack some of them.
         stepped: How many drives each simulator stepped; empty in the records of older versions.
         instead: The scenes that another simulator stepped than the one that was asked for, by why.
     """

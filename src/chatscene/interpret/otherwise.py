@@ -1,0 +1,93 @@
+"""What the chosen snippets do that was not said, or do otherwise than was said: facts compared with facts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from chatscene.terms.acts import BRINGS, Action
+from chatscene.terms.scenario import Scenario, Slots
+from chatscene.terms.snippet import Retrieval
+
+_STAND_BESIDE = {
+    "leader": "a slow vehicle ahead",
+    "blocker": "a parked vehicle in the ego's lane",
+    "group": "others of its kind",
+}
+
+
+def otherwise(scenario: Scenario, retrieval: Retrieval, words: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
+    """Lines for a person, empty where what was chosen is what was read.
+
+    Args:
+        scenario: What was read.
+        retrieval: What was chosen.
+        words: What became of each word, as in `explanation.json`.
+    """
+    return (
+        *_instead(retrieval),
+        *_acts(scenario.slots, retrieval),
+        *_others(scenario, retrieval),
+        *_kind(scenario, words),
+    )
+
+
+def _instead(retrieval: Retrieval) -> list[str]:
+    """Choices that were better, but whose drives did not show what was read."""
+    chosen = {snippet.id: snippet for snippet in retrieval.snippets}
+    parts = {snippet.component.value: snippet.id for snippet in retrieval.snippets}
+    told: list[str] = []
+    for one in retrieval.tried:
+        for gone in (name for name in one.snippet_ids if name not in chosen):
+            now = parts[gone.partition("/")[0]]
+            told.append(f"instead of {gone}, which no drive showed: {now}, {chosen[now].description}")
+    return list(dict.fromkeys(told))
+
+
+def _acts(said: Slots, retrieval: Retrieval) -> list[str]:
+    """Acts beside those that were said; what comes along without a word, or only says how, need not be said."""
+    asked, built = _all_acts(said), _all_acts(retrieval.behavior.snippet.slots)
+    added = [action for action in built if action not in _with_brought(asked) and not action.row.hasty]
+    lost = [action for action in asked if action not in _with_brought(built) and not action.row.hasty]
+    if lost:
+        return [f"instead of {', '.join(lost)}: {', '.join(added or built) or 'nothing'}"]
+    return [f"added: {action}" for action in added]
+
+
+def _all_acts(slots: Slots) -> list[Action]:
+    return [*slots.actions, *(action for other in slots.others for action in other.actions)]
+
+
+def _with_brought(actions: Sequence[Action]) -> set[Action]:
+    return {*actions, *(brought for action in actions for brought in BRINGS[action])}
+
+
+def _others(scenario: Scenario, retrieval: Retrieval) -> list[str]:
+    """Who or what is beside the adversary though nobody asked."""
+    said = scenario.slots
+    built = [snippet.slots for snippet in retrieval.snippets]
+    told = [
+        f"added: {what}"
+        for name, what in _STAND_BESIDE.items()
+        if not getattr(said, name) and any(getattr(slots, name) for slots in built)
+    ]
+    if said.occluder is None:
+        told += [f"added: something that hides the adversary, a {s.occluder}" for s in built if s.occluder is not None]
+    asked, there = len(said.others), max(len(slots.others) for slots in built)
+    if there > asked:
+        told.append(f"added: {there - asked} other road user{'s' * (there - asked > 1)}")
+    return list(dict.fromkeys(told))
+
+
+def _kind(scenario: Scenario, words: Sequence[Mapping[str, Any]]) -> list[str]:
+    """A road user that is shown as a kind of another name, or that no word names."""
+    kind = scenario.slots.adversary
+    if kind is None or not words:
+        return []
+    named = [str(word["text"]).lower() for word in words if word.get("fact") == "adversary"]
+    if not named:
+        return [f"guessed: a {kind.noun}, which no word names"]
+    text = " ".join(named)
+    if any(name in text for name in (kind.noun.lower(), kind.value.replace("-", " "))):
+        return []
+    return [f"{' '.join(named)!r} is shown as a {kind.noun}"]

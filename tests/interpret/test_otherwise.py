@@ -1,0 +1,50 @@
+"""What was built otherwise than it was read is told."""
+
+from dataclasses import replace
+
+from chatscene.interpret.otherwise import otherwise
+from chatscene.report.accounting import told_first
+from chatscene.report.sections import heading
+from chatscene.report.understood import Understood, understand
+from chatscene.runs import asked_run
+from chatscene.terms.acts import Action
+from chatscene.terms.snippet import Tried
+
+
+def told(understood: Understood) -> list[str]:
+    return told_first(understood.as_dict())
+
+
+def test_where_everything_is_as_it_was_said_nothing_is_told() -> None:
+    assert told(understand("a car ahead brakes hard")) == []
+
+
+def test_a_road_user_that_is_shown_as_another_kind_is_told_and_words_that_were_not_read_come_first() -> None:
+    lines = told(understand("a delivery van ahead of us brakes hard"))
+    assert lines == ["words that were not read, and may not be shown: 'delivery'", "'a van' is shown as a car"]
+
+
+def test_what_was_chosen_after_a_better_choice_failed_is_told_with_all_that_it_adds() -> None:
+    understood = understand("a car ahead brakes hard")
+    scenario, retrieval = understood.scenario, understood.retrieval
+    assert retrieval is not None
+    tried = (Tried(snippet_ids=("behavior/another-brake",), reason="it never brakes"),)
+    match = retrieval.behavior
+    slots = replace(match.snippet.slots, actions=(Action.BRAKE, Action.SWERVE), leader=True)
+    behavior = replace(match, snippet=replace(match.snippet, slots=slots))
+    lines = otherwise(scenario, replace(retrieval, behavior=behavior, tried=tried), [])
+    assert lines[0].startswith("instead of behavior/another-brake, which no drive showed: behavior/lane-brake")
+    assert lines[1:] == ("added: swerve", "added: a slow vehicle ahead")
+    slots = replace(slots, actions=(Action.SWERVE,), leader=None)
+    behavior = replace(match, snippet=replace(match.snippet, slots=slots))
+    assert otherwise(scenario, replace(retrieval, behavior=behavior), []) == ("instead of brake: swerve",)
+
+
+def test_an_act_that_comes_along_without_a_word_is_not_an_addition() -> None:
+    assert told(understand("a van cuts in")) == ["'a van' is shown as a car"]
+
+
+def test_the_head_of_the_page_tells_it_before_what_was_read() -> None:
+    text = "a delivery van ahead of us brakes hard"
+    page = heading(asked_run(text), understand(text).as_dict(), "")
+    assert page.index("not read, and may not be shown") < page.index("is shown as a car") < page.index("Read as")
