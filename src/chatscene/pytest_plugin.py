@@ -125,9 +125,12 @@ def pytest_terminal_summary(terminalreporter: Any) -> None:
             if (text := told.get("sentence")) is not None and report.when != "teardown":
                 became.setdefault(text, Counter())[outcome] += 1
                 worst[text] = max(worst.get(text, 0.0), float(told.get("impact_speed", 0.0)))
-    if became:
-        terminalreporter.section("scenes")
+    if not became:
+        return
+    from chatscene.report.terminal import visible
+
+    terminalreporter.section("scenes")
     for text, counts in became.items():
         fastest = f"; worst impact {worst[text]:.1f} m/s" if worst[text] else ""
         said = ", ".join(f"{count} {outcome}" for outcome, count in counts.items())
-        terminalreporter.write_line(f"{said}{fastest}: {text}")
+        terminalreporter.write_line(f"{said}{fastest}: {visible(text)}")

@@ -126,6 +126,16 @@ def test_all_avoidable_crashes_with_a_cyclist_from_the_left_are_one_query(one_ru
         'SELECT * FROM "table"',  # a variable of `ask`
         "SELECT no_such_column FROM scenes",
         "SELECT * FROM no_such_table",
+        "SELECT * FROM pandas_scan(NULL)",  # would end the process
+        "SELECT * FROM arrow_scan(NULL, NULL, NULL)",
+        "SELECT * FROM enable_logging(storage='stdout')",  # would print to the terminal
+        "SELECT write_log(chr(27) || '[31m')",
+        "WITH a AS (SELECT (SELECT max(b) FROM (SELECT WRITE_LOG('x') AS b)) AS c) SELECT * FROM a",
+        "SELECT * FROM enable_profiling(save_location='{here}/p')",
+        "SELECT * FROM query('SELECT * FROM enable_logging()')",
+        "SELECT * FROM json_execute_serialized_sql(json_serialize_sql('SELECT 1'))",
+        "SELECT * FROM force_checkpoint()",
+        "SELECT sleep_ms(1)",
         "SELEC 1",
         "SELECT \udcff",
         "SELECT * FROM range(1000001)",  # more rows than anybody reads
@@ -142,6 +152,19 @@ def test_a_query_that_would_do_more_than_read_the_tables_or_is_none_is_refused(
     with pytest.raises(QueryError):
         ask(query.replace("{here}", str(tmp_path)), one_index)
     assert sorted(tmp_path.rglob("*")) == before
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "PIVOT scenes ON status IN ('ran', 'rejected') USING count(*)",
+        "SELECT * FROM (SELECT status, block FROM scenes) PIVOT (count(*) FOR status IN ('ran', 'rejected'))",
+        "SELECT unnest(range(3)), random()",
+        "SELECT * FROM generate_series(1, 3)",
+    ],
+)
+def test_what_only_computes_is_answered(query: str, one_index: Index) -> None:
+    assert ask(query, one_index).num_rows > 0
 
 
 def test_what_was_wrong_with_a_query_is_said_with_what_there_is(one_run: Path) -> None:

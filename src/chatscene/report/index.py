@@ -80,18 +80,27 @@ def index(folder: Path) -> Index:
                 evaluations[path] = record
             if isinstance(record, runs.RunRecord):
                 run = runs.open_run(path, runs.RunRecord)
-                read.append(_read(run, record, name_of(path, folder)))
+                one = _read(run, record, name_of(path, folder))
+                _joined([one])  # alone first: what does not fit must not keep the others from being shown
+                read.append(one)
                 if record.status is not runs.Status.REFUSED:  # which has all that it ever will
                     runs.require_done(run, record)
-        except (ChatSceneError, ValueError, OverflowError, pa.ArrowException) as error:
+        except ChatSceneError as error:
             left_out.append(LeftOut(folder=path, why=str(error)))
+        except Exception as error:  # noqa: BLE001 - a folder is data of somebody else, and one must not end the list
+            why = f"it cannot be read ({type(error).__name__}: {error}); it was changed or damaged after it was written"
+            left_out.append(LeftOut(folder=path, why=why))
     if not (read or evaluations or left_out):
         raise RunError(f"there is no run in {folder}; give a folder with those that `chatscene run` named")
-    tables = {
+    return Index(tables=_joined(read), evaluations=evaluations, left_out=tuple(left_out))
+
+
+def _joined(read: list[Mapping[str, Table]]) -> dict[str, Table]:
+    """The tables of all runs, one after the other."""
+    return {
         name: pa.concat_tables([schema_of(name).empty_table(), *(one[name] for one in read)], promote_options="default")
         for name in TABLES
     }
-    return Index(tables=tables, evaluations=evaluations, left_out=tuple(left_out))
 
 
 def name_of(path: Path, folder: Path) -> str:

@@ -6,6 +6,8 @@ take variables of the calling process for tables. All of that is shut, and the l
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator
 from decimal import Decimal
 from math import isfinite
 from typing import Any, cast
@@ -26,6 +28,9 @@ _SHUT: dict[str, str | bool | int | float | list[str]] = {
     "memory_limit": MEMORY,
     "threads": "1",  # a sum is the same to the last bit each time, and so is the order of rows
 }
+
+_TABLE_FUNCTIONS = frozenset({"range", "generate_series", "repeat", "unnest", "json_each", "json_tree"})
+_DRAWS = frozenset({"random", "uuid", "uuidv4", "uuidv7", "gen_random_uuid", "error"})  # of what has side effects
 
 
 def ask(query: str, index: Index) -> Table:
@@ -60,6 +65,7 @@ def ask(query: str, index: Index) -> Table:
                     f"cannot answer {query!r}: it takes one statement that reads, such as SELECT … FROM scenes; "
                     f"this is {kinds}"
                 )
+            _refuse_what_does_more(connection, query)
             answer = connection.sql(statements[0]).limit(ROWS + 1).to_arrow_table()
         except duckdb.Error as error:
             raise QueryError(
@@ -69,6 +75,43 @@ def ask(query: str, index: Index) -> Table:
     if answer.num_rows > ROWS:
         raise QueryError(f"the answer has more than {ROWS:,} rows; count or average them, or end it with LIMIT")
     return answer
+
+
+def _refuse_what_does_more(connection: Any, query: str) -> None:
+    """Hold every function that a query calls against those that only compute.
+
+    DuckDB's functions can also print, log, wait, or follow an address in memory: as a table it may take those of a
+    list, and elsewhere whatever has no side effect.
+
+    Raises:
+        QueryError: It calls another one, or cannot be looked through.
+    """
+    tree = json.loads(connection.execute("SELECT json_serialize_sql(?)", [query]).fetchone()[0])
+    if tree.get("error", True):
+        raise QueryError(f"cannot answer {query!r}: {tree.get('error_message', 'it cannot be looked through')}")
+    acting = "SELECT DISTINCT function_name FROM duckdb_functions() WHERE has_side_effects"
+    refused = {str(name) for (name,) in connection.execute(acting).fetchall()} - _DRAWS
+    for name, as_table in _functions(tree["statements"]):
+        if name in refused or (as_table and name not in _TABLE_FUNCTIONS):
+            raise QueryError(
+                f"cannot answer {query!r}: it calls {name}(), which does more than read the tables of the index; "
+                f"of functions that give a table, it may call {', '.join(sorted(_TABLE_FUNCTIONS))}"
+            )
+
+
+def _functions(tree: Any) -> Iterator[tuple[str, bool]]:
+    """Every function that is called in a query, and whether as a table."""
+    left: list[tuple[Any, bool]] = [(tree, False)]
+    while left:
+        node, as_table = left.pop()
+        if isinstance(node, dict):
+            one = cast("dict[str, Any]", node)
+            if name := one.get("function_name"):
+                yield str(name).lower(), as_table
+            of_table = one.get("type") == "TABLE_FUNCTION"
+            left += [(child, of_table and key == "function") for key, child in one.items()]
+        elif isinstance(node, list):
+            left += [(child, False) for child in cast("list[Any]", node)]
 
 
 def rows_of(answer: Table) -> list[dict[str, Any]]:

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from enum import StrEnum
 from pathlib import Path
-from typing import Any, ClassVar, TypeVar
+from typing import Annotated, Any, ClassVar, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
@@ -231,6 +231,7 @@ class RunRecord(MapRecord):
     """
 
     kind = Kind.RUN
+    egos: Annotated[list[str], Field(min_length=1)]
     text: str
     program: ProgramRecord | None
     generator: str

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import io
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, fields
+from dataclasses import MISSING, asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -151,6 +151,17 @@ _LATER: dict[str, str | None] = {
     **{name: str(value) for name, value in asdict(Surroundings()).items()},
     "crash_type": None,  # which was not kept
 }
+# What nothing can be read without. Whatever else a table has may have been added since: an older one lacks it.
+_NEEDED = frozenset(
+    {
+        *_SCENE_HEAD.names,
+        *("collision", "ego", "ending", "route_completion", "dt", "meaning_ok", "meaning_failures"),
+        *("selected", "fill_in", "step", "actor", "role", "kind", "x", "y", "heading", "speed", "length", "width"),
+        *("distance_to_route", "off_road", "x0", "y0", "x1", "y1", "state", "parameter", "low", "high", "other"),
+    }
+) - {"reason"}
+
+_MOST_VALUES = 50_000_000  # of a table: a few hundred MB of numbers. What is a few kB on disk may unpack to any size.
 
 
 def write_table(path: Path, table: Table) -> str:
@@ -174,7 +185,9 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
 
     Args:
         path: Of the file.
-        columns: Those it must have, as one of the schemas here; more of them hold numbers.
+        columns: Those it has here, as one of the schemas of this module. One that the file lacks, since there was none
+            when it was written, is read as what held then, or as null. Further ones are kept if they hold numbers, as
+            parameters and metrics of one's own do, and left out if not.
         filters: By column.
 
     Raises:
@@ -184,29 +197,52 @@ def read_table(path: Path, columns: Any, **filters: str) -> Table:
     try:
         # No partitioning: the file has all columns, and a folder named `seed=1` is only a name.
         options: dict[str, Any] = {"partitioning": None, "page_checksum_verification": True}
+        _check_size(path)
         table = pq.read_table(path, filters=chosen, **options)
-        for name in (_LATER.keys() & set(columns.names)).difference(table.column_names):
-            ran = [_LATER[name] if status == "ran" else None for status in table.column("status").to_pylist()]
-            table = table.append_column(name, pa.array(ran, pa.string()))
+        table = table.drop_columns([field.name for field in table.schema if _is_unknown(field, columns)])
         _check_columns(table, columns)
+        for field in columns:
+            if field.name not in table.column_names:
+                table = table.append_column(field, _as_before(field, table))
     except (OSError, ValueError, pa.ArrowException) as error:
         raise RunError(f"cannot read {path}: {error}; it is missing or was changed or damaged") from error
     return table
 
 
+def _check_size(path: Path) -> None:
+    """Refuse a table that would not fit into memory, before it is unpacked."""
+    told = pq.read_metadata(path)
+    if told.num_rows * told.num_columns > _MOST_VALUES:
+        raise ValueError(f"it unpacks to {told.num_rows:,} rows, more than any work leaves")
+
+
+def _is_unknown(field: Any, columns: Any) -> bool:
+    """Whether a column is from a later version: none of ours, and no number."""
+    return field.name not in columns.names and field.type != pa.float64()
+
+
+def _as_before(field: Any, table: Table) -> Any:
+    """The values of a column in a table that was written before there was such a column."""
+    usual = _LATER.get(field.name)
+    if usual is None or "status" not in table.column_names:
+        return pa.nulls(table.num_rows, field.type)
+    return pa.array([usual if status == "ran" else None for status in table.column("status").to_pylist()], field.type)
+
+
 def _check_columns(table: Table, columns: Any) -> None:
-    """Refuse a table that lacks a column or the values that the column always has, or holds others than it should."""
-    driven = table.filter(pc.field("status") == "ran") if columns is SCENES else table
-    for field in columns:
-        if field.name not in table.column_names:
-            raise ValueError(f"it has no column {field.name!r}")
+    """Refuse a table that lacks what no drive is without, or values that a column always has, or holds others."""
+    there = [field for field in columns if field.name in table.column_names]
+    if lacking := [name for name in columns.names if name in _NEEDED and name not in table.column_names]:
+        raise ValueError(f"it has no column {lacking[0]!r}")
+    for field in there:
+        found = table.schema.field(field.name).type
+        if found != field.type:
+            raise ValueError(f"its column {field.name!r} holds {found} and not {field.type}")
+    driven = table.filter(pc.field("status") == "ran") if "status" in columns.names else table
+    for field in there:
         always = table if field.name in _SCENE_HEAD.names else driven
         if field.name not in _OPTIONAL and always.column(field.name).null_count:
             raise ValueError(f"its column {field.name!r} lacks values")
-    for field in table.schema:
-        wanted = columns.field(field.name).type if field.name in columns.names else pa.float64()
-        if field.type != wanted:
-            raise ValueError(f"its column {field.name!r} holds {field.type} and not {wanted}")
 
 
 def route_id(route: int) -> str:
@@ -261,7 +297,7 @@ def metrics_of(row: Mapping[str, Any]) -> dict[str, float]:
     return {
         name: value
         for name, value in row.items()
-        if name not in _FIXED and not name.startswith("OPT_") and value is not None
+        if name not in _FIXED and not name.startswith(("OPT_", RAW)) and value is not None
     }
 
 
@@ -292,8 +328,20 @@ def scene_of(row: Mapping[str, Any], program: ScenicProgram) -> Scene:
 
 
 def measurements_of(row: Mapping[str, Any]) -> Measurements:
-    """The raw numbers in a row of `scenes.parquet`, of a scene that was driven."""
+    """The raw numbers in a row of `scenes.parquet`, of a scene that was driven.
+
+    Raises:
+        RunError: One was not measured yet when the folder was written, and has no default.
+    """
     numbers: dict[str, Any] = {field.name: row[RAW + field.name] for field in fields(Measurements)}
+    for field in fields(Measurements):
+        if numbers[field.name] is None and field.default is not MISSING:
+            numbers[field.name] = field.default
+        elif numbers[field.name] is None and RAW + field.name not in _OPTIONAL:
+            raise RunError(
+                f"scene {row['scene_id']!r} has no {RAW + field.name} in scenes.parquet, which was written before that "
+                "was measured; run it again into another folder to score it"
+            )
     numbers |= {name: int(numbers[name]) for name in ("red_lights", "stop_signs", "lane_invasions")}
     return Measurements(**numbers | {"collided": bool(numbers["collided"])})
 

@@ -298,11 +298,27 @@ def read_guarded(run: Workspace) -> tuple[Record, bool]:
     as_written = is_sealed(written, content.get("digest"))
     content = _readable(run, content)
     try:
-        return RECORDS[Kind(content.get("kind", ""))].model_validate(content), as_written
+        record = RECORDS[Kind(content.get("kind", ""))].model_validate(content)
     except ValidationError as error:
         raise RunError(f"{path} is not the record of a run: {first_problem(error)}") from error
     except ValueError as error:
         raise RunError(f"{path} is not the record of a run: kind: {error}") from error
+    _require_counts(run, record)
+    return record, as_written
+
+
+_COUNTED = ("scenes", "ran", "rejected", "collided", "selected", "fill_in")
+
+
+def _require_counts(run: Workspace, record: Record) -> None:
+    """Counts are all there, or none is.
+
+    Raises:
+        RunError: One is missing.
+    """
+    counts = record.counts if isinstance(record, RunRecord) else {}
+    if counts and (lacking := [name for name in _COUNTED if name not in counts]):
+        raise RunError(f"{run.file(RECORD)} is not the record of a run: counts: {lacking[0]} is missing; {_REMEDY}")
 
 
 def _readable(run: Workspace, content: dict[str, Any]) -> dict[str, Any]:

@@ -1,0 +1,178 @@
+"""Folders that were written before, or later: a column more or less is no reason to refuse them."""
+
+from __future__ import annotations
+
+import tarfile
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+
+from chatscene import runs
+from chatscene.errors import RunError
+from chatscene.report.index import index
+from chatscene.report.sql import ask
+from chatscene.runs import tables
+from chatscene.runs.digests import digest_of
+from fake_run import finished
+
+FIXTURES = Path(__file__).parents[1] / "fixtures"
+
+
+def rewritten(run: runs.Workspace, name: str, change: Any) -> runs.Workspace:
+    """A run with another table in it, sealed anew."""
+    path = run.file(name)
+    pq.write_table(change(pq.read_table(path, partitioning=None)), path, write_page_checksum=True)
+    record = runs.read_record(run)
+    runs.update(run, files=dict(record.files) | {name: digest_of(path)})
+    return run
+
+
+@pytest.mark.parametrize("lacking", ["time_headway", "crash_type", "light", "fault", "raw_duration"])
+def test_a_table_of_before_a_column_is_read_with_what_held_then_or_null(lacking: str, tmp_path: Path) -> None:
+    run = rewritten(finished(tmp_path / "run", count=2), "scenes.parquet", lambda table: table.drop_columns([lacking]))
+    rows = runs.read_scenes(runs.open_run(run.path))
+    assert {row[lacking] for row in rows if row["status"] == "ran"} == {"day" if lacking == "light" else None}
+    assert index(tmp_path).left_out == ()
+
+
+def test_a_measure_that_is_added_later_leaves_older_folders_readable(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = finished(tmp_path / "run", count=2)
+    later = [*tables.SCENES, ("later_measure", pa.float64()), ("later_word", pa.string())]
+    table = tables.read_table(run.file("scenes.parquet"), pa.schema(later))
+    assert table.column("later_measure").null_count == table.column("later_word").null_count == table.num_rows > 0
+    events = tables.read_table(run.file("events.parquet"), pa.schema([*tables.EVENTS, ("later", pa.bool_())]))
+    assert events.column("later").null_count == events.num_rows
+
+
+def test_a_table_of_a_later_version_keeps_numbers_and_leaves_out_what_else_it_has_more(tmp_path: Path) -> None:
+    def more(table: Any) -> Any:
+        number, word = pa.array([1.5] * table.num_rows), pa.array(["new"] * table.num_rows)
+        return table.append_column("later_number", number).append_column("later_word", word)
+
+    run = rewritten(finished(tmp_path / "run", count=2), "scenes.parquet", more)
+    rewritten(run, "events.parquet", lambda table: table.append_column("w", pa.array(["x"] * table.num_rows)))
+    rows = runs.read_scenes(runs.open_run(run.path))
+    assert {row["later_number"] for row in rows} == {1.5}
+    assert all("later_word" not in row for row in rows)
+    assert index(tmp_path).left_out == ()
+
+
+def test_scoring_with_a_number_that_was_not_measured_then_says_which(tmp_path: Path) -> None:
+    run = rewritten(
+        finished(tmp_path / "run", count=1), "scenes.parquet", lambda table: table.drop_columns(["raw_off_road"])
+    )
+    row = next(row for row in runs.read_scenes(run) if row["status"] == "ran")
+    with pytest.raises(RunError, match=r"has no raw_off_road in scenes\.parquet, which was written before"):
+        runs.measurements_of(row)
+
+
+@pytest.mark.parametrize("needed", ["scene_id", "status", "dt"])
+def test_a_table_without_what_no_drive_is_without_is_refused(needed: str, tmp_path: Path) -> None:
+    run = rewritten(finished(tmp_path / "run", count=1), "scenes.parquet", lambda table: table.drop_columns([needed]))
+    with pytest.raises(RunError, match="it has no column"):
+        runs.read_scenes(run)
+
+
+def spoilt(run: runs.Workspace, **told: Any) -> None:
+    """A record that says something else, sealed anew."""
+    import json
+
+    from chatscene.runs.digests import write_sealed
+
+    content = json.loads(run.file("run.json").read_text())
+    del content["digest"]
+    write_sealed(run.file("run.json"), content | told)
+
+
+def test_a_bad_folder_is_a_row_that_says_so_and_the_others_are_shown(tmp_path: Path) -> None:
+    finished(tmp_path / "good", count=1)
+    spoilt(finished(tmp_path / "bad", count=1), egos=[])
+    found = index(tmp_path)
+    assert ask("SELECT run FROM runs", found).to_pylist() == [{"run": "good"}]
+    (bad,) = found.left_out
+    assert bad.folder == tmp_path / "bad"
+    assert "egos: list should have at least 1 item" in bad.why
+
+
+def test_whatever_goes_wrong_in_reading_a_folder_the_others_are_shown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    finished(tmp_path / "good", count=1)
+    finished(tmp_path / "other", count=1)
+    real = runs.open_run
+
+    def fails(folder: Path, of: type[runs.Record] = runs.Record) -> runs.Workspace:
+        if folder.name == "other":
+            raise KeyError("ran")
+        return real(folder, of)
+
+    monkeypatch.setattr(runs, "open_run", fails)
+    found = index(tmp_path)
+    assert ask("SELECT run FROM runs", found).to_pylist() == [{"run": "good"}]
+    assert "it cannot be read (KeyError: 'ran')" in found.left_out[0].why
+
+
+def test_a_small_file_that_unpacks_to_more_than_fits_is_refused_before_it_is_unpacked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tables, "_MOST_VALUES", 100_000)
+    run = rewritten(
+        finished(tmp_path / "run", count=1), "scenes.parquet", lambda table: pa.concat_tables([table] * 5000)
+    )
+    assert run.file("scenes.parquet").stat().st_size < 1_000_000
+    monkeypatch.setattr(tables.pq, "read_table", None)  # whoever unpacks it fails
+    with pytest.raises(RunError, match=r"it unpacks to [0-9,]+ rows, more than any work leaves"):
+        tables.read_table(run.file("scenes.parquet"), tables.SCENES)
+
+
+def test_a_record_whose_counts_lack_one_is_refused_by_name(tmp_path: Path) -> None:
+    run = finished(tmp_path / "run", count=1)
+    spoilt(run, counts={"scenes": 1})
+    with pytest.raises(RunError, match="counts: ran is missing"):
+        runs.open_run(run.path)
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folders that chatscene 0.2 left, byte for byte: a run, an evaluation of it, and the record of a training."""
+    folder = tmp_path_factory.mktemp("kept")
+    with tarfile.open(FIXTURES / "folders-of-schema-3.tar.xz") as archive:
+        archive.extractall(folder, filter="data")
+    return folder
+
+
+def test_a_run_that_was_kept_is_whole_and_has_its_scenes_tracks_and_choice(kept: Path) -> None:
+    run = runs.open_run(kept / "run", runs.RunRecord)
+    assert runs.check(kept / "run").whole
+    rows = runs.read_scenes(run)
+    assert [row["status"] for row in rows] == ["ran"] * 3
+    for row in rows:
+        assert len(runs.read_episode(run, row["scene_id"]).tracks) >= 2
+        assert 0 <= runs.measurements_of(row).completion <= 1
+        assert runs.metrics_of(row)
+    scenario, choice = runs.read_choice(run)
+    assert scenario.text == "the car ahead brakes hard"
+    assert choice is not None
+    assert runs.read_programs(run)
+
+
+def test_an_evaluation_and_a_training_that_were_kept_are_read(kept: Path) -> None:
+    evaluation = runs.open_run(kept / "evaluation", runs.EvaluationRecord)
+    assert runs.check(kept / "evaluation").whole
+    assert {row["ego"] for row in runs.read_scenes(evaluation)} == {"idm"}
+    training = runs.read_record(runs.Workspace(kept / "training"), runs.TrainingRecord)
+    assert training.status is runs.Status.DONE
+    assert training.curve
+
+
+def test_the_folders_that_were_kept_are_listed_and_answer_queries(kept: Path) -> None:
+    found = index(kept)
+    assert found.left_out == ()
+    assert list(found.evaluations) == [kept / "evaluation"]
+    assert ask("SELECT run, ran FROM runs", found).to_pylist() == [{"run": "run", "ran": 3}]
+    assert ask("SELECT count(*) AS n FROM scenes", found).to_pylist() == [{"n": 3}]
