@@ -345,6 +345,9 @@ def test_open_opens_the_newest_report_or_the_one_that_is_named(tmp_path: Path, m
     said = CliRunner().invoke(main, ["open", "runs/first"])
     assert said.output == "runs/first/report.html\n"
     assert opened == [(tmp_path / "runs/first/report.html").as_uri()]
+    drawn = (tmp_path / "runs/first/report.html").read_text()
+    assert drawn.startswith("<!doctype html>")  # anew: what stood there is never given to the browser
+    assert len(drawn) > 10_000
     assert CliRunner().invoke(main, ["open"]).output == f"{tmp_path / 'runs/second/report.html'}\n"
     (tmp_path / "runs/second/report.html").unlink()
     assert CliRunner().invoke(main, ["open", "runs/second"]).exit_code == 1

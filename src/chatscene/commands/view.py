@@ -49,15 +49,21 @@ def view(
 def open_report(folder: Path | None) -> None:
     """Open the report of RUN in the browser, or of the newest run below runs/; print its path.
 
+    The report is drawn anew from the other files of the folder first: what stood in its place is never opened.
+
     \b
     chatscene open
     chatscene open runs/cyclist
     """
     from chatscene.api import Run
+    from chatscene.report.viewer import write_report
 
     page = Run(folder or _newest(Path("runs"))).report
     if not page.is_file():
         raise RunError(f"{page} is not there any more; run it again into another folder")
+    write_report(
+        page.parent
+    )  # a browser runs what the page holds, and no digest keeps a stranger's page from being shown
     webbrowser.open(page.absolute().as_uri())
     say(str(page))
 
