@@ -16,7 +16,7 @@ from chatscene.report.index import index
 from chatscene.report.sql import ask
 from chatscene.runs import tables
 from chatscene.runs.digests import digest_of
-from fake_run import finished
+from fake_run import finished, started
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 
@@ -176,3 +176,14 @@ def test_the_folders_that_were_kept_are_listed_and_answer_queries(kept: Path) ->
     assert list(found.evaluations) == [kept / "evaluation"]
     assert ask("SELECT run, ran FROM runs", found).to_pylist() == [{"run": "run", "ran": 3}]
     assert ask("SELECT count(*) AS n FROM scenes", found).to_pylist() == [{"n": 3}]
+
+
+def test_a_run_that_was_killed_is_told_at_once_and_one_at_work_is_not(tmp_path: Path) -> None:
+    run = started(tmp_path / "run")
+    (killed,) = index(tmp_path).left_out
+    assert "is running, not done; finish it with" in killed.why
+    assert "no process of this machine is at work on it" in killed.why
+    with runs.alone(run.path):
+        (working,) = index(tmp_path).left_out
+    assert "is running, not done; finish it with" in working.why
+    assert "no process" not in working.why

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 import warnings
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -10,6 +11,8 @@ from pathlib import Path
 
 from chatscene.errors import RunError
 from chatscene.runs.atomic import writing
+
+_LOOK = 0.1  # [s]
 
 
 @contextmanager
@@ -35,11 +38,41 @@ def alone(folder: Path) -> Generator[None]:
         os.close(handle)
 
 
+def at_work(folder: Path) -> bool | None:
+    """Whether a process works on a folder, as far as this machine can tell; None if it cannot.
+
+    A process that was killed holds no lock any more, whatever `run.json` says. One on another machine may not be
+    seen here.
+    """
+    if os.name != "posix":
+        return None
+    from fcntl import LOCK_NB, LOCK_SH, flock
+
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+    except OSError:
+        return None
+    try:
+        flock(handle, LOCK_SH | LOCK_NB)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return None
+    else:
+        return False
+    finally:
+        os.close(handle)
+
+
 def _lock(handle: int, folder: Path) -> None:
     from fcntl import LOCK_EX, LOCK_NB, flock
 
     try:
-        flock(handle, LOCK_EX | LOCK_NB)
+        try:
+            flock(handle, LOCK_EX | LOCK_NB)
+        except BlockingIOError:
+            time.sleep(_LOOK)  # who lists runs holds the lock for a moment, see `at_work`
+            flock(handle, LOCK_EX | LOCK_NB)
     except BlockingIOError:
         raise RunError(
             f"another chatscene is at work on {folder}; wait until it is done, or choose another folder with --out"

@@ -25,6 +25,7 @@ from chatscene.runs.atomic import (
     writing,
 )
 from chatscene.runs.digests import damage, digest_of, is_drawn, is_sealed, write_sealed
+from chatscene.runs.exclusive import at_work
 from chatscene.runs.record import (
     RECORDS,
     SCHEMA_VERSION,
@@ -246,7 +247,9 @@ def require_done(run: Workspace, record: Record) -> None:
             "readings that chatscene explain names, and run it again"
         )
     if record.status is not Status.DONE:
-        raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}")
+        stopped = record.status is Status.RUNNING and at_work(run.path) is False
+        but = " (no process of this machine is at work on it: unless another machine is, it was stopped)" * stopped
+        raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}{but}")
 
 
 def note(run: Workspace, *drawn: Path) -> None:
