@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import webbrowser
 from pathlib import Path
 from typing import Unpack
@@ -61,9 +62,10 @@ def open_report(folder: Path | None) -> None:
     page = Run(folder or _newest(Path("runs"))).report
     if not page.is_file():
         raise RunError(f"{page} is not there any more; run it again into another folder")
-    write_report(
-        page.parent
-    )  # a browser runs what the page holds, and no digest keeps a stranger's page from being shown
+    finished = page.stat().st_mtime
+    # A browser runs what the page holds, and no digest keeps a stranger's page from being shown.
+    write_report(page.parent)
+    os.utime(page, (finished, finished))  # the newest run is the one that was finished last, not the one opened last
     webbrowser.open(page.absolute().as_uri())
     say(str(page))
 
