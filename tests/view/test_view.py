@@ -396,10 +396,10 @@ def test_what_was_refused_or_began_a_run_is_not_heard_again_by_another_process(
             return {"kind": came_of[question["line"]]}
 
     monkeypatch.setattr("chatscene.view.conversation.Child", Answering)
-    talk = Conversation(tmp_path, {}, {})
+    talk: Any = Conversation(tmp_path, {}, {})
     for line in came_of:
         talk._answer(line, {"since": 0.0})
-    assert talk._child.setup()["heard"] == ["a car ahead brakes", "a flea jumps"]  # type: ignore[attr-defined]
+    assert talk._child.setup()["heard"] == ["a car ahead brakes", "a flea jumps"]
 
 
 def test_a_process_begins_no_run_that_it_is_told_to_have_heard() -> None:
@@ -410,5 +410,5 @@ def test_a_process_begins_no_run_that_it_is_told_to_have_heard() -> None:
             heard.append(line)
 
     for line in ("the car ahead brakes", "run /tmp/elsewhere", "run", "make it a truck"):
-        working._hear_again(Listening(), line)
+        vars(working)["_hear_again"](Listening(), line)
     assert heard == ["the car ahead brakes", "make it a truck"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import shutil
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import fields
 from pathlib import Path
@@ -380,28 +379,32 @@ def test_a_library_of_another_source_is_not_used(monkeypatch: pytest.MonkeyPatch
     assert (tmp_path / "engines").exists()
 
 
-@pytest.mark.parametrize(
-    "damage", [lambda whole: whole[: len(whole) // 2], lambda _: b"", lambda w: w[:-40] + bytes(40)]
-)
+def _made(path: Path) -> None:
+    path.write_bytes(b"a library" * 100)
+
+
+@pytest.mark.parametrize("left", [0, 400, -20])
 def test_a_kept_engine_that_was_changed_is_made_anew_before_it_is_loaded(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, damage: Callable[[bytes], bytes]
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, left: int
 ) -> None:
     monkeypatch.setattr(engine, "cache_folder", tmp_path.joinpath)
-    monkeypatch.setattr(engine, "compile_engine", lambda path: path.write_bytes(b"a library" * 100))
-    kept = engine._kept("of-this-source")
+    monkeypatch.setattr(engine, "compile_engine", _made)
+    kept_by: Any = vars(engine)["_kept"]
+    kept: Path = kept_by("of-this-source")
     whole = kept.read_bytes()
     assert whole.startswith(b"a library")
-    assert engine._kept("of-this-source").read_bytes() == whole
-    kept.write_bytes(damage(whole))
+    assert kept_by("of-this-source").read_bytes() == whole
+    kept.write_bytes(whole[:left] + bytes(len(whole[left:])) * (left < 0))
     with pytest.warns(UserWarning, match="it is made anew"):
-        assert engine._kept("of-this-source").read_bytes() == whole
+        assert kept_by("of-this-source").read_bytes() == whole
 
 
 def test_a_kept_engine_that_others_can_write_to_is_made_anew(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(engine, "cache_folder", tmp_path.joinpath)
-    monkeypatch.setattr(engine, "compile_engine", lambda path: path.write_bytes(b"a library"))
-    kept = engine._kept("of-this-source")
+    monkeypatch.setattr(engine, "compile_engine", _made)
+    kept_by: Any = vars(engine)["_kept"]
+    kept: Path = kept_by("of-this-source")
     kept.chmod(0o666)
     with pytest.warns(UserWarning, match="not of this user"):
-        engine._kept("of-this-source")
+        kept_by("of-this-source")
     assert kept.stat().st_mode & 0o022 == 0
