@@ -139,7 +139,10 @@ def test_nothing_is_imported_from_the_working_folder_while_a_program_is_compiled
         return stream(*arguments)
 
     monkeypatch.setattr(compilation, "_compile_stream", noted)
-    program = "model chatscene.world.model\nego = new Car\n"
+    program = (
+        'model chatscene.world.model\negoRoute = selectRoute(maneuver="straight")\n'
+        "ego = new Car at startOf(egoRoute), with route egoRoute\n"
+    )
     compilation.compile_program(program, map_path=resolve_map("town"), route=0)
     assert paths
     assert not [path for one in paths for path in one if path in ("", ".", str(tmp_path))]
