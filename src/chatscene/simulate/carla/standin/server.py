@@ -108,12 +108,14 @@ class Server:
         client = Client(self._next_stream(), (writer.get_extra_info("peername") or ("",))[0])
         self._clients.append(client)
         unpacker = self._unpacker()
+        known = False  # whether it began as a client of CARLA does
         try:
             while chunk := await reader.read(_AT_ONCE):
                 unpacker.feed(chunk)
                 for message in unpacker:
-                    if not isinstance(message, list):  # such as the letters of an HTTP request, each a small number
-                        raise TypeError("its messages are lists; this one is none, and so none after it is obeyed")
+                    if not known and not _is_call(message):  # such as the letters of an HTTP request, each a number
+                        raise TypeError("it does not begin with a call, so nothing of it is obeyed")
+                    known = True
                     if _steps(message):
                         await self._streams.opened()
                     writer.write(self._reply(client, message))
@@ -225,6 +227,15 @@ class Server:
 
 def _no_call() -> Any:
     raise Refused("this is no call: [0, number, name, [mode, arguments...]] is needed")
+
+
+def _is_call(message: Any) -> bool:
+    """Whether a message is a call, whatever its arguments are."""
+    match message:
+        case [int(kind), int(), str(), [*_]] if kind == _REQUEST:
+            return True
+        case _:
+            return False
 
 
 def _steps(message: Any) -> bool:
