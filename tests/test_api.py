@@ -134,7 +134,10 @@ def test_a_run_without_a_folder_has_one_that_stays(simulated: chatscene.Run) -> 
     assert simulated.report.is_file()
     assert simulated.scenes.num_rows == 3
     assert "3 scenes" in repr(simulated)
-    assert str(simulated).startswith("3 scenes in")
+    first, summary, _ = str(simulated).partition("3 scenes in")
+    assert summary
+    assert first.splitlines() == simulated.told_first
+    assert "'a van' is shown as a car" in simulated.told_first
     assert str(simulated).endswith(f"report: {simulated.report}")
 
 

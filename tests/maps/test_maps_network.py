@@ -221,7 +221,7 @@ def test_a_copy_of_a_map_that_was_changed_is_made_anew_and_that_is_said(tmp_path
     (copy,) = cache.rglob("small.xodr")
     copy.write_bytes(content.replace(b"3.5", b"9.5"))
     vars(network)["_parse"].cache_clear()
-    with pytest.warns(UserWarning, match=r"copy of map 'small\.xodr'.*was changed; it is made anew"):
+    with pytest.warns(UserWarning, match=r"copy of map 'small\.xodr'.*was damaged or changed; it is made anew"):
         (lane,) = load_network(path).lanes
     assert copy.read_bytes() == content
     assert lane.polygon.area == pytest.approx(50 * 3.5, rel=0.01)

@@ -92,7 +92,7 @@ def test_the_page_tells_the_run_in_order(tmp_path: Path) -> None:
     page = _page(finished(tmp_path / "run").path)
     parts = (
         TEXT,
-        "44 collided",
+        "collided in 44 ",
         "The ego:",
         'id="view"',
         'id="scenes-title"',
@@ -304,7 +304,7 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
     update(run, senses={"rule-based": senses_of(load_ego("rule-based"))})
     page = _page(run.path)
     said = "only whether a vehicle is within 15 m ahead in its lane; brakes with at most 3 m/s² (0.375 of the pedal)"
-    assert 0 < page.index("collided</strong>") < page.index(said) < page.index('id="replay"')
+    assert 0 < page.index("the ego <strong>collided in ") < page.index(said) < page.index('id="replay"')
 
 
 @pytest.mark.parametrize("name", EGOS.built_in)

@@ -279,6 +279,16 @@ def test_the_clocks_of_a_time_limit_stand_while_another_runs_within_it() -> None
     assert signal.getitimer(signal.ITIMER_PROF) == signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 
+def test_the_clocks_of_a_time_limit_stand_while_a_server_loads_a_map() -> None:
+    with watchdog.time_limit("a scene"):
+        before = signal.getitimer(signal.ITIMER_PROF)[0]
+        with watchdog.unlimited():
+            assert signal.getitimer(signal.ITIMER_PROF) == signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+            _compute(0.3)
+        assert before - signal.getitimer(signal.ITIMER_PROF)[0] < 0.2
+        assert signal.getitimer(signal.ITIMER_REAL)[0] > 0.0
+
+
 def test_an_ego_that_waits_for_ever_is_stopped_by_the_clock_on_the_wall(simulator: Simulator) -> None:
     def block() -> None:
         signal.setitimer(signal.ITIMER_REAL, 0.01)  # the minutes have passed

@@ -58,6 +58,23 @@ def time_limit(what: str) -> Generator[None]:
             signal.setitimer(clock, *left)
 
 
+@contextmanager
+def unlimited() -> Generator[None]:
+    """Let the clocks of the limits around the block stand still: for work that is not the program's.
+
+    The block needs a limit of its own, as a call to a server has.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    left = [(clock, signal.setitimer(clock, 0.0)) for clock in (signal.ITIMER_PROF, signal.ITIMER_REAL)]
+    try:
+        yield
+    finally:
+        for clock, rest in left:
+            signal.setitimer(clock, *rest)
+
+
 def computes_for_ever(what: str, limit: float) -> StuckBehavior:
     """The error for what has used up its processor time [s]."""
     within = f"{limit:g} s of processor time"

@@ -20,6 +20,7 @@ import carla  # pyright: ignore[reportMissingTypeStubs]
 
 from chatscene.errors import ServerError, SettingsError
 from chatscene.simulate.carla.served import as_served, same_roads
+from chatscene.simulate.watchdog import unlimited
 
 HOST, PORT = "127.0.0.1", 2000
 PATIENCE = 10.0  # [s] for an answer
@@ -153,7 +154,7 @@ class Connection:
             _version_at(*self._address)  # for the wheel would wait for a dead server as long as a map may take
         except ServerError as error:
             raise self._gone(what) from error
-        with self.asking(what):
+        with unlimited(), self.asking(what):  # no program is to blame for a map that takes long
             world = self._load(map_path)
             settings = world.get_settings()
             settings.synchronous_mode = True
