@@ -254,6 +254,64 @@ def test_the_walls_of_the_kernel_hold_without_the_watchman(tmp_path: Path) -> No
 STUCK = program("while True:\n    if 1 > 2:\n        wait")
 
 
+LATE = """
+import os, socket, sys
+from chatscene.simulate.confined import child
+from chatscene.simulate.confined.confinement import Limits
+from chatscene.simulate.confined.wire import program_to_json
+from chatscene.terms.scene import ScenicProgram
+
+class Late:
+    def routes(self, program):
+        import this_late
+        return this_late.ROUTES
+
+ours, theirs = socket.socketpair()
+sys.path.insert(0, sys.argv[1])
+sys.pycache_prefix = sys.argv[2]
+sys.dont_write_bytecode = False
+if os.fork() == 0:
+    ours.close()
+    child._live(theirs.detach(), Late(), Limits(), sys.argv[1])
+theirs.close()
+program = ScenicProgram(scenario_id="a", source="", parameters=(), snippet_ids=())
+ours.sendall(child.encode({"do": "load", "program": program_to_json(program)}))
+ours.sendall(child.encode({"do": "routes"}))
+ours.shutdown(socket.SHUT_WR)
+print(ours.makefile().read())
+"""
+WARM = """
+import sys
+from chatscene.maps.network import resolve_map
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.confined import child
+
+child._warmed_up(resolve_map("town"), SimulationSettings())
+print(*sorted(sys.modules))
+"""
+
+
+def _told(script: str, *arguments: str) -> str:
+    command = [sys.executable, "-c", script, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=True, timeout=120).stdout
+
+
+def test_a_module_that_is_imported_late_comes_in_where_no_bytecode_was_kept(tmp_path: Path) -> None:
+    (tmp_path / "this_late.py").write_text("ROUTES = 7\n")
+    assert '{"routes":7}' in _told(LATE, str(tmp_path), str(tmp_path / "kept"))
+    assert not (tmp_path / "kept").exists()
+
+
+def test_what_the_first_draw_from_an_area_needs_is_there_before_the_walls() -> None:
+    assert "mapbox_earcut" in _told(WARM).split()
+
+
+def test_who_stops_a_program_names_the_file_that_it_tried(tmp_path: Path) -> None:
+    (tmp_path / "this_late.py").write_text("import os\nos.mkdir('a \"new\" folder')\n")
+    said = [decode(line.encode()) for line in _told(LATE, str(tmp_path), str(tmp_path / "kept")).split("\n") if line]
+    assert said[-1] == {"stopped": 'os.mkdir a "new" folder'}
+
+
 def test_a_behavior_that_never_yields_is_stopped_and_the_next_scene_runs(simulator: ConfinedSimulator) -> None:
     with pytest.raises(StuckBehavior, match="did not come back within 3 s of processor time"):
         simulate(simulator, STUCK, scene(), RuleBased())

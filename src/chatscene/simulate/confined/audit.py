@@ -52,9 +52,18 @@ def watch(roots: Iterable[str], end: Callable[[str], Any]) -> None:
 
     def hook(event: str, arguments: tuple[Any, ...]) -> None:
         if refused(event, arguments):
-            end(event if event != "open" else "open for writing" if _writes(arguments) else "open outside")
+            what = event if event != "open" else "open for writing" if _writes(arguments) else "open outside"
+            end(what + _named(arguments))
 
     sys.addaudithook(hook)
+
+
+def _named(arguments: tuple[Any, ...]) -> str:
+    """The file, folder or module that something was tried with, to be told after it; empty if there is none."""
+    first = arguments[0] if arguments else None
+    if type(first) is bytes:
+        first = first.decode("ascii", "replace")
+    return f" {first}" if type(first) is str else ""  # nothing that may have code of its own
 
 
 def _reads(arguments: tuple[Any, ...], readable: tuple[str, ...]) -> bool:

@@ -21,6 +21,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
+from scenic.core.geometry import triangulatePolygon
+from shapely.geometry import box
+
 from chatscene.errors import ChatSceneError
 from chatscene.maps.network import load_network
 from chatscene.settings import SimulationSettings
@@ -40,6 +43,7 @@ from chatscene.world import compilation
 
 WATCHMAN = 77  # exit status of a process that the watchman ended
 CHUNK = 1 << 16
+TRIED = 300  # characters that are told of what a program tried
 
 # One of everything a program does, so that all that is loaded late is loaded before the walls stand.
 WARM_UP = """
@@ -113,6 +117,7 @@ def _warmed_up(map_path: Path, settings: SimulationSettings) -> Simulator:
     program = ScenicProgram(scenario_id="warm-up", source=WARM_UP, parameters=(), snippet_ids=())
     drawn = replace(program, source=WARM_UP_DRAWN, model="scenic.simulators.carla.model")
     simulator.routes(drawn)
+    triangulatePolygon(box(0, 0, 1, 1))  # as the first draw from an area does, with a module that is imported only then
     scene = Scene(id="warm-up", scenario_id="warm-up", route=0, block=0, seed=0, values={"OPT_SPEED": 1.5})
     try:
         session = simulator.open(program, scene)
@@ -131,6 +136,7 @@ def _live(channel: int, simulator: Simulator, limits: Limits, map_path: str) -> 
     try:
         os.setsid()
         os.environ.clear()
+        sys.dont_write_bytecode = True  # an installation may have none, and behind the walls nothing can be written
         end = _last_words(channel)
         layers = confine(limits, (map_path, str(Path.cwd())), end)
         os.write(channel, encode({"layers": layers}))
@@ -142,10 +148,11 @@ def _live(channel: int, simulator: Simulator, limits: Limits, map_path: str) -> 
 
 def _last_words(channel: int) -> Callable[[str], Any]:
     """What the watchman does: says what was tried, and ends the process."""
-    write, leave = os.write, os._exit  # bound now: a stranger may put something else in their places
+    # Bound now: a stranger may put something else in their places.
+    write, leave, string = os.write, os._exit, json.encoder.encode_basestring_ascii
 
-    def end(event: str) -> None:
-        write(channel, b'{"stopped":"%s"}\n' % event.encode("ascii", "replace")[:60])
+    def end(tried: str) -> None:
+        write(channel, b'{"stopped":%s}\n' % string(tried[:TRIED]).encode())
         leave(WATCHMAN)
 
     return end
