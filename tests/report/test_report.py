@@ -4,6 +4,7 @@ import base64
 import html
 import io
 import json
+import os
 import re
 import shlex
 import shutil
@@ -310,8 +311,8 @@ def test_what_the_ego_sees_stands_beside_its_collisions(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", EGOS.built_in)
 def test_every_packaged_ego_has_its_senses_in_words(name: str) -> None:
     said = in_words(senses_of(load_ego(name)))
-    assert said.startswith("sees its route and")
-    assert ("hidden ones too" in said) == (observation_of(load_ego(name)) == "actors")
+    assert said.startswith(("sees its route and", "sees its route, how wide"))
+    assert ("hidden ones too" in said) == (observation_of(load_ego(name)) != "safebench")
     assert re.search(r"brakes with at most (3 m/s² \(0\.375 of the pedal|8 m/s² \(the whole pedal)\)$", said)
 
 
@@ -705,3 +706,15 @@ def test_a_terminal_shows_how_far_it_is_and_a_file_only_what_is_done() -> None:
     assert re.fullmatch(r"searching, blocks \[#####\.{15}\] 1 of 4, \d+ s left", lines[1])
     assert lines[2] == "searching, blocks [####################] 4 of 4\n"
     assert file.getvalue() == "searching, blocks\n"
+
+
+def test_nobody_who_reads_how_far_it_is_is_no_reason_to_give_up_the_work() -> None:
+    reads, writes = os.pipe()
+    os.close(reads)
+    with suppress(BrokenPipeError), os.fdopen(writes, "w") as pipe:
+        closed = io.StringIO()
+        closed.close()
+        for stream in (None, closed, pipe):
+            show = progress_line(stream)
+            for done in range(5):
+                show(f"part {done}", done, 5)

@@ -209,16 +209,24 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
     console.print(f"{Tally.of(rows).in_words()}\n")
 
 
-def progress_line(stream: TextIO) -> Callable[[str, int, int], None]:
+def progress_line(stream: TextIO | None) -> Callable[[str, int, int], None]:
     """A function that shows what is being done, how far, and how long it will still take.
 
-    It writes one line over and over on a terminal, and a line per change of task elsewhere.
+    It writes one line over and over on a terminal, and a line per change of task elsewhere. Where nobody reads, as the
+    stream was closed, it writes nothing more: that is no reason to give up the work.
     """
     started = time.monotonic()
     last = [""]
+    readers = [] if stream is None else [stream]
 
     def show(what: str, done: int, total: int) -> None:
-        what = visible(what)
+        for reader in readers[:]:
+            try:
+                tell(reader, visible(what), done, total)
+            except (OSError, ValueError):  # a pipe that was closed; a stream that was
+                readers.clear()
+
+    def tell(stream: TextIO, what: str, done: int, total: int) -> None:
         if not stream.isatty():
             if what != last[0]:
                 stream.write(f"{what}\n")
