@@ -23,7 +23,7 @@ from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.buffer import SplitBuffer
 from chatscene.learn.finetune.scenes import KeptScene
 from chatscene.learn.finetune.settings import FinetuneSettings
-from chatscene.learn.finetune.state import keep, kept
+from chatscene.learn.state import keep, kept
 from chatscene.program.ordinary import Course
 from chatscene.settings import SimulationSettings
 

@@ -25,7 +25,7 @@ from chatscene.ego.policy import EgoPolicy, begin, observation_of, pedals_of
 from chatscene.learn.env import DrivingEnv
 from chatscene.learn.finetune.learner import Schedule
 from chatscene.learn.finetune.settings import FinetuneSettings
-from chatscene.learn.finetune.state import keep, kept
+from chatscene.learn.state import keep, kept
 from chatscene.settings import SimulationSettings
 
 Array = NDArray[np.float32]
