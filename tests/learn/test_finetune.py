@@ -359,14 +359,14 @@ class TestWhole:
         assert whole.before["train"]["n"] == 2.0
         ego = load_ego(str(tmp_path / "whole" / "policy.npz"))
         assert len(tuple(ego.act(np.zeros(4)))) == 2
-        assert [path.name for path in (tmp_path / "whole").glob("state-*.pt")] == ["state-0006.pt"]
+        assert [path.name for path in (tmp_path / "whole").glob("state-*.npz")] == ["state-0006.npz"]
         again = finetune(tmp_path / "whole", [scenes], settings, progress=silent)
         assert again == whole
 
         with pytest.raises(RunError, match="other settings"):
             finetune(tmp_path / "whole", [scenes], replace(settings, seed=4), progress=silent)
         runs.update(runs.Workspace(tmp_path / "cut"), chosen={}, after={}, files={})  # as if it was cut there
-        (tmp_path / "cut" / "state-0006.pt").write_bytes(b"not a state")
+        (tmp_path / "cut" / "state-0006.npz").write_bytes(b"not a state")
         with pytest.raises(RunError, match="cannot read"):
             finetune(tmp_path / "cut", [scenes], settings, progress=silent)
 

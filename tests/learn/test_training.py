@@ -179,8 +179,8 @@ def test_another_training_in_the_folder_is_not_continued(tmp_path: Path) -> None
 
 def test_a_damaged_checkpoint_is_said_to_be_one(tmp_path: Path) -> None:
     train(tmp_path / "t", settings("ppo", steps=40), progress=silent)
-    (tmp_path / "t" / "checkpoint.pt").write_bytes(b"not a checkpoint")
-    with pytest.raises(RunError, match=r"checkpoint\.pt is damaged"):
+    (tmp_path / "t" / "checkpoint.npz").write_bytes(b"not a checkpoint")
+    with pytest.raises(RunError, match=r"checkpoint\.npz is damaged"):
         train(tmp_path / "t", settings("ppo", steps=80), progress=silent)
     runs.update(runs.Workspace(tmp_path / "t"), files={})  # of an unfinished training there are no digests
     with pytest.raises(RunError, match="cannot read"):

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import shutil
 import tarfile
 from pathlib import Path
 from typing import Any
@@ -13,12 +14,15 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
+import chatscene
 from chatscene import runs
 from chatscene.errors import RunError
 from chatscene.report.index import index
 from chatscene.report.sql import ask
+from chatscene.report.viewer import write_report
 from chatscene.runs import tables
 from chatscene.runs.digests import digest_of
+from chatscene.runs.workspace import RECORDS
 from fake_run import finished, started
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
@@ -142,11 +146,33 @@ def test_a_record_whose_counts_lack_one_is_refused_by_name(tmp_path: Path) -> No
 
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Folders that chatscene 0.2 left, byte for byte: a run, an evaluation of it, and the record of a training."""
+    """Folders of all six kinds that chatscene 0.2 left, byte for byte."""
     folder = tmp_path_factory.mktemp("kept")
     with tarfile.open(FIXTURES / "folders-of-schema-3.tar.xz") as archive:
         archive.extractall(folder, filter="data")
     return folder
+
+
+KINDS: dict[str, type[runs.Record]] = {
+    "run": runs.RunRecord,
+    "evaluation": runs.EvaluationRecord,
+    "benchmark": runs.BenchmarkRecord,
+    "reproduction": runs.ReproductionRecord,
+    "finetuning": runs.FinetuningRecord,
+    "training": runs.TrainingRecord,
+}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_folder_of_each_kind_that_was_kept_is_whole(name: str, kept: Path) -> None:
+    record = runs.read_record(runs.Workspace(kept / name), KINDS[name])
+    assert record.status is runs.Status.DONE
+    condition = runs.check(kept / name)
+    assert condition.whole, condition
+
+
+def test_every_kind_of_folder_was_kept() -> None:
+    assert set(KINDS.values()) == set(RECORDS.values())
 
 
 def test_a_run_that_was_kept_is_whole_and_has_its_scenes_tracks_and_choice(kept: Path) -> None:
@@ -169,16 +195,40 @@ def test_an_evaluation_and_a_training_that_were_kept_are_read(kept: Path) -> Non
     assert runs.check(kept / "evaluation").whole
     assert {row["ego"] for row in runs.read_scenes(evaluation)} == {"idm"}
     training = runs.read_record(runs.Workspace(kept / "training"), runs.TrainingRecord)
-    assert training.status is runs.Status.DONE
     assert training.curve
+    tuned = runs.read_record(runs.Workspace(kept / "finetuning"), runs.FinetuningRecord)
+    assert tuned.curve
+    assert set(tuned.before) == set(tuned.after)
 
 
 def test_the_folders_that_were_kept_are_listed_and_answer_queries(kept: Path) -> None:
     found = index(kept)
     assert found.left_out == ()
-    assert list(found.evaluations) == [kept / "evaluation"]
-    assert ask("SELECT run, ran FROM runs", found).to_pylist() == [{"run": "run", "ran": 3}]
-    assert ask("SELECT count(*) AS n FROM scenes", found).to_pylist() == [{"n": 3}]
+    assert {folder.relative_to(kept).parts[0] for folder in found.evaluations} == {
+        "evaluation",
+        "benchmark",
+        "reproduction",
+    }
+    listed = ask("SELECT run, ran FROM runs ORDER BY run", found).to_pylist()
+    assert {"run": "run", "ran": 3} in listed
+    assert {row["run"].split("/")[0] for row in listed} == {"run", "benchmark", "reproduction"}
+    assert ask("SELECT count(*) AS n FROM scenes", found).to_pylist()[0]["n"] > 3
+
+
+def test_a_run_that_was_kept_is_replayed_reported_and_measured_anew(kept: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "run"
+    shutil.copytree(kept / "run", folder)
+    best = chatscene.Run(folder).best
+    assert best.replay().scene_id == best.id
+    assert write_report(folder).is_file()
+    measured = chatscene.evaluate(folder, ego="rule-based", folder=tmp_path / "evaluation")
+    assert len(
+        runs.read_scenes(
+            runs.Workspace(
+                measured.folder,
+            )
+        )
+    ) == len(runs.read_scenes(runs.Workspace(folder)))
 
 
 def test_a_run_that_was_killed_is_told_at_once_and_one_at_work_is_not(tmp_path: Path) -> None:

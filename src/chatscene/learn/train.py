@@ -10,8 +10,6 @@ Hyperparameters: SafeBench v1, the configuration files beside its checkpoints (S
 
 from __future__ import annotations
 
-import io
-import pickle
 import time
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -22,7 +20,7 @@ import numpy as np
 
 from chatscene import runs
 from chatscene.ego.network import Network, NetworkEgo, layers_of
-from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
+from chatscene.errors import MissingExtra, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
@@ -39,7 +37,8 @@ if TYPE_CHECKING:
     from stable_baselines3.common.base_class import BaseAlgorithm
 
 HIDDEN = (256, 256)
-LEAVES = ("policy.npz", "checkpoint.pt", "tensorboard/*")
+CHECKPOINT = "checkpoint.npz"
+LEAVES = ("policy.npz", CHECKPOINT, "checkpoint.pt", "tensorboard/*")  # the third of before, which is not read
 EVALUATION_SEED = 10_000  # far from any seed a training draws with
 ALGORITHMS: dict[str, dict[str, Any]] = {
     "sac": {
@@ -298,28 +297,23 @@ class _Learner:
 
     def keep(self) -> None:
         """Write what the next round needs."""
-        import torch
+        from chatscene.learn.state import keep
 
-        sink = io.BytesIO()
-        torch.save(
+        keep(
+            self._folder / CHECKPOINT,
             {
                 "parameters": self.model.get_parameters(),
                 "steps": self.model.num_timesteps,
                 "updates": self.model._n_updates,  # pyright: ignore[reportPrivateUsage]
                 "buffer": self._buffer(),
             },
-            sink,
         )
-        write_bytes(self._folder / "checkpoint.pt", sink.getvalue())
 
     def _buffer(self) -> dict[str, Any]:
-        import torch
-
         buffer: Any = getattr(self.model, "replay_buffer", None)
         if buffer is None:
             return {}
-        arrays = {name: torch.from_numpy(getattr(buffer, name)) for name in _BUFFER_ARRAYS}
-        return arrays | {"pos": buffer.pos, "full": buffer.full}
+        return {name: getattr(buffer, name) for name in (*_BUFFER_ARRAYS, "pos", "full")}
 
     def restore(self) -> None:
         """Take up what `keep` wrote.
@@ -327,18 +321,14 @@ class _Learner:
         Raises:
             RunError: It is damaged.
         """
-        import torch
+        from chatscene.learn.state import kept
 
-        path = self._folder / "checkpoint.pt"
-        try:
-            kept: dict[str, Any] = torch.load(path, weights_only=True)
-        except (OSError, RuntimeError, EOFError, pickle.UnpicklingError) as error:
-            raise RunError(f"cannot read {path}: {error}; delete {self._folder} and train again") from error
-        self.model.set_parameters(kept["parameters"])
-        self.model.num_timesteps = kept["steps"]
-        self.model._n_updates = kept["updates"]  # pyright: ignore[reportPrivateUsage]
-        buffer: Any = getattr(self.model, "replay_buffer", None)
-        if buffer is not None:
-            for name in _BUFFER_ARRAYS:
-                getattr(buffer, name)[:] = kept["buffer"][name].numpy()
-            buffer.pos, buffer.full = kept["buffer"]["pos"], kept["buffer"]["full"]
+        with kept(self._folder / CHECKPOINT) as state:
+            self.model.set_parameters(state["parameters"])
+            self.model.num_timesteps = state["steps"]
+            self.model._n_updates = state["updates"]  # pyright: ignore[reportPrivateUsage]
+            buffer: Any = getattr(self.model, "replay_buffer", None)
+            if buffer is not None:
+                for name in _BUFFER_ARRAYS:
+                    getattr(buffer, name)[:] = state["buffer"][name]
+                buffer.pos, buffer.full = state["buffer"]["pos"], state["buffer"]["full"]

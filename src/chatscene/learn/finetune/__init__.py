@@ -41,7 +41,7 @@ __all__ = ["PRESETS", "FinetuneSettings", "Finetuned", "choose", "finetune"]
 LEAST_COMPLETION = 0.3  # of a checkpoint that may be chosen (paper)
 ORDINARY = "ordinary"
 ORDINARY_SEED = 20_000  # of the traffic: neither a training's nor that of its evaluations
-LEAVES = ("policy.npz", "checkpoints/*.npz", "state-*.pt")
+LEAVES = ("policy.npz", "checkpoints/*.npz", "state-*.npz", "state-*.pt")  # the last of before, which is not read
 Row = dict[str, int | float]  # a row of the curve: numbers by name
 
 
@@ -307,7 +307,7 @@ def _drivable(scenes: Sequence[KeptScene], skipped: Mapping[str, str]) -> tuple[
 
 def _state(work: runs.Workspace, row: Mapping[str, Any]) -> Path:
     """Where the learner is kept after a round."""
-    return work.file(f"state-{row['episode']:04d}.pt")
+    return work.file(f"state-{row['episode']:04d}.npz")
 
 
 def _checkpoint(work: runs.Workspace, row: Mapping[str, Any]) -> Path:

@@ -81,17 +81,17 @@ class SplitBuffer(ReplayBuffer):
         return self._rng.choice(size, count, replace=False, shuffle=False)
 
     def stored(self) -> dict[str, Any]:
-        """Both parts as tensors and plain numbers; `restore` takes them up again."""
+        """Both parts as arrays and plain numbers; `restore` takes them up again."""
         return {name: _stored(buffer) for name, buffer in (("ordinary", self), ("crashes", self.crashes))}
 
     def restore(self, kept: Mapping[str, Mapping[str, Any]]) -> None:
         """Take up what `stored` gave."""
         for name, buffer in (("ordinary", self), ("crashes", self.crashes)):
             for array in _ARRAYS:
-                getattr(buffer, array)[:] = kept[name][array].numpy()
+                getattr(buffer, array)[:] = kept[name][array]
             buffer.pos, buffer.full = kept[name]["pos"], kept[name]["full"]
 
 
 def _stored(buffer: ReplayBuffer) -> dict[str, Any]:
-    arrays = {name: torch.from_numpy(getattr(buffer, name)) for name in _ARRAYS}
+    arrays = {name: getattr(buffer, name) for name in _ARRAYS}
     return arrays | {"pos": buffer.pos, "full": buffer.full}

@@ -271,7 +271,7 @@ class Learner:
         return NetworkEgo(network, name="sac", observation=self._start.observation, pedals=self._start.pedals)
 
     def keep(self, path: Path) -> None:
-        """Write what the next round needs, as tensors."""
+        """Write what the next round needs."""
         state = {
             "parameters": self.model.get_parameters(),
             "steps": self.steps,

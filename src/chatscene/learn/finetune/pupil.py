@@ -194,7 +194,7 @@ class Pupil:
         return NetworkEgo(network, name="pupil", observation=observation_of(teacher), pedals=pedals_of(teacher))
 
     def keep(self, path: Path) -> None:
-        """Write what the next round needs, as tensors."""
+        """Write what the next round needs."""
         state = {"scale": self._scale, "seen": self._seen, "shown": self._shown, "updates": self.updates}
         keep(path, {**state, "network": self._net.state_dict()})
 
