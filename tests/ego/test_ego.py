@@ -97,7 +97,8 @@ def seen(ego: EgoPolicy, x: float, y: float, heading: float, speed: float) -> Ob
     view.locate(x, y)
     if observation_of(ego) == "safebench":
         return view.four_numbers(x, y, heading, speed, False)
-    return view.actors(VehicleBody(x, y, heading, LIMITS["Car"], speed), [])
+    see = {"actors": view.actors, "road": view.road}[observation_of(ego)]
+    return see(VehicleBody(x, y, heading, LIMITS["Car"], speed), [])
 
 
 @pytest.mark.parametrize("name", sorted(EGOS.built_in))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR
+from chatscene.ego.observation import AHEAD, OBSERVATIONS, OWN, PER_ACTOR, ROAD
 from chatscene.ego.planner import HARDENED, SHIFT, Caution, Planner, carried_out
 from chatscene.ego.policy import load_ego
 
@@ -18,9 +18,12 @@ Array = NDArray[np.float64]
 WISH = Caution().speed
 
 
-def street(*actors: list[float], speed: float = WISH, offset: float = 0.0) -> Array:
+def street(
+    *actors: list[float], speed: float = WISH, offset: float = 0.0, room: tuple[float, float] = (8.0, 8.0)
+) -> Array:
     """A straight street, and who is on it."""
-    observation = np.zeros(OBSERVATIONS["actors"])
+    observation = np.zeros(OBSERVATIONS["road"])
+    observation[ROAD:] = room
     observation[:4] = (speed, offset, 0.0, 100.0)
     observation[4:OWN] = [x for ahead in AHEAD for x in (ahead, -offset)]
     for i, row in enumerate(actors):
@@ -40,6 +43,21 @@ def test_an_empty_street_is_driven_at_the_wanted_speed_along_the_route() -> None
     assert Planner().act(street()) == pytest.approx((0.0, 0.0), abs=1e-6)
     assert Planner().act(street(speed=WISH - 2.0))[0] > 0.4
     assert Planner().act(street(speed=WISH + 3.0))[0] < 0.0
+
+
+def test_no_way_leads_off_the_driving_lanes() -> None:
+    lane = (5.25, 1.75)  # there is another lane on the left
+    for way, shift in enumerate(SHIFT):
+        steered = carried_out(street(room=lane), way, WISH)[1]
+        free = carried_out(street(), way, WISH)[1]
+        assert steered == free if shift >= -0.5 else 0.0 < steered < free
+
+
+def test_it_passes_on_a_lane_and_not_on_the_pavement() -> None:
+    standing = street(car(20.0, 0.2), speed=4.0)
+    assert SHIFT[Planner().choose(standing)] < 0.0
+    standing[ROAD:] = 5.25, 1.75
+    assert SHIFT[Planner().choose(standing)] > 0.0
 
 
 def test_what_it_does_is_the_way_that_it_chooses() -> None:

@@ -437,7 +437,9 @@ def drive(
 
 @main.command()
 @click.option("--algorithm", default="sac", show_default=True, help="sac, ppo or td3.")
-@click.option("--observation", default="safebench", show_default=True, help="What the ego sees: safebench or actors.")
+@click.option(
+    "--observation", default="safebench", show_default=True, help="What the ego sees: safebench, actors or road."
+)
 @click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
 @click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")
 @click.option("--steps", default=60_000, show_default=True, help="Environment steps of 0.1 s.")

@@ -77,8 +77,9 @@ class Network:
             raise EgoError(f"a network must answer with {meant}, {answers}, not with {width} numbers")
         if self.output == "ways" and not 0.0 < self.at_most < math.inf:
             raise EgoError(f"a network that chooses a way needs a speed not to be exceeded, not {self.at_most}")
-        if self.output == "ways" and self.size != OBSERVATIONS["actors"]:
-            raise EgoError(f"a network that chooses a way looks at {OBSERVATIONS['actors']} numbers, not {self.size}")
+        looks = [OBSERVATIONS[name] for name in ("actors", "road")]
+        if self.output == "ways" and self.size not in looks:
+            raise EgoError(f"a network that chooses a way looks at {looks[0]} or {looks[1]} numbers, not {self.size}")
         object.__setattr__(self, "_columns", tuple(np.ascontiguousarray(weights.T) for weights, _ in self.layers))
 
     @property

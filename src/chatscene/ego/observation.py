@@ -1,4 +1,4 @@
-"""What an ego sees: two presets, each a vector of fixed size.
+"""What an ego sees: three presets, each a vector of fixed size.
 
 ``safebench``, four numbers (SafeBench v1, ``carla_env.py``, observation type 0; paper, appendix on egos):
 
@@ -20,6 +20,13 @@ reference, not an oversight.
 | 0 to 3 | speed; lateral offset and heading error at the ego itself; distance to the end of the route, at most 100 | m/s, m, rad, m |
 | 4 to 13 | the route 5, 10, 15, 20 and 30 m ahead: x, y in the ego's frame (x ahead, y left) | m |
 | from 14 | for each of the six nearest actors within 50 m: 1; along the route ahead of the ego, left of the route; x, y and velocity x, y in the ego's frame; heading against the ego's; half length, half width; 1 if it walks | 1, m, m/s, rad |
+
+``road``, ``actors`` and how far the driving lanes go on beside the route (ours; decision 0111):
+
+| index | meaning | unit |
+|---|---|---|
+| 0 to 79 | ``actors`` | |
+| 80, 81 | room left and right of the route on the driving lanes, the least of the next 30 m, at most 8 | m |
 
 Rows of actors that are not there are zero. Nothing hides anybody but night and fog, in which those are not there who
 are farther than light and weather let them be seen (`chatscene.terms.surroundings`): a preset is eyes, not a sensor
@@ -49,15 +56,20 @@ PER_ACTOR = 11
 OWN = 4 + 2 * len(AHEAD)
 HORIZON = 100.0  # [m] of route left beyond which it does not matter how much
 
-OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": OWN + NEAREST * PER_ACTOR}
+BESIDE = 8.0  # [m] beside the route beyond which it does not matter how wide the road is
+ROAD = OWN + NEAREST * PER_ACTOR  # where in `road` the room left and right stands
+
+OBSERVATIONS: dict[str, int] = {"safebench": 4, "actors": ROAD, "road": ROAD + 2}
 """The presets by name, and the size of each vector."""
 
-SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0}
+SPEED_AT: dict[str, int] = {"safebench": 2, "actors": 0, "road": 0}
 """Where in each vector the ego's own speed stands [m/s]."""
 
 IN_WORDS: dict[str, str] = {
     "safebench": f"sees its route and, of all others, only whether a vehicle is within {SIGHT:g} m ahead in its lane",
     "actors": f"sees its route and the {NEAREST} nearest road users within {RANGE:g} m, hidden ones too",
+    "road": f"sees its route, how wide the road is, and the {NEAREST} nearest road users within {RANGE:g} m, "
+    "hidden ones too",
 }
 """What each preset shows, to stand beside what came of it."""
 
@@ -80,16 +92,18 @@ class RouteView:
 
     Args:
         line: The route, points about 1 m apart.
+        room: For each segment the room left and right of it [m], as in `road`; None is a road without edges.
 
     Attributes:
         along: Arc length of the ego on the route [m], after `locate`.
         offset: Lateral offset of the ego from the route [m, positive = left], after `locate`.
     """
 
-    __slots__ = ("_line", "_near", "along", "offset")
+    __slots__ = ("_line", "_near", "_room", "along", "offset")
 
-    def __init__(self, line: Polyline) -> None:
+    def __init__(self, line: Polyline, room: Sequence[tuple[float, float]] | None = None) -> None:
         self._line = line
+        self._room = room
         self._near = 0
         self.along = 0.0
         self.offset = 0.0
@@ -145,6 +159,15 @@ class RouteView:
             seen += self._row(ego, other, walks)
         seen += [0.0] * (OBSERVATIONS["actors"] - len(seen))
         return np.array(seen)
+
+    def road(self, ego: Posed, others: Sequence[tuple[Posed, bool, float]]) -> Observation:
+        """The preset ``road`` for an ego that was located at its pose; the rest as for `actors`.
+
+        Returns:
+            (``OBSERVATIONS["road"]``,) float64.
+        """
+        room = (BESIDE, BESIDE) if self._room is None else self._room[self._near]
+        return np.concatenate((self.actors(ego, others), room))
 
     def _row(self, ego: Posed, other: Posed, walks: bool) -> tuple[float, ...]:
         along, beside = self._on_route(other)

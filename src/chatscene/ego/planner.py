@@ -1,9 +1,9 @@
 """A driver by rule that looks ahead: it tries ways of going on against what everybody near may do next.
 
-At each step it weighs some accelerations and sideways shifts over four seconds, in coordinates along its route.
-Everybody near is expected to go on, and with less weight to brake, to speed up, to keep straight where the route bends
-or, where they stand beside the way, to step into it. The way that costs least is begun. It remembers nothing, so that
-it can be learned from (`chatscene.learn.finetune.pupil`).
+At each step it weighs some accelerations and sideways shifts over four seconds, in coordinates along its route. No
+shift leads off the driving lanes. Everybody near is expected to go on, and with less weight to brake, to speed up, to
+keep straight where the route bends or, where they stand beside the way, to step into it. The way that costs least is
+begun. It remembers nothing, so that it can be learned from (`chatscene.learn.finetune.pupil`).
 
 Its numbers are those of any machine: arrays are only added, multiplied, compared and rooted, sums go through them in
 the order of time or of who is expected, and angles are Python's own. So `engine.c` gives the same.
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.intelligent_driver import curve_speed
-from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, Observation
+from chatscene.ego.observation import AHEAD, OWN, PER_ACTOR, ROAD, Observation
 from chatscene.terms.actors import LIMITS
 
 DT = 0.2  # [s]
@@ -129,7 +129,7 @@ class _Others:
 
 
 class Planner:
-    """Looks four seconds ahead, on the preset ``actors``, with the whole brake pedal.
+    """Looks four seconds ahead, on the preset ``road``, with the whole brake pedal.
 
     Args:
         caution: What its ways are weighed by.
@@ -140,7 +140,7 @@ class Planner:
         discount: (T,) what a crash that is expected then counts.
     """
 
-    observation = "actors"
+    observation = "road"
     pedals = "full-brake"
 
     def __init__(self, caution: Caution | None = None, *, name: str = "planner") -> None:
@@ -160,11 +160,12 @@ class Planner:
         speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))  # (T, ways)
         gone = speeds.cumsum(axis=0) * DT
         reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=0) * DT
-        beside = offset + np.minimum(np.maximum(SHIFT - offset, -reach), reach)
-        cost = c.jerk * (ACCELERATION * ACCELERATION) - gone[-1] + c.resolve * np.abs(SHIFT - offset)
+        shift = np.minimum(np.maximum(SHIFT, -_room(observation[ROAD + 1])), _room(observation[ROAD]))
+        beside = offset + np.minimum(np.maximum(shift - offset, -reach), reach)
+        cost = c.jerk * (ACCELERATION * ACCELERATION) - gone[-1] + c.resolve * np.abs(shift - offset)
         off = c.offset * (beside * beside) + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)
         cost += np.add.reduce(off, axis=0) * DT
-        rows = observation[OWN:].reshape(-1, PER_ACTOR)
+        rows = observation[OWN:ROAD].reshape(-1, PER_ACTOR)
         if len(rows := rows[rows[:, 0] > 0.0]):
             cost += self._danger(self._others(observation, rows), offset, speeds, gone, beside)
         return int(cost.argmin())
@@ -236,7 +237,7 @@ def carried_out(observation: Observation, way: int, at_most: float) -> tuple[flo
     """Acceleration and steering in [-1, 1] of one step of a way.
 
     Args:
-        observation: The preset ``actors``.
+        observation: The preset ``road``, or ``actors``, which has no edge of the road.
         way: Index into `ACCELERATION` and `SHIFT`.
         at_most: The speed that is not to be exceeded [m/s]; curves may allow less.
     """
@@ -246,8 +247,16 @@ def carried_out(observation: Observation, way: int, at_most: float) -> tuple[flo
     if acceleration >= 0.0 and speed >= wish - 0.05:
         acceleration = max(-3.0, 2.0 * (wish - speed))
     pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
-    shift = offset + max(-AT_ONCE, min(AT_ONCE, float(SHIFT[way]) - offset))
+    to = float(SHIFT[way])
+    if len(observation) > ROAD:
+        to = min(max(to, -_room(observation[ROAD + 1])), _room(observation[ROAD]))
+    shift = offset + max(-AT_ONCE, min(AT_ONCE, to - offset))
     return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
+
+
+def _room(lanes: float) -> float:
+    """How far the middle of the car may go to a side [m] where the driving lanes end so far from the route [m]."""
+    return max(float(lanes) - _CAR.width / 2, 0.0)
 
 
 def _along_the_route(points: list[list[float]], row: list[float]) -> tuple[float, ...]:

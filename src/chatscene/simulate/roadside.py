@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from chatscene.ego.observation import AHEAD, BESIDE
 from chatscene.errors import MapError
 from chatscene.maps.junctions import StopLine, junction_control, junction_signals
 from chatscene.maps.lane_map import LaneMap
@@ -24,6 +26,7 @@ from chatscene.world.signals import MODES, signal_states
 
 HALTED = 0.1  # [m/s], slow enough to count as a stop at a stop sign (SafeBench, RunningStopTest)
 STOP_ZONE = 6.0  # [m] before the line within which the ego must have halted
+_ROOM_STEP = 0.25  # [m], how finely the room beside a route is measured
 _AXIS = math.sqrt(0.5)  # cosine of 45°: a lane nearer than that to the ego's direction is on its axis
 
 
@@ -52,6 +55,21 @@ class RouteSurroundings:
             self._control = junction_control(network.elements[route.junction])
             self._lines = junction_signals(network, route.junction)
         self._approach = route.line.heading_at(max(route.event_at - 1.0, 0.0))
+
+    @cached_property
+    def room(self) -> list[tuple[float, float]]:
+        """For each segment of the route, the room left and right of it [m], as in the preset `road`."""
+        x, y, arcs, hx, hy = (np.array(column) for column in self._route.line.columns)
+        hx, hy = np.append(hx, hx[-1]), np.append(hy, hy[-1])
+        away = np.arange(_ROOM_STEP, BESIDE + _ROOM_STEP / 2, _ROOM_STEP)
+        beside: list[NDArray[np.float64]] = []
+        for side in (1.0, -1.0):
+            there = np.stack((x[:, None] - side * hy[:, None] * away, y[:, None] + side * hx[:, None] * away), axis=-1)
+            off = self._lane_map.off_road(there.reshape(-1, 2)).reshape(len(x), len(away))
+            room = _ROOM_STEP * np.logical_and.accumulate(~off, axis=1).sum(axis=1)
+            ends = np.searchsorted(arcs, arcs[:-1] + AHEAD[-1], side="right")
+            beside.append(np.array([room[i : max(end, i + 2)].min() for i, end in enumerate(ends)]))
+        return [*zip(*(side.tolist() for side in beside), strict=True)]
 
     def _own(self, line: StopLine) -> bool:
         return line.lane in self._route.lane_ids

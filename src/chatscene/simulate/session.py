@@ -102,9 +102,9 @@ class SteppedSession:
         self._as_written = program.as_written
         self._names: list[tuple[str, Role]] = []
         self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
-        self._view = RouteView(route.line)
-        self.preset = observation
-        self._see = {"safebench": self._four_numbers, "actors": self._actors}[check_preset(observation)]
+        self.preset = check_preset(observation)
+        self._view = RouteView(route.line, around.room if observation == "road" else None)
+        self._see = {"safebench": self._four_numbers, "actors": self._actors, "road": self._road}[observation]
         self._moving: list[Body] = []
         self._vehicles: list[Body] = []
         self.others: list[tuple[Body, bool, float]] = []
@@ -281,6 +281,9 @@ class SteppedSession:
 
     def _actors(self) -> Observation:
         return self._view.actors(self._ego, self.others)
+
+    def _road(self) -> Observation:
+        return self._view.road(self._ego, self.others)
 
     def _vehicle_ahead(self) -> bool:
         ego = self._ego

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
-from chatscene.ego.observation import AHEAD, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, Observation
+from chatscene.ego.observation import AHEAD, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation
 from chatscene.ego.planner import Caution, Planner
 from chatscene.ego.policy import EgoPolicy, load_ego, observation_of
 from chatscene.errors import MapError, StuckBehavior
@@ -158,11 +158,12 @@ def _braked(simulator: Simulator, program: ScenicProgram, ego: EgoPolicy, begins
 
 def _street(draw: np.random.Generator) -> Observation:
     """A bent road with up to six others, of any kind, anywhere near, moving or not."""
-    seen = np.zeros(OBSERVATIONS["actors"])
+    seen = np.zeros(OBSERVATIONS["road"])
+    seen[ROAD:] = draw.choice([0.5, 1.75, 5.25, 8.0], 2)
     seen[:4] = draw.uniform(0, 12), draw.normal(0, 1.5), draw.normal(0, 0.1), draw.uniform(5, 100)
     bend = draw.normal(0, 0.02)
     seen[4:OWN] = [x for ahead in AHEAD for x in (ahead, bend * ahead * ahead / 2 - seen[1])]
-    for row in seen[OWN:].reshape(-1, PER_ACTOR)[: draw.integers(0, NEAREST + 1)]:
+    for row in seen[OWN:ROAD].reshape(-1, PER_ACTOR)[: draw.integers(0, NEAREST + 1)]:
         along, beside, moves = draw.uniform(-20, 45), draw.normal(0, 4), draw.random() < 0.6
         row[:5] = 1.0, along, beside, along, beside
         row[5:8] = moves * draw.normal(0, 6), moves * draw.normal(0, 2), draw.uniform(-np.pi, np.pi)
@@ -241,8 +242,18 @@ def test_a_network_of_many_numbers_sees_everybody_near(native: NativeSimulator) 
     assert _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), ego)
 
 
-def test_a_network_that_chooses_among_ways_drives_as_it_does_in_python(native: NativeSimulator) -> None:
-    ego = NetworkEgo(_network((80, 64, 49), output="ways"), name="ways", observation="actors", pedals="full-brake")
+@pytest.mark.parametrize("name", ("planner", "hardened"))
+def test_the_planner_stays_on_the_road_where_somebody_ahead_brakes(native: NativeSimulator, name: str) -> None:
+    for route in range(3):
+        episode = _agrees(native, _program(PHASES["BrakeOnPath"]), _scene(route), load_ego(name))
+        assert episode is not None
+        assert not episode.off_road.any()
+
+
+@pytest.mark.parametrize("preset", ("actors", "road"))
+def test_a_network_that_chooses_among_ways_drives_as_it_does_in_python(native: NativeSimulator, preset: str) -> None:
+    size = OBSERVATIONS[preset]
+    ego = NetworkEgo(_network((size, 64, 49), output="ways"), name="ways", observation=preset, pedals="full-brake")
     assert policy_of(ego, engine.load_engine()) is not None
     assert _agrees(native, _program(PHASES["KeepStation"], left=3.0), _scene(1), ego)
 

@@ -28,7 +28,7 @@ from chatscene.world.control import curve_speeds
 
 THING, VEHICLE, WALKER = 0, 1, 2  # these and the next as engine.c numbers them
 UNTIL, AFTER = 1, 2
-PRESETS = {"safebench": 0, "actors": 1}
+PRESETS = {"safebench": 0, "actors": 1, "road": 2}
 ON_FOOT = ("MoveAhead", "Halt")  # what somebody on foot can do
 STANDING = ("Park", "Halt")  # what a thing can do
 ORDER = [
@@ -142,6 +142,8 @@ class _Binder:
         world.preset, world.hardest = PRESETS[session.preset], PEDALS[session.pedals]
         world.dt, world.arrival = session.settings.dt, ARRIVAL * session.route.length
         world.along, world.offset = session.along, session.offset
+        if session.preset == "road":
+            world.room = self._doubles(session.around.room)
         offsets[0] = session.offset
         world.kept = self._kept
         return Bound(world, rows, offsets)

@@ -25,6 +25,7 @@
 #define PER_ACTOR 11
 #define OWN 14
 #define ACTORS_SIZE (OWN + NEAREST * PER_ACTOR)
+#define ROAD_SIZE (ACTORS_SIZE + 2)
 #define STACK 64
 #define LOCALS 8
 #define ARGUMENTS 6
@@ -33,7 +34,7 @@
 
 enum { THING, VEHICLE, WALKER };
 enum { GOES_ON, COLLISION, ARRIVED, TIMEOUT };
-enum { SAFEBENCH, ACTORS };
+enum { SAFEBENCH, ACTORS, ROAD };
 #define STEPS 20 /* that the planner looks ahead */
 #define WAYS 49 /* that it weighs */
 #define EXPECTED (4 * NEAREST)
@@ -133,7 +134,8 @@ typedef struct {
     const Order *order;
     double *row, *offsets;  /* what is kept of each state: 4 numbers per body that moves; the ego's offset */
     Contact *contact;
-    double seen[ACTORS_SIZE];
+    const double *room; /* of each segment of the ego's route, left and right of it; where the ego sees the road */
+    double seen[ROAD_SIZE];
 } World;
 
 typedef struct {
@@ -820,7 +822,11 @@ static void see_actors(World *w) {
 static void locate(World *w) { project(&w->line[0], w->body[0].x, w->body[0].y, &w->near, &w->along, &w->offset); }
 
 static void see(World *w) {
-    if (w->preset == ACTORS) see_actors(w); else see_four_numbers(w);
+    if (w->preset == SAFEBENCH) { see_four_numbers(w); return; }
+    see_actors(w);
+    if (w->preset != ROAD) return;
+    w->seen[ACTORS_SIZE] = w->room[2 * w->near];
+    w->seen[ACTORS_SIZE + 1] = w->room[2 * w->near + 1];
 }
 
 static void look(World *w) {
@@ -1125,12 +1131,19 @@ static double between(double ahead, const double *values) {
     return (values[2 * i + 2] - values[2 * i]) / (AHEAD[i + 1] - AHEAD[i]) * (ahead - AHEAD[i]) + values[2 * i];
 }
 
-/* One step of a way, no faster than is wished. */
-static void carry_out(const Limits *car, const double *seen, int chosen, double wish, double *acceleration,
+/* How far a way leads to the side, no farther than the driving lanes allow. */
+static double shift_of(const Limits *car, const double *seen, int chosen) {
+    double left = larger(seen[ACTORS_SIZE] - car->width / 2, 0.0);
+    double right = larger(seen[ACTORS_SIZE + 1] - car->width / 2, 0.0);
+    return smaller(larger(SHIFTS[chosen % 7], -right), left);
+}
+
+/* One step of a way to a shift, no faster than is wished. */
+static void carry_out(const Limits *car, const double *seen, int chosen, double to, double wish, double *acceleration,
                       double *steer) {
     double speed = seen[0], offset = seen[1], a = ACCELERATIONS[chosen / 7];
     if (a >= 0.0 && speed >= wish - 0.05) a = larger(-3.0, 2.0 * (wish - speed));
-    double shift = offset + larger(-1.6, smaller(1.6, SHIFTS[chosen % 7] - offset));
+    double shift = offset + larger(-1.6, smaller(1.6, to - offset));
     double look = larger(5.0, 0.9 * speed), way = atan2(seen[7] - seen[5], seen[6] - seen[4]);
     double x = between(look, seen + 4) - sin(way) * shift, y = between(look, seen + 5) + cos(way) * shift;
     double chord2 = x * x + y * y, wheel = atan(car->wheelbase * 2.0 * y / larger(chord2, 1.0));
@@ -1141,7 +1154,8 @@ static void carry_out(const Limits *car, const double *seen, int chosen, double 
 static void planner(const Limits *car, const Caution *c, const double *seen, double *acceleration, double *steer) {
     double speed = seen[0], offset = seen[1], wish = smaller(c->speed, curve_speed(seen));
     double most = larger(wish, speed - 3.0 * STRIDE), cost[WAYS], danger[WAYS] = {0};
-    double gone[WAYS] = {0}, reach[WAYS] = {0}, off[WAYS] = {0};
+    double gone[WAYS] = {0}, reach[WAYS] = {0}, off[WAYS] = {0}, shift[WAYS];
+    for (int w = 0; w < WAYS; w++) shift[w] = shift_of(car, seen, w);
     Ways ways;
     for (int t = 0; t < STEPS; t++) {
         ways.furthest[t] = ways.leftmost[t] = -INFINITY;
@@ -1151,7 +1165,7 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
             ways.speed[t][w] = v;
             gone[w] += v;
             reach[w] += smaller(c->drift, c->agility * v);
-            double far = reach[w] * STRIDE, y = offset + smaller(larger(SHIFTS[w % 7] - offset, -far), far);
+            double far = reach[w] * STRIDE, y = offset + smaller(larger(shift[w] - offset, -far), far);
             ways.gone[t][w] = gone[w] * STRIDE;
             ways.beside[t][w] = y;
             off[w] += c->offset * (y * y) + c->astray * larger(fabs(y) - 2.0, 0.0);
@@ -1179,12 +1193,12 @@ static void planner(const Limits *car, const Caution *c, const double *seen, dou
     int best = 0;
     for (int w = 0; w < WAYS; w++) {
         double a = ACCELERATIONS[w / 7];
-        cost[w] = c->jerk * (a * a) - ways.gone[STEPS - 1][w] + c->resolve * fabs(SHIFTS[w % 7] - offset);
+        cost[w] = c->jerk * (a * a) - ways.gone[STEPS - 1][w] + c->resolve * fabs(shift[w] - offset);
         cost[w] += off[w] * STRIDE;
         if (count) cost[w] += danger[w];
         if (cost[w] < cost[best]) best = w;
     }
-    carry_out(car, seen, best, wish, acceleration, steer);
+    carry_out(car, seen, best, shift[best], wish, acceleration, steer);
 }
 
 /* chatscene.ego.network: products added one after the other, in the order of the inputs. Those that are zero are left
@@ -1231,7 +1245,9 @@ static void network(const Policy *policy, const double *seen, double *accelerati
     if (policy->output == BY_WAY) {
         int chosen = 0;
         for (int way = 1; way < WAYS; way++) if (in[way] > in[chosen]) chosen = way;
-        carry_out(&policy->car, seen, chosen, smaller(policy->caution.speed, curve_speed(seen)), acceleration, steer);
+        double to = policy->layer[0].inputs == ROAD_SIZE ? shift_of(&policy->car, seen, chosen) : SHIFTS[chosen % 7];
+        double wish = smaller(policy->caution.speed, curve_speed(seen));
+        carry_out(&policy->car, seen, chosen, to, wish, acceleration, steer);
         return;
     }
     *acceleration = squashed(in[0], policy->output);
