@@ -58,7 +58,11 @@ def runs_below(folder: Path, as_json: bool) -> None:
     chatscene runs
     chatscene runs runs/benchmark --json
     """
-    rows = _index(folder).tables["runs"].select(["run", "status", "ego", "scenes", "collided", "selected", "text"])
+    rows = (
+        _index(folder)
+        .tables["runs"]
+        .select(["run", "status", "ego", "scenes", "collided", "off_road", "selected", "text"])
+    )
     if as_json:
         say(json.dumps(rows.to_pylist(), indent=1, ensure_ascii=False))
         return

@@ -22,7 +22,7 @@ from chatscene.runs.workspace import RECORD
 from chatscene.terms.scenario import Slots
 
 _BLOCK = ("scenario_id", "route_id", "block")
-_COUNTS = ("scenes", "ran", "rejected", "collided", "selected", "fill_in")
+_COUNTS = ("scenes", "ran", "rejected", "collided", "off_road", "timeout", "waiting", "selected", "fill_in")
 OTHERWISE_CALLED = {"distance": "start_distance", "group": "in_group", "ego": "ego_state"}
 """Slots whose names are words of SQL, or columns of `scenes`, by their columns in `facts`."""
 

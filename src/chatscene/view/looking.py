@@ -85,6 +85,7 @@ def _line(run: Row, facts: list[Row], scenes: list[Row]) -> dict[str, Any]:
         "adversary": ", ".join(sorted({row["adversary"] for row in facts if row["adversary"]})),
         "ran": run["ran"],
         "collided": run["collided"],
+        "off_road": run["off_road"],
         "avoidable": sum(row["avoidable"] is True for row in driven) if run["status"] == "done" else None,
         "kept": run["selected"],
         "struck": dict(Counter(row["fault"] for row in driven if row["fault"])),
@@ -130,11 +131,14 @@ def _told(folder: Path) -> dict[str, dict[str, str]]:
             for name, value in row.items()
             if name not in _NOT_COMPARED and value not in (None, [], 0)
         },
-        "came to": _came_to(driven),
+        "came to": _came_to(run, driven),
     }
 
 
-def _came_to(driven: list[Row]) -> dict[str, str]:
+_ENDED = {"off_road": "left the road", "timeout": "ran out of time", "waiting": "waited behind somebody to the end"}
+
+
+def _came_to(run: Row, driven: list[Row]) -> dict[str, str]:
     if not driven:
         return {"scenes driven": "0"}
     hits = [row for row in driven if row["collision"]]
@@ -146,6 +150,7 @@ def _came_to(driven: list[Row]) -> dict[str, str]:
         "kept": str(sum(row["selected"] for row in driven)),
         "show all that was read": str(sum(row["meaning_ok"] for row in driven)),
     }
+    told |= {words: str(run[name]) for name, words in _ENDED.items() if run[name] is not None}
     if hits:
         told["median impact speed"] = f"{median(row['impact_speed'] for row in hits):.1f} m/s"
     for fault, count in sorted(Counter(row["fault"] for row in hits if row["fault"]).items()):

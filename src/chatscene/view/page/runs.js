@@ -7,6 +7,7 @@ const COLUMNS = [
   { name: "Adversary", key: "adversary" },
   { name: "Driven", key: "ran", number: true },
   { name: "Collided", key: "collided", number: true },
+  { name: "Left the road", key: "off_road", number: true },
   { name: "Avoidable", key: "avoidable", number: true },
   { name: "Kept", key: "kept", number: true },
   { name: "Began", key: "began", number: true },
@@ -91,6 +92,7 @@ function row(run) {
     cell("Adversary", run.adversary),
     cell("Driven", run.ran),
     cell("Collided", run.collided === null ? null : `${run.collided}${share}`, struck),
+    cell("Left the road", run.off_road === null ? null : `${run.off_road}${share}`),
     cell("Avoidable", run.avoidable),
     cell("Kept", run.kept),
     cell("Began", when(run.began)));
