@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import zipfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +23,11 @@ def test_a_state_comes_back_as_it_was(tmp_path: Path) -> None:
     optimizer = torch.optim.Adam(layer.parameters())
     layer(torch.ones(3)).sum().backward()
     optimizer.step()
-    state = {"optimizer": optimizer.state_dict(), "rows": np.arange(6, dtype=np.uint8).reshape(2, 3), "full": True}
+    state: dict[str, Any] = {
+        "optimizer": optimizer.state_dict(),
+        "rows": np.arange(6, dtype=np.uint8).reshape(2, 3),
+        "full": True,
+    }
     keep(tmp_path / "state.npz", state)
     with kept(tmp_path / "state.npz") as found:
         assert found["full"] is True
