@@ -1,7 +1,8 @@
-# Three commands do everything on a bare Python 3.11, 3.12 or 3.13 with pip:
+# Four commands do everything on a bare Python 3.11, 3.12 or 3.13 with pip:
 #   make demo   set up, turn one sentence into crash scenes, leave demo/report.html
 #   make test   set up what tests need, check style, types and architecture, run the tests
 #   make docs   build the site, leave site/index.html
+#   make wheel  leave in dist/ what `pip install` takes elsewhere
 PYTHON ?= python3
 PY := .venv/bin/python
 PIP := $(PY) -m pip install --quiet --no-compile --disable-pip-version-check -c constraints.txt
@@ -10,15 +11,16 @@ PIP := $(PY) -m pip install --quiet --no-compile --disable-pip-version-check -c 
 unexport PYTHONDONTWRITEBYTECODE
 SENTENCE ?= A car runs the red light from the left.
 
-.PHONY: demo test check suite docs clean
+.PHONY: demo test check suite docs wheel clean
 
 demo: .venv/core
 	rm -rf demo
 	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
-	@echo 'look at it:  $(PY) -m chatscene open demo'
-	@echo 'then try:    $(PY) -m chatscene chat'
-	@echo '             $(PY) -m chatscene evaluate demo --ego idm --ego sac --out demo-egos'
-	@echo '             $(PY) -m chatscene export demo --to openscenario --out demo-files'
+	@echo 'first:       source .venv/bin/activate'
+	@echo 'look at it:  chatscene open demo'
+	@echo 'then try:    chatscene chat'
+	@echo '             chatscene evaluate demo --ego idm --ego sac --out demo-egos'
+	@echo '             chatscene export demo --to openscenario --out demo-files'
 
 test: .venv/test
 	$(MAKE) --no-print-directory -j 2 check suite
@@ -35,6 +37,9 @@ check: .venv/test
 
 docs: .venv/docs
 	NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build --quiet
+
+wheel: .venv/bin/python
+	$(PY) -m pip wheel --quiet --no-deps --disable-pip-version-check --wheel-dir dist .
 
 .venv/bin/python:
 	$(PYTHON) -c "import sys; v = sys.version_info[:2]; sys.exit(0 if (3, 11) <= v < (3, 14) else f'chatscene needs Python 3.11, 3.12 or 3.13, this is {v[0]}.{v[1]}; call make PYTHON=python3.11')"
@@ -55,4 +60,4 @@ docs: .venv/docs
 	touch .venv/core .venv/docs .venv/test
 
 clean:
-	rm -rf .venv demo demo-egos demo-files site
+	rm -rf .venv demo demo-egos demo-files dist site

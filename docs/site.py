@@ -1,12 +1,13 @@
 """What the site has beside the pages of this folder: the repository's own, and two that are made of what there is.
 
-`mkdocs build` calls `on_files` before it reads anything.
+`mkdocs build` calls `on_files` before it reads anything, and what else begins with `on_` for each page.
 """
 
 from __future__ import annotations
 
 import json
 import re
+from html import escape, unescape
 from pathlib import Path
 
 import click
@@ -22,6 +23,8 @@ OF_THE_REPOSITORY = {
     "CHANGELOG.md": "changelog.md",
     "SECURITY.md": "security-policy.md",
 }
+BLOCK = re.compile(r'<div (class="(?:[^"]* )?highlight"[^>]*>)<pre>(.*?)</pre>', re.DOTALL)
+TAG = re.compile(r"<[^>]*>")
 STATUS = re.compile(r"^Status: (.*?), (\d{4}-\d\d-\d\d)(.*)$", re.MULTILINE)
 
 
@@ -41,6 +44,17 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
 def on_page_markdown(markdown: str, **_: object) -> str:
     """Lead to the page of a tutorial, not to its notebook."""
     return re.sub(r"(tutorials/[\w-]+)\.ipynb\)", r"\1.md)", markdown)
+
+
+def on_page_content(html: str, **_: object) -> str:
+    """Let the button of a block copy its commands without prompts: Material copies `data-copy` where there is one."""
+    return BLOCK.sub(_copied, html)
+
+
+def _copied(block: re.Match[str]) -> str:
+    lines = unescape(TAG.sub("", block[2])).splitlines()
+    said = "\n".join(line.removeprefix("$ ") for line in lines if line.startswith("$ "))
+    return f'<div data-copy="{escape(said)}" {block[1]}<pre>{block[2]}</pre>' if said else block[0]
 
 
 def notebook(path: Path) -> str:

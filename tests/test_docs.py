@@ -110,6 +110,24 @@ def test_the_page_on_views_shows_commands_that_serve_and_open(tmp_path: Path, mo
         assert "http://127.0.0.1:" in said.output or opened
 
 
+def test_the_commands_of_the_first_pages_are_there_after_the_line_that_activates() -> None:
+    for page in ("README.md", "docs/tour.md"):
+        lines = [line for block in CONSOLE.findall((ROOT / page).read_text()) for line in block.splitlines()]
+        assert lines[:2] == ["$ make demo", "$ source .venv/bin/activate"], page
+    said = re.findall(r"@echo '(.*)'", (ROOT / "Makefile").read_text())
+    assert said[0].split(":")[1].strip() == "source .venv/bin/activate"
+    assert all(line.split(":")[-1].strip().startswith("chatscene ") for line in said[1:])
+
+
+def test_no_page_installs_from_an_index_that_has_no_such_package() -> None:
+    pages = [*PAGES, *ROOT.glob("docs/**/*.ipynb"), *ROOT.glob("src/**/*.py"), ROOT / "Makefile"]
+    for page in pages:
+        for said in re.findall(r"pip install [^`\n]*", page.read_text()):
+            named = [word.strip("\\\"',.;)") for word in said.split()[2:]]
+            assert not any(re.fullmatch(r"chatscene(\[.*\])?", word) for word in named), f"{page.name}: {said}"
+    assert "\nwheel:" in (ROOT / "Makefile").read_text()
+
+
 def test_every_command_in_the_readme_exists() -> None:
     for command, _ in commands(ROOT / "README.md"):
         words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]

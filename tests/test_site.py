@@ -6,6 +6,7 @@ import html
 import json
 import os
 import re
+import runpy
 import subprocess
 import sys
 import zipfile
@@ -101,10 +102,24 @@ def test_the_site_is_built_without_a_warning_and_asks_nobody_for_anything(tmp_pa
             if text
         )
 
+    copied = html.unescape("".join(re.findall(r'data-copy="([^"]*)"', (site / "index.html").read_text())))
+    assert copied.startswith("make demo\nsource .venv/bin/activate")
+
     commands = (site / "reference" / "commands.html").read_text()
     assert all(f'id="chatscene-{verb}"' in commands for verb in main.commands)
     decisions = (site / "decisions" / "index.html").read_text()
     assert all(f"{page.stem}.html" in decisions for page in DOCS.glob("decisions/*.md"))
+
+
+def test_the_button_of_a_block_copies_its_commands_without_prompts_and_answers() -> None:
+    markdown = pytest.importorskip("markdown", reason="the extra 'docs' is not installed")
+    extensions = ["pymdownx.highlight", "pymdownx.superfences"]  # as in mkdocs.yml
+    text = '```console\n$ say "a < b"  # so\na & b\n$ make demo\n```\n\n```bash\nmake\n```\n'
+    page = markdown.markdown(text, extensions=extensions)
+    made = runpy.run_path(str(DOCS / "site.py"))["on_page_content"](page)
+    (copied,) = re.findall(r'<div data-copy="([^"]*)" class="[^"]*highlight', made)
+    assert html.unescape(copied) == 'say "a < b"  # so\nmake demo'
+    assert re.sub(r' data-copy="[^"]*"', "", made) == page
 
 
 def test_the_gallery_has_a_small_picture_of_each_situation() -> None:

@@ -640,7 +640,7 @@ _RESUMES = {
 
 def replay(
     folder: Name,
-    scene_id: str,
+    scene_id: str | None = None,
     *,
     ego: Names = (),
     generator: Names = (),
@@ -653,7 +653,7 @@ def replay(
 
     Args:
         folder: Run folder.
-        scene_id: Id of the scene.
+        scene_id: Id of the scene; None for the first that the report shows.
         ego: Ego of the run again, if it may run code of its own.
         generator: Generator of the run again, if it is none of ours.
         simulator: Simulator of the run again, if it is none of ours.
@@ -668,12 +668,12 @@ def replay(
     from chatscene.runs.replay import replay as replay_scene
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return replay_scene(Path(folder), scene_id, repeated=repeated, watch=watch, record=record)
+    return replay_scene(Path(folder), scene_id or Run(folder).best.id, repeated=repeated, watch=watch, record=record)
 
 
 def why(
     folder: Name,
-    scene_id: str,
+    scene_id: str | None = None,
     *,
     ego: Names = (),
     generator: Names = (),
@@ -684,7 +684,7 @@ def why(
 
     Args:
         folder: Run folder.
-        scene_id: Id of the scene.
+        scene_id: Id of the scene; None for the first that the report shows.
         ego: Ego of the run again, if it may run code of its own.
         generator: Generator of the run again, if it is none of ours.
         simulator: Simulator of the run again, if it is none of ours.
@@ -697,7 +697,7 @@ def why(
     from chatscene.runs.why import why as why_crashed
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return why_crashed(Path(folder), scene_id, repeated=repeated)
+    return why_crashed(Path(folder), scene_id or Run(folder).best.id, repeated=repeated)
 
 
 def rate(

@@ -32,9 +32,12 @@ A message says what happened, where, and what to do.
 from __future__ import annotations
 
 import difflib
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 
 class ChatSceneError(Exception):
@@ -49,7 +52,25 @@ class MissingExtra(ChatSceneError):  # noqa: N818
     """Something needs an optional package; the message names the extra that brings it."""
 
     def __init__(self, what: str, *, extra: str, package: str = "chatscene") -> None:
-        super().__init__(f'{what}, which is not installed; install it with: pip install "{package}[{extra}]"')
+        super().__init__(f"{what}, which is not installed; install it with: {_install(package, extra)}")
+
+
+def _install(package: str, extra: str) -> str:
+    """The command that brings an extra from where the package itself was installed: no index need have it."""
+    from importlib.metadata import PackageNotFoundError, distribution  # only who lacks something waits for it
+
+    try:
+        origin = json.loads(distribution(package).read_text("direct_url.json") or "{}")
+    except (PackageNotFoundError, ValueError):
+        return f'pip install -e ".[{extra}]" in a checkout of {package}'
+    url = str(origin.get("url", ""))
+    if not url:
+        return f'pip install "{package}[{extra}]"'
+    if url.startswith("file:"):
+        editable = "-e " if origin.get("dir_info", {}).get("editable") else ""
+        return f'pip install {editable}"{url2pathname(urlsplit(url).path)}[{extra}]"'
+    vcs = origin.get("vcs_info", {}).get("vcs")
+    return f'pip install "{package}[{extra}] @ {f"{vcs}+" if vcs else ""}{url}"'
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

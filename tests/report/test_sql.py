@@ -271,7 +271,7 @@ def test_runs_are_listed_without_duckdb_and_sql_names_the_extra(one_run: Path, m
     monkeypatch.setitem(sys.modules, "duckdb", None)
     assert json.loads(told("runs", one_run, "--json").stdout)[0]["scenes"] == 55
     assert "walker" in told("runs", one_run.parent).stdout
-    with pytest.raises(MissingExtra, match=re.escape('pip install "chatscene[sql]"')):
+    with pytest.raises(MissingExtra, match=r'pip install .*\[sql\]"'):
         chatscene.sql("SELECT 1", one_run)
 
 

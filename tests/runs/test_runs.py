@@ -322,7 +322,7 @@ def test_a_folder_that_is_no_run_or_a_broken_one_is_said_to_be_so(tmp_path: Path
         open_run(tmp_path)
     run = started(tmp_path / "run")
     _spoil(run, schema_version=SCHEMA_VERSION + 1)
-    with pytest.raises(RunError, match=r"newer chatscene .*upgrade"):
+    with pytest.raises(RunError, match=r"newer chatscene .*newer checkout .*newer wheel"):
         open_run(run.path)
     _spoil(run, schema_version=SCHEMA_VERSION, status="sleeping")
     with pytest.raises(RunError, match="status"):

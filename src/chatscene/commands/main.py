@@ -489,15 +489,18 @@ def train(
 
 @main.command()
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
-@click.argument("scene_id")
+@click.argument("scene_id", required=False)
 @DRIVEN_AGAIN
 @click.option("--watch", is_flag=True, help="Let the window of a CARLA server look down on the ego.")
 @click.option("--record", is_flag=True, help="Let a CARLA server's recorder write a file to DIR/recordings.")
 @JSON
-def replay(folder: Path, scene_id: str, watch: bool, record: bool, as_json: bool, **again: Unpack[DrivenAgain]) -> None:
+def replay(
+    folder: Path, scene_id: str | None, watch: bool, record: bool, as_json: bool, **again: Unpack[DrivenAgain]
+) -> None:
     """Simulate one scene of a run again, from its stored values, and say whether the tracks are identical.
 
-    In a CARLA server, which does not repeat itself to the bit, they have to be the same within half a metre.
+    Without SCENE_ID it is the first that the report shows. In a CARLA server, which does not repeat itself to the bit,
+    they have to be the same within half a metre.
 
     \b
     chatscene replay runs/cyclist cyclist-1f2e/route-00/scene-017

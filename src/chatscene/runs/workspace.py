@@ -334,7 +334,7 @@ def _readable(run: Workspace, content: dict[str, Any]) -> dict[str, Any]:
     if isinstance(found, int) and found > SCHEMA_VERSION:
         raise RunError(
             f"{run.path} was written by a newer chatscene (schema {found}, this one reads {SCHEMA_VERSION}); "
-            "upgrade with: pip install --upgrade chatscene"
+            "read it with a newer checkout (git pull), or a newer wheel, of chatscene"
         )
     if found == _UPGRADED:
         return upgraded(content)

@@ -83,7 +83,7 @@ def test_what_netconvert_fails_at_is_told(code: str, said: str, monkeypatch: pyt
 
 def test_without_the_extra_the_message_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(netconvert, "find_spec", dict[str, None]().get)
-    with pytest.raises(MissingExtra, match=r'package eclipse-sumo, .* pip install "chatscene\[osm\]"'):
+    with pytest.raises(MissingExtra, match=r'package eclipse-sumo, .* pip install .*\[osm\]"'):
         convert(CROSSING, read_extract(CROSSING))
 
 
