@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from chatscene.errors import NothingFits
 from chatscene.interpret import decide as deciding
+from chatscene.interpret import readings
 from chatscene.interpret.choose import choose
 from chatscene.interpret.decide import scenario_of
 from chatscene.interpret.nearest import nearest
@@ -22,6 +23,7 @@ from chatscene.models.encoders.embedding import load_embedder
 from chatscene.pipeline import understand
 from chatscene.read import decompose
 from chatscene.read.clauses import cut
+from chatscene.read.reading import read
 from chatscene.read.slot_classifier import VALUES, as_value
 from chatscene.settings import RetrievalSettings
 from chatscene.terms.actors import AdversaryKind
@@ -261,6 +263,44 @@ def test_a_behavior_that_the_classifier_does_not_know_is_believed_by_its_wording
     assert frame is not None
     assert frame.beliefs.others.keys() == {"behavior/own-brake", "behavior/own-cross"}
     assert frame.beliefs.meant("behavior/own-brake") > 0.5 > frame.beliefs.meant("behavior/own-cross")
+
+
+OWN = ("Somebody fetches a glove.", "This woman drops her keys right in front of us, and turns back for them.")
+READ_OTHERWISE = "A car ahead of us brakes hard."
+
+
+@pytest.fixture
+def with_own(small: Library, monkeypatch: pytest.MonkeyPatch) -> Library:
+    """A library with a user's own behavior, which only crosses whatever its wordings tell."""
+    own = replace(
+        small.get("behavior/cross"), id="behavior/own-fetch", description=OWN[0], rephrasings=(*OWN[1:], READ_OTHERWISE)
+    )
+    library = Library((*small, own))
+    for module in (deciding, readings):
+        monkeypatch.setattr(module, "library_with", dict[str, Library]({"": library}).__getitem__)
+    return library
+
+
+@pytest.mark.parametrize("text", [*OWN, READ_OTHERWISE, OWN[1].upper().replace(",", " -").replace(".", "")])
+def test_a_wording_of_ones_own_snippet_finds_that_snippet_whatever_its_words_are_read_as(
+    text: str, with_own: Library
+) -> None:
+    understood = readings.understand(read(text, RetrievalSettings()), RetrievalSettings())
+    chosen = retrieve(understood, with_own, load_embedder())
+    assert chosen.behavior.snippet.id == "behavior/own-fetch"
+    assert understood.slots.actions == chosen.behavior.snippet.slots.actions
+    assert not any(match.conflicts for match in (chosen.behavior, chosen.geometry, chosen.spawn))
+
+
+def test_a_place_that_no_partner_of_a_worded_snippet_has_is_a_note(with_own: Library) -> None:
+    understood = readings.understand(read(READ_OTHERWISE, RetrievalSettings()), RetrievalSettings())
+    assert understood.slots.position is not Position.AHEAD
+    assert any("read ahead, behavior/own-fetch joins no such place" in str(note) for note in understood.notes)
+
+
+def test_what_a_user_states_is_more_than_a_wording(with_own: Library) -> None:
+    settings = RetrievalSettings(stated="actions=cross,turn-back")
+    assert readings.understand(read(OWN[1], settings), settings).slots.actions == (Action.CROSS, Action.TURN_BACK)
 
 
 def test_a_text_is_mended_and_cut_once(monkeypatch: pytest.MonkeyPatch) -> None:

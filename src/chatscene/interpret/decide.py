@@ -7,12 +7,14 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from chatscene.errors import NothingFits
 from chatscene.interpret.nearest import likely_by_wording
 from chatscene.interpret.retrieve import left_by_unread, retrieve, settle
 from chatscene.interpret.trust import account_is_right, log_odds
 from chatscene.interpret.wording import parts_of
+from chatscene.library.compatibility import agree, compatibility
 from chatscene.library.load import library_with
 from chatscene.models.encoders.embedding import load_embedder
 from chatscene.read.reading import read
@@ -22,7 +24,8 @@ from chatscene.terms.acts import Action
 from chatscene.terms.conclusions import base_of, concluded
 from chatscene.terms.frame import LIKELY, About, Account, Beliefs, Frame, Mention, Note, certain
 from chatscene.terms.scenario import Component, Measure, Scenario, Slots, Unused, Why
-from chatscene.terms.slots import SLOTS
+from chatscene.terms.slots import SLOTS, slots_of
+from chatscene.terms.snippet import Snippet
 
 TOGETHER = 0.6  # weight of a behavior's log-likelihood beside those of its acts
 FAINTEST = 1e-3  # likelihood
@@ -37,7 +40,60 @@ def scenario_of(text: str, settings: RetrievalSettings | None = None) -> Scenari
         MissingExtra: The language model's package is missing.
     """
     settings = settings or RetrievalSettings()
-    return decide(read(text, settings), settings)
+    return decide(as_worded(read(text, settings), settings), settings)
+
+
+def as_worded(frame: Frame, settings: RetrievalSettings) -> Frame:
+    """The frame, and of a text that is to the word a wording of a user's own behavior, one that says what that does.
+
+    Where it is done is what the text was read to say, as far as there is a place for it that the behavior can be
+    joined with; what there is none for is a note.
+
+    Args:
+        frame: What the text says.
+        settings: Which library, and what the user stated beside the text.
+    """
+    own = _worded(frame, _own_behaviors(frame, settings))
+    if frame.reader or not own or {"actions", "adversary"} & set(frame.stated):
+        return frame
+    behavior, library = own[0], library_with(settings.library)
+    read_so = concluded(frame.outright) if frame.whole else likeliest_together(frame, settings)
+    kind = read_so.adversary
+    if kind is None or kind.acts_as not in behavior.adversaries:
+        kind = behavior.adversaries[0]
+    slots = replace(read_so, **behavior.slots.said(), adversary=kind, others=())
+    joint = compatibility(library)
+    fits = joint.places(joint.behaviors.index(behavior))
+    partners = (
+        (Component.GEOMETRY, joint.geometries, fits.any(axis=1)),
+        (Component.SPAWN, joint.spawns, fits.any(axis=0)),
+    )
+    there = {
+        name: [getattr(s.slots, name) for s, fit in zip(snippets, fitting, strict=True) if fit]
+        for component, snippets, fitting in partners
+        for name in slots_of(component)
+    }
+    nowhere = {
+        name: value
+        for name, value in slots.said().items()
+        if name not in frame.stated and not any(agree(value, one) for one in there.get(name, (None,)))
+    }
+    slots = replace(slots, **{name: getattr(Slots(), name) for name in nowhere})
+    without = (
+        Note(about=About.DIFFERENT, said=(name, "the words", str(value), behavior.id, "joins no such place"))
+        for name, value in nowhere.items()
+    )
+    return replace(
+        frame,
+        outright=slots,
+        beliefs=certain(slots, frame.beliefs),
+        whole=True,
+        sure=1.0,
+        account=None,
+        unused=(),
+        mentions=(),
+        notes=(*(note for note in frame.notes if note.about is About.MENDED), *without),
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -207,20 +263,40 @@ def _in_order(
     acts: frozenset[Action], beliefs: Beliefs, behaviors: Mapping[str, tuple[Action, ...]]
 ) -> tuple[Action, ...]:
     """Acts of which nobody said the order, in that of the likeliest behavior that does them all."""
-    likely = {name: p for name, p in beliefs.behaviors.items() if acts <= set(behaviors.get(name, ()))}
+    likely = {name: p for name, p in beliefs.behaviors.items() if name in behaviors and acts <= set(behaviors[name])}
     order = behaviors[max(likely, key=lambda name: likely[name])] if likely else tuple(Action)
     return tuple(action for action in dict.fromkeys(order) if action in acts)
 
 
 def _with_own_behaviors(frame: Frame, settings: RetrievalSettings) -> Frame:
     """How likely those behaviors are that the classifier has not heard of, such as a user's own, by their wordings."""
-    behaviors = library_with(settings.library).of(Component.BEHAVIOR)
-    unknown = tuple(s for s in behaviors if s.id not in frame.beliefs.behaviors)
+    unknown = _own_behaviors(frame, settings)
     if not unknown:
         return frame
+    if own := _worded(frame, unknown):
+        beliefs = replace(frame.beliefs, behaviors=dict.fromkeys(frame.beliefs.behaviors, 0.0))
+        return replace(frame, beliefs=replace(beliefs, others={s.id: float(s in own) for s in unknown}))
     said = frame.clauses.adversary or frame.clauses.whole
     others = likely_by_wording(said, unknown, load_embedder(settings.embedder))
     return replace(frame, beliefs=replace(frame.beliefs, others=others))
+
+
+def _own_behaviors(frame: Frame, settings: RetrievalSettings) -> tuple[Snippet, ...]:
+    """The behaviors that the classifier has not heard of."""
+    behaviors = library_with(settings.library).of(Component.BEHAVIOR)
+    return tuple(s for s in behaviors if s.id not in frame.beliefs.behaviors)
+
+
+def _worded(frame: Frame, snippets: tuple[Snippet, ...]) -> tuple[Snippet, ...]:
+    """Those of which the text is a wording, to the word."""
+    said = _words(frame.text)
+    return tuple(s for s in snippets if any(_words(text) == said for text in (s.description, *s.rephrasings)))
+
+
+@lru_cache(maxsize=65536)
+def _words(text: str) -> str:
+    """A text without case and punctuation."""
+    return " ".join(re.findall(r"\w+", text.casefold()))
 
 
 def _unused(frame: Frame, slots: Slots) -> tuple[Unused, ...]:

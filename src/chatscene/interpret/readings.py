@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from chatscene.errors import NothingFits, OfferedReading, SettingsError
 from chatscene.interpret.choose import choose
-from chatscene.interpret.decide import Weighed, as_told, decide, decided, understood, weigh
+from chatscene.interpret.decide import Weighed, as_told, as_worded, decide, decided, understood, weigh
 from chatscene.interpret.paper import read_as_in_paper
 from chatscene.interpret.stated import in_text, require_stated, with_stated
 from chatscene.library.load import library_with
@@ -40,6 +40,8 @@ def understand(frame: Frame, settings: RetrievalSettings) -> Scenario:
     frame = with_stated(frame, settings.stated)
     if settings.reader == "paper":
         return read_as_in_paper(frame, settings)
+    if not settings.reading:
+        frame = as_worded(frame, settings)
     offered: tuple[Reading, ...] = ()
     if frame.whole or frame.reader:
         scenario = decide(frame, settings)
