@@ -3,17 +3,13 @@
 import json
 import re
 import runpy
-import shlex
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
-import chatscene
-from chatscene.commands.main import main
 from chatscene.library.load import load_library
 from chatscene.search.generators.baselines.adversarial_trajectory import LIMIT, VULNERABLE_LIMIT
 from chatscene.search.generators.baselines.learning_to_collide import LearningToCollide
@@ -27,87 +23,6 @@ from places import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
-
-
-def commands(page: Path) -> list[tuple[str, int]]:
-    """The chatscene commands of a page, with the status each should end with."""
-    lines = [line for block in CONSOLE.findall(page.read_text()) for line in block.splitlines()]
-    found: list[tuple[str, int]] = []
-    for line in lines:
-        if line.startswith("$ chatscene "):
-            command, _, comment = line[2:].partition("  #")
-            status = re.search(r"status (\d)", comment)
-            found.append((command.strip(), int(status[1]) if status else 0))
-    return found
-
-
-@pytest.mark.parametrize("page", ["tour.md", "exports.md"])
-def test_the_commands_of_a_page_do_what_it_says(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    steps = commands(ROOT / "docs" / page)
-    assert len(steps) >= 7
-    for command, status in steps:
-        done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
-        assert done.exit_code == status, f"{command}\n{done.output}"
-
-
-def test_the_commands_of_the_how_tos_do_what_they_say(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    pages = sorted((ROOT / "docs" / "howto").glob("*.md"))
-    steps = dict.fromkeys(step for page in pages for step in commands(page))  # what several pages do is done once
-    assert len(pages) == 4
-    assert len(steps) >= 6
-    for command, status in steps:
-        done = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
-        assert done.exit_code == status, f"{command}\n{done.output}"
-
-
-def test_the_page_on_crashes_asks_for_one_and_shows_what_is_said(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    page = ROOT / "docs" / "why.md"
-    (run, _), (why, _) = commands(page)
-    assert CliRunner().invoke(main, shlex.split(run)[1:], catch_exceptions=False).exit_code == 0
-    folder, scene_id = shlex.split(why)[2:]
-    told = chatscene.Run(folder).scene(scene_id).why()
-    assert told.in_words() in page.read_text()
-
-    def known(*_: object, **__: object) -> object:  # to find it out again takes seconds
-        return told
-
-    monkeypatch.setattr("chatscene.api.why", known)
-    said = CliRunner().invoke(main, shlex.split(why)[1:], catch_exceptions=False)
-    assert said.output.strip() == told.in_words()
-    again = CliRunner().invoke(main, [*shlex.split(why)[1:], "--json"], catch_exceptions=False)
-    assert json.loads(again.output)["contact"]["other"] == "adversary"
-
-
-def test_the_page_on_rates_shows_what_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    page = ROOT / "docs" / "rate.md"
-    (run, _), (rate, _) = commands(page)
-    assert CliRunner().invoke(main, shlex.split(run)[1:], catch_exceptions=False).exit_code == 0
-    said = CliRunner().invoke(main, shlex.split(rate)[1:], catch_exceptions=False)
-    told = "\n".join(said.stdout.strip().splitlines()[-5:])
-    assert told.startswith("'A car runs the red light")
-    assert told in page.read_text()
-
-
-def test_the_page_on_views_shows_commands_that_serve_and_open(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    (finished(tmp_path / "runs" / "walks", count=1).path / "report.html").write_text("a report")
-
-    def interrupted(_: object) -> None:  # else it serves for ever
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("chatscene.view.server.Server.serve_forever", interrupted)
-    opened: list[str] = []
-    monkeypatch.setattr("webbrowser.open", opened.append)
-    for command, status in commands(ROOT / "docs" / "view.md"):
-        said = CliRunner().invoke(main, shlex.split(command)[1:], catch_exceptions=False)
-        assert said.exit_code == status, said.output
-        assert "http://127.0.0.1:" in said.output or opened
 
 
 def test_the_commands_of_the_first_pages_are_there_after_the_line_that_activates() -> None:
@@ -126,13 +41,6 @@ def test_no_page_installs_from_an_index_that_has_no_such_package() -> None:
             named = [word.strip("\\\"',.;)") for word in said.split()[2:]]
             assert not any(re.fullmatch(r"chatscene(\[.*\])?", word) for word in named), f"{page.name}: {said}"
     assert "\nwheel:" in (ROOT / "Makefile").read_text()
-
-
-def test_every_command_in_the_readme_exists() -> None:
-    for command, _ in commands(ROOT / "README.md"):
-        words = [word for word in shlex.split(command)[1:3] if re.fullmatch(r"[a-z]+(-[a-z]+)*", word)]
-        verb = words[:2] if words[0] in ("library", "map") else words[:1]
-        assert CliRunner().invoke(main, [*verb, "--help"], catch_exceptions=False).exit_code == 0, command
 
 
 def ran(code: str, folder: Path) -> None:
