@@ -326,7 +326,7 @@ class DrivenScene:
         ego_observation: str = "safebench",
         *,
         pedals: str = "safebench",
-        reward: str = "safebench",
+        reward: str = "progress",
         render_mode: str | None = None,
     ) -> DrivingEnv:
         """A Gymnasium environment of this scene: every episode begins as it did. Needs the extra ``gym``.

@@ -39,7 +39,7 @@ def make_scene(
     physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
-    reward: str = "safebench",
+    reward: str = "progress",
     render_mode: str | None = None,
 ) -> DrivingEnv:
     """An environment of a sentence: each episode is another scene of its program.
@@ -88,7 +88,7 @@ def make_drive(
     physics: str = SimulationSettings().physics,
     ego_observation: str = "safebench",
     pedals: str = "safebench",
-    reward: str = "safebench",
+    reward: str = "progress",
     render_mode: str | None = None,
 ) -> DrivingEnv:
     """An environment of the ordinary routes of a map, with traffic that means no harm.

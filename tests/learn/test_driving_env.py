@@ -19,7 +19,7 @@ from chatscene.ego.observation import OBSERVATIONS
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import EgoError, SettingsError
 from chatscene.learn.env import DrivingEnv, vector_env
-from chatscene.learn.reward import REWARDS, Moment, progress, safebench
+from chatscene.learn.reward import CRASH, REWARDS, Moment, progress, safebench
 from chatscene.maps.network import resolve_map
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
 from chatscene.settings import SimulationSettings
@@ -107,7 +107,7 @@ def test_a_crash_terminates_and_is_not_truncated(env: DrivingEnv) -> None:
         if terminated or truncated:
             break
     assert (terminated, truncated, info["ending"], info["collision"]) == (True, False, "collision", True)
-    assert info["reward"]["collision"] == -1.0
+    assert info["reward"]["collision"] == CRASH
     assert reward == pytest.approx(math.fsum(info["reward"].values()))
     assert 0.0 < info["completion"] < 1.0
 

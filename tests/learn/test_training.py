@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from inspect import signature
 from pathlib import Path
 from typing import Any
 from unittest.mock import Mock
@@ -12,12 +14,18 @@ import pytest
 
 pytest.importorskip("stable_baselines3", reason="the extra 'train' is not installed")
 
+from click.testing import CliRunner
+
+import chatscene
+import chatscene.gym
 from chatscene import api, runs
+from chatscene.commands.main import main
 from chatscene.ego.network import load_network
 from chatscene.ego.policy import load_ego
 from chatscene.errors import RunError, SettingsError
 from chatscene.learn import env as driving_env
 from chatscene.learn import train as training
+from chatscene.learn.finetune.settings import FinetuneSettings
 from chatscene.learn.train import Trained, TrainSettings, train
 from chatscene.measure.ordinary import OrdinaryDrive, OrdinaryResult
 from chatscene.program.ordinary import Course, ordinary_program, ordinary_queries
@@ -165,6 +173,66 @@ def test_ppo_adds_the_discounted_value_of_the_last_state_where_a_drive_was_trunc
     expected = [r + (0.99 * 7.0 if truncated else 0.0) for r, (_, truncated) in zip(rewards, endings, strict=True)]
     assert stored == pytest.approx(expected, rel=1e-5)
     assert sum(truncated for _, truncated in endings) >= 3
+
+
+def faring(monkeypatch: pytest.MonkeyPatch, *rounds: tuple[OrdinaryDrive, ...]) -> None:
+    """Evaluations that come out so, round by round."""
+    results = iter([OrdinaryResult(ego="e", drives=drives, rejected=0) for drives in rounds])
+    monkeypatch.setattr(training, "drive_ordinary", lambda *_, **__: next(results))
+
+
+def driven(*off_road: float, speed: float = 5.0, collided: bool = False) -> tuple[OrdinaryDrive, ...]:
+    return tuple(
+        OrdinaryDrive(course=i, completion=1.0, speed=speed, off_road=share, collided=collided)
+        for i, share in enumerate(off_road)
+    )
+
+
+def test_who_leaves_the_road_for_a_moment_in_every_drive_is_not_the_best(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow_but_on_it = (OrdinaryDrive(course=0, completion=0.5, speed=2.0, off_road=0.0, collided=False),)
+    faring(monkeypatch, driven(0.01, 0.02), slow_but_on_it)
+    trained = train(tmp_path / "t", settings("ppo"), progress=silent)
+    assert trained.best == trained.curve[1]
+    assert [row["off_road_rate"] for row in trained.curve] == [1.0, 0.0]
+    assert load_network(tmp_path / "t" / "policy.npz")[1]["evaluation_steps"] == 80
+
+
+def test_a_later_round_is_weighed_against_the_policy_that_is_kept_though_another_rule_kept_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    faring(monkeypatch, driven(0.0, 0.3), driven(0.0, 0.0))
+    with monkeypatch.context() as patch:
+        patch.setattr(training, "_worth", lambda row: -row["steps"])  # which keeps the first, whatever it does
+        assert train(tmp_path / "t", settings("ppo"), progress=silent).best["steps"] == 40
+    faring(monkeypatch, driven(0.0, 0.01))
+    on = train(tmp_path / "t", settings("ppo", steps=120), progress=silent)
+    assert on.best == on.curve[0]  # as good by the share of drives; the second, better than both, is not kept any more
+    assert load_network(tmp_path / "t" / "policy.npz")[1]["evaluation_steps"] == 40
+
+
+def test_steps_that_are_rounded_up_are_told(tmp_path: Path) -> None:
+    command = ["train", "--algorithm", "ppo", "--steps", "50", "--round", "40", "--out", str(tmp_path / "t")]
+    told = CliRunner().invoke(main, command, catch_exceptions=False)
+    assert "80 steps instead of 50: whole rounds of 40" in told.output
+
+
+def test_the_table_of_a_training_has_units(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    faring(monkeypatch, driven(0.5, 0.1, 0.0, 0.0, speed=22.5))
+    command = ["train", "--algorithm", "ppo", "--steps", "40", "--round", "40", "--out", str(tmp_path / "t")]
+    told = CliRunner().invoke(main, command, catch_exceptions=False).output
+    assert re.search(r"40 +100\.0% +0\.0% +50\.0% +15\.0% +22\.50  kept", told)
+    assert "it leaves the road in 50% of its drives: it has not learned to drive yet" in told
+    assert "[m/s]" in told
+
+
+def test_progress_is_what_a_training_and_an_environment_pay_for_where_nothing_is_said() -> None:
+    assert TrainSettings().reward == "progress"
+    assert FinetuneSettings().reward == "safebench"  # the paper's
+    for made in (driving_env.DrivingEnv.__init__, chatscene.gym.make_drive, chatscene.gym.make_scene):
+        assert signature(made).parameters["reward"].default == "progress"
+    assert signature(chatscene.DrivenScene.env).parameters["reward"].default == "progress"
 
 
 def test_another_training_in_the_folder_is_not_continued(tmp_path: Path) -> None:

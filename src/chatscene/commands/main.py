@@ -440,9 +440,9 @@ def drive(
 @click.option(
     "--observation", default="safebench", show_default=True, help="What the ego sees: safebench, actors or road."
 )
-@click.option("--reward", default="safebench", show_default=True, help="What it is paid for: safebench or progress.")
+@click.option("--reward", default="progress", show_default=True, help="What it is paid for: progress or safebench.")
 @click.option("--pedals", default="safebench", show_default=True, help="safebench, or full-brake.")
-@click.option("--steps", default=60_000, show_default=True, help="Environment steps of 0.1 s.")
+@click.option("--steps", default=60_000, show_default=True, help="Steps of 0.1 s, rounded up to whole rounds.")
 @click.option("--round", "round_", default=5_000, show_default=True, help="Steps between two evaluations.")
 @click.option("--seed", default=0, show_default=True)
 @MAP
@@ -470,6 +470,8 @@ def train(
     """
     from chatscene import api
 
+    if round_ > 0 and steps % round_:
+        say(f"{-(-steps // round_) * round_} steps instead of {steps}: whole rounds of {round_} (--round)", err=True)
     trained = api.train(
         out,
         algorithm=algorithm,
@@ -728,18 +730,27 @@ def _say_benchmarked(benchmarked: Benchmarked, as_json: bool) -> None:
     _say_evaluated(benchmarked.evaluated, as_json)
 
 
+_SELDOM = 0.1  # of its drives: who crashes or leaves the road more often has not learned to drive
+
+
 def _say_trained(trained: Trained, as_json: bool) -> None:
     if as_json:
         say(json.dumps({"folder": str(trained.folder), "best": trained.best}))
         return
-    say(" steps  completion  collisions  mean speed")
+    say("        of the route   of the drives           of the time  mean speed")
+    say(" steps        driven  collided  off the road  off the road       [m/s]")
     for row in trained.curve:
+        astray = f"{row['off_road_rate']:.1%}" if "off_road_rate" in row else "?"  # a round of an earlier version
         say(
-            f"{row['steps']:6.0f}  {row['completion']:10.3f}  {row['collision_rate']:10.3f}  {row['mean_speed']:10.2f}"
-            + ("  kept" if row == trained.best else "")
+            f"{row['steps']:6.0f}  {row['completion']:12.1%}  {row['collision_rate']:8.1%}  {astray:>12}"
+            f"  {row['off_road']:12.1%}  {row['mean_speed']:10.2f}" + ("  kept" if row == trained.best else "")
         )
+    best = trained.best
     policy = trained.folder / "policy.npz"
-    say(f"the best is in {policy}; drive with it: --ego {policy}")
+    say(f"the best of them is in {policy}; drive with it: --ego {policy}")
+    faults = {"collides": best["collision_rate"], "leaves the road": best.get("off_road_rate", best["off_road"])}
+    if told := [f"{does} in {share:.0%} of its drives" for does, share in faults.items() if share > _SELDOM]:
+        say(f"it {' and '.join(told)}: it has not learned to drive yet; go on with more --steps")
 
 
 def _say_done(run: Run, as_json: bool) -> None:

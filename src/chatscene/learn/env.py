@@ -76,7 +76,7 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
         map_name: str | Path = "town",
         ego_observation: str = "safebench",
         pedals: str = "safebench",
-        reward: str = "safebench",
+        reward: str = "progress",
         settings: SimulationSettings | None = None,
         simulator: Simulator | None = None,
         render_mode: str | None = None,

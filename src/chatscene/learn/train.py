@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from chatscene import runs
-from chatscene.ego.network import Network, NetworkEgo, layers_of
-from chatscene.errors import MissingExtra, SettingsError, no_such
+from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
+from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
@@ -95,7 +95,7 @@ class TrainSettings:
 
     algorithm: str = "sac"
     observation: str = "safebench"
-    reward: str = "safebench"
+    reward: str = "progress"
     pedals: str = "safebench"
     steps: int = 60_000
     round: int = 5_000
@@ -161,7 +161,10 @@ def train(folder: Path, settings: TrainSettings, *, progress: Progress) -> Train
         if len(curve) < settings.rounds:
             _rounds(work, settings, curve, tell)
         tell("training, steps", settings.steps, settings.steps)
-    return Trained(folder=folder, curve=tuple(curve), best=max(curve, key=_worth))
+    kept = _kept(work)
+    return Trained(
+        folder=folder, curve=tuple(curve), best=next((row for row in curve if row["steps"] == kept["steps"]), kept)
+    )
 
 
 def resume(
@@ -202,7 +205,7 @@ def _rounds(work: runs.Workspace, settings: TrainSettings, curve: list[Row], pro
         network = learner.network()
         result = evaluate_network(network, settings)
         row = {"steps": float((number + 1) * settings.round), "seconds": round(seconds, 1)} | result.figures()
-        if not curve or _worth(row) > max(map(_worth, curve)):
+        if not curve or _worth(row) > _worth(_kept(work)):
             write_bytes(work.file("policy.npz"), network.stored(_about(settings, row)))
         learner.keep()
         curve.append(row)  # last: a row says that everything before it is on disk
@@ -217,10 +220,22 @@ def evaluate_network(network: Network, settings: TrainSettings, *, seed: int = E
     return drive_ordinary(ego, simulator, scenes=1, seed=settings.seed + seed)
 
 
+def _kept(work: runs.Workspace) -> Row:
+    """The row of the policy that is kept, which an earlier version may have chosen by another rule."""
+    _, about = load_network(work.file("policy.npz"))
+    own = "evaluation_"
+    return {name.removeprefix(own): value for name, value in about.items() if name.startswith(own)}
+
+
 def _worth(row: Mapping[str, float]) -> float:
-    """What makes one ego better than another: to arrive, not to crash, to stay on the road, and then to be swift."""
+    """What makes one ego better than another: to arrive, not to crash, to stay on the road, and then to be swift.
+
+    A drive that leaves the road is as bad as one that crashes. Rows of earlier versions have only the share of the time
+    off the road, which is at most the share of such drives.
+    """
     swift = min(row["mean_speed"], DESIRED_SPEED)
-    return row["completion"] - 5.0 * row["collision_rate"] - row["off_road"] + 0.01 * swift
+    astray = row.get("off_road_rate", row["off_road"])
+    return row["completion"] - 5.0 * (row["collision_rate"] + astray) + 0.01 * swift
 
 
 def _about(settings: TrainSettings, row: Mapping[str, float]) -> dict[str, str | float]:

@@ -52,7 +52,7 @@ class OrdinaryResult:
     rejected: int
 
     def figures(self) -> dict[str, float]:
-        """The means, by name, and the Wilson interval of the collision rate."""
+        """The means, by name, the Wilson interval of the collision rate, and the share of drives that left the road."""
         hits = sum(drive.collided for drive in self.drives)
         low, high = wilson(hits, len(self.drives))
         return {
@@ -62,6 +62,7 @@ class OrdinaryResult:
             "collision_rate_low": low,
             "collision_rate_high": high,
             "off_road": fmean(drive.off_road for drive in self.drives),
+            "off_road_rate": fmean(drive.off_road > 0.0 for drive in self.drives),
             "mean_speed": fmean(drive.speed for drive in self.drives),
         }
 
