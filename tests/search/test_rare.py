@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from chatscene.errors import SettingsError
+from chatscene.measure.score import wilson
 from chatscene.search.exposure import exposure_of, read_exposure
 from chatscene.search.rare import FEWEST, Batch, Box, Came, Share, Tally, rounds, share_of
 from chatscene.terms.exposure import Density, Shape
@@ -85,7 +86,10 @@ def test_a_rare_crash_is_told_from_fewer_drives_than_without_aiming() -> None:
     rng = np.random.default_rng(3)
     plain = np.array([_corner(0.1)(point).crashed for point in rng.random((500, 2))])
     assert aimed.probability is not None
-    assert share_of(plain, np.ones(500)).probability is None
+    without = share_of(plain, np.ones(500))
+    assert aimed.high is not None and aimed.low is not None
+    assert without.high is not None and without.low is not None
+    assert aimed.high - aimed.low < without.high - without.low
 
 
 def test_an_exposure_is_what_a_share_is_of() -> None:
@@ -150,13 +154,24 @@ def test_what_cannot_be_placed_is_no_scene() -> None:
 
 
 def test_too_few_crashes_tell_no_share() -> None:
-    few = share_of(np.arange(1000) < FEWEST - 1, np.ones(1000))
+    weights = np.where(np.arange(1000) < 500, 1.0, 2.0)
+    few = share_of(np.arange(1000) < FEWEST - 1, weights)
     assert (few.seen, few.probability, few.high) == (FEWEST - 1, None, None)
     none = share_of(np.zeros(1000, bool), np.ones(1000))
     assert none.probability is None
     assert none.high == pytest.approx(0.003, abs=1e-4)  # three in a thousand
     enough = share_of(np.arange(1000) < 100, np.ones(1000))
     assert (enough.probability, round(enough.low or 0, 3), round(enough.high or 0, 3)) == (0.1, 0.083, 0.12)
+
+
+@pytest.mark.parametrize("weight", [1.0, 1 / 3])
+def test_of_drives_that_weigh_the_same_however_few_crashes_have_wilsons_interval(weight: float) -> None:
+    weights = weight * (1 + 1e-12 * np.arange(50))  # quotients of equal densities differ in their last bits
+    share = share_of(np.arange(50) < 22, weights)
+    assert (share.seen, share.probability) == (22, pytest.approx(0.44))
+    assert (share.low, share.high) == pytest.approx(wilson(22, 50), abs=1e-4)
+    every = share_of(np.ones(20, bool), weights[:20])
+    assert (every.low, every.high) == pytest.approx(wilson(20, 20), abs=1e-4)
 
 
 def test_an_exposure_is_a_file_with_sources(tmp_path: Path) -> None:

@@ -170,7 +170,7 @@ def share_of(happened: Flags, weights: Array, *, aimed: bool = False) -> Share:
     """How often something happens.
 
     The interval is Wilson's for as many drives as would have the same variance without weights, of `CONFIDENCE` or,
-    where some were aimed, as wide as one of `CONFIDENCE_AIMED`.
+    where some were aimed, as wide as one of `CONFIDENCE_AIMED`. Where all weigh the same it is told of however few.
 
     Args:
         happened: (N,) in which drives.
@@ -184,12 +184,13 @@ def share_of(happened: Flags, weights: Array, *, aimed: bool = False) -> Share:
         return Share(seen=0, effective=0.0, probability=None, low=None, high=below)
     hit = weights[happened]
     effective = float(hit.sum() ** 2 / (hit**2).sum())
-    if effective < FEWEST:
+    alike = bool(np.allclose(weights, weights[0]))  # quotients of densities, whose last bits differ
+    if effective < FEWEST and not alike:
         return Share(seen=seen, effective=effective, probability=None, low=None, high=None)
     p = float(hit.sum()) / total
     variance = float((weights**2 * (happened - p) ** 2).sum()) / total**2
-    alike = p * (1 - p) / variance if variance > 0 else effective
-    low, high = _wilson(p, alike, CONFIDENCE_AIMED if aimed else CONFIDENCE)
+    count = float(len(weights)) if alike else p * (1 - p) / variance if variance > 0 else effective
+    low, high = _wilson(p, count, CONFIDENCE_AIMED if aimed else CONFIDENCE)
     return Share(seen=seen, effective=effective, probability=p, low=low, high=high)
 
 
