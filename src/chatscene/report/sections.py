@@ -161,7 +161,7 @@ def scene_table(scenes: Sequence[Row], units: Mapping[str, str], replayable: Ite
         ("Scene", None, False),
         ("Outcome", None, False),
         ("Impact", "m/s", True),
-        ("Avoidable", None, False),
+        ("A careful driver avoids it", None, False),
         ("Who hit", None, False),
         ("Score", "less is worse", True),
         ("As read", None, False),

@@ -190,7 +190,7 @@ def print_coverage(console: Console, catalogue: Catalogue, rows: Sequence[Covere
     if egos:
         table.add_column("drives that\nshow it", justify="right", no_wrap=True)
     for ego in egos:
-        table.add_column(f"{_plain(ego)} crashes\n(avoidable)", justify="right", no_wrap=True)
+        table.add_column(f"{_plain(ego)} crashes\n(a careful\ndriver avoids)", justify="right", no_wrap=True)
     for row in rows:
         said = [f"[bold]{_plain(row.entry.name)}[/]", _plain(row.entry.sentence)]
         parts = " + ".join(f"{_plain(name)}{' (composed)' * (name in row.composed)}" for name in row.snippet_ids)

@@ -78,7 +78,7 @@ class Rate:
         lines = [
             f"{self.text!r}, driven by {self.ego}: if it comes about,",
             f"  a crash with the adversary: {_told(self.crash)}",
-            f"  an avoidable one: {_told(self.avoidable)}",
+            f"  one that a careful driver avoids: {_told(self.avoidable)}",
             f"from {self.stored} drives of the run and {self.driven} more ({self.drawn} scenes drawn in all).",
         ]
         if self.left:

@@ -200,7 +200,7 @@ class Why:
             seen = "Nobody could see it coming for long enough to judge it."
         else:
             seen = f"It could be seen coming from {self.risk:.1f} s on. "
-            seen += f"A careful driver brakes at {self.careful_brakes:.1f} s"
+            seen += f"A careful driver, that of UN R157, brakes at {self.careful_brakes:.1f} s"
             seen += ", and avoids it." if self.avoidable else ", which does not avoid it."
         return f"{seen} {last_moment_in_words(self.last_moment, self.contact.time, self.risk)}"
 
