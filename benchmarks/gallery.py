@@ -81,7 +81,8 @@ SITUATIONS = {
 HEAD = """# Gallery
 
 Some of what can be said, each run once: ten scenes on one route, driven by `sac`, the surrogate ego of the paper.
-It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)); shown is the first scene of the report.
+It sees vehicles ahead in its lane only, and so crashes often ([egos](egos.md)): this page is about situations,
+and `planner`, who drives in `run` where no ego is named, avoids many of them. Shown is the first scene of the report.
 The ego is blue, adversaries are orange, what hides or blocks is brown.
 Lines are the ways that they came, a star is the contact.
 `python benchmarks/gallery.py --out runs/gallery` makes this page (seed 0, commit `803b47d`).

@@ -838,7 +838,7 @@ def evaluate(
     Args:
         scenes: Runs, or folders with runs somewhere below.
         folder: Folder of the evaluation, new or empty, or one to go on in.
-        ego: Egos by name, file or ``package.module:factory``; the paper's three if none is given.
+        ego: Egos by name, file or ``package.module:factory``; `planner`, `idm` and `sac` if none is given.
         all: Whether every scene that ran is driven, not only the kept ones.
         simulator: What they are driven in; that of the runs if None.
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``; that of the runs if None.
@@ -857,7 +857,7 @@ def evaluate(
     return evaluation.evaluate(
         _sources(scenes),
         _folder(folder),
-        egos=_names(ego) or evaluation.EGOS,
+        egos=_names(ego) or evaluation.COMPARED,
         every_scene=all,
         simulator=simulator or "",
         physics=physics or "",

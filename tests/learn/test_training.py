@@ -178,7 +178,11 @@ def test_ppo_adds_the_discounted_value_of_the_last_state_where_a_drive_was_trunc
 def faring(monkeypatch: pytest.MonkeyPatch, *rounds: tuple[OrdinaryDrive, ...]) -> None:
     """Evaluations that come out so, round by round."""
     results = iter([OrdinaryResult(ego="e", drives=drives, rejected=0) for drives in rounds])
-    monkeypatch.setattr(training, "drive_ordinary", lambda *_, **__: next(results))
+
+    def evaluated(*_: object, **__: object) -> OrdinaryResult:
+        return next(results)
+
+    monkeypatch.setattr(training, "drive_ordinary", evaluated)
 
 
 def driven(*off_road: float, speed: float = 5.0, collided: bool = False) -> tuple[OrdinaryDrive, ...]:
@@ -203,8 +207,12 @@ def test_a_later_round_is_weighed_against_the_policy_that_is_kept_though_another
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     faring(monkeypatch, driven(0.0, 0.3), driven(0.0, 0.0))
+
+    def earlier(row: dict[str, float]) -> float:  # which keeps the first, whatever it does
+        return -row["steps"]
+
     with monkeypatch.context() as patch:
-        patch.setattr(training, "_worth", lambda row: -row["steps"])  # which keeps the first, whatever it does
+        patch.setattr(training, "_worth", earlier)
         assert train(tmp_path / "t", settings("ppo"), progress=silent).best["steps"] == 40
     faring(monkeypatch, driven(0.0, 0.01))
     on = train(tmp_path / "t", settings("ppo", steps=120), progress=silent)

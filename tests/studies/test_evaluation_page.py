@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 from pathlib import Path
 
+import click
 import pytest
+from click.testing import CliRunner
 
 from browser import CHROMIUM, Browser
 from chatscene import runs
-from chatscene.report.evaluation import write_evaluation
+from chatscene.commands.main import main
+from chatscene.report.evaluation import fared_in, write_evaluation
 from chatscene.report.tables import DASH
+from chatscene.settings import EGO
+from chatscene.studies.evaluation import COMPARED, Evaluated
+from chatscene.studies.reproduce import SURROGATE
 from fake_run import evaluated
+from places import ROOT
 
 NASTY = "<script>document.title='owned'</script> & <b>bold</b>"
 
@@ -34,6 +42,53 @@ def test_each_ego_has_a_row_with_its_counts_and_an_interval_where_it_estimates_s
     assert idm[3] == f"{sum(row['avoidable'] for row in hits)} of {len(hits)}"
     assert idm[5] == str(len({row["crash_type"] for row in hits}))
     assert planner[:4] == ["planner", "0 of 10", "0 0 to 28", ""]
+
+
+def test_the_command_prints_a_row_per_ego_and_gives_the_rows_to_a_script(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = evaluated(tmp_path)
+    done = Evaluated(folder=run.path, page=run.path / "report.html", tables={}, failures={}, stepped="", seconds=1.0)
+    asked: list[object] = []
+
+    def evaluate(*_: object, **settings: object) -> Evaluated:
+        asked.append(settings["ego"])
+        return done
+
+    monkeypatch.setattr("chatscene.api.evaluate", evaluate)
+    said = CliRunner().invoke(main, ["evaluate", "runs/x"], catch_exceptions=False).stdout
+    rows = json.loads(CliRunner().invoke(main, ["evaluate", "runs/x", "--json"], catch_exceptions=False).stdout)["egos"]
+    assert [row["ego"] for row in rows] == ["idm", "planner"]
+    assert rows == fared_in(run)
+    head, idm, planner = said.splitlines()[:3]
+    assert head.startswith("ego      collided  95 % interval  a careful driver avoids")
+    assert f"{rows[0]['collided']} of 10" in idm
+    assert "by selection" in idm
+    assert f"{rows[0]['avoidable']} of {rows[0]['collided']}" in idm
+    assert planner.split() == [
+        "planner",
+        "0",
+        "of",
+        "10",
+        "0",
+        "%",
+        "to",
+        "28",
+        "%",
+        f"{rows[1]['completion']:.0f}",
+        "%",
+    ]
+    assert "the careful driver is that of UN R157; who brakes earlier may avoid what that driver does not" in said
+    assert len(said.splitlines()) < 10  # the paper's four tables go to files
+
+
+def test_who_drives_in_a_run_where_nobody_is_named_is_first_among_those_who_are_compared() -> None:
+    assert COMPARED[0] == EGO
+    told = {name: next(one.help or "" for one in verb.params if isinstance(one, click.Option) and "--ego" in one.opts)
+            for name, verb in main.commands.items() if name in ("run", "evaluate")}  # fmt: skip
+    assert ", ".join(COMPARED) in told["evaluate"]
+    assert f"driven by `{SURROGATE}`" in (page := (ROOT / "docs" / "gallery.md").read_text())
+    assert f"`{EGO}`, who drives in `run` where no ego is named" in page
 
 
 def test_an_ego_that_nothing_was_kept_for_has_an_interval(tmp_path: Path) -> None:

@@ -281,7 +281,10 @@ def resume(
 @main.command()
 @click.argument("scenes", metavar="DIR...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
-    "--ego", "egos", multiple=True, help="By name, file or package.module:factory; repeat.  [default: sac, ppo, td3]"
+    "--ego",
+    "egos",
+    multiple=True,
+    help="By name, file or package.module:factory; repeat.  [default: planner, idm, sac]",
 )
 @click.option("--all", "every_scene", is_flag=True, help="Every scene that ran, not only the kept ones.")
 @click.option("--simulator", default="", help="In what they are driven.  [default: that of the runs]")
@@ -304,7 +307,7 @@ def evaluate(
     library: tuple[str, ...],
     as_json: bool,
 ) -> None:
-    """Measure egos on the kept scenes of the runs in DIR..., and print the paper's tables with intervals.
+    """Measure egos on the kept scenes of the runs in DIR..., and print a row per ego; the paper's tables go to files.
 
     \b
     chatscene evaluate runs/cyclist --ego sac --ego idm
@@ -705,16 +708,16 @@ def _jobs(scenes: int, routes: int) -> int:
 
 
 def _say_evaluated(evaluated: Evaluated, as_json: bool) -> None:
-    from chatscene.report.tables import as_text
+    from chatscene import runs
+    from chatscene.report.evaluation import fared_in, fared_in_words
 
+    fared = fared_in(runs.open_run(evaluated.folder, runs.EvaluationRecord))
     if as_json:
-        told = {"folder": str(evaluated.folder), "page": str(evaluated.page)}
+        told = {"folder": str(evaluated.folder), "page": str(evaluated.page), "egos": fared}
         say(json.dumps(told | {"seconds": evaluated.seconds, "failures": evaluated.failures}))
     else:
-        for name in ("generation", "collision-rate-by-ego", "avoidability", "fault"):
-            say(as_text(evaluated.tables[name]))
-            say("")
-        say(f"all tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
+        say(fared_in_words(fared))
+        say(f"the paper's tables, as text, Markdown, CSV and LaTeX: {evaluated.folder / 'tables'}")
         if evaluated.stepped:
             say(evaluated.stepped)
         say(f"egos side by side: {evaluated.page}")

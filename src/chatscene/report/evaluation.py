@@ -41,9 +41,7 @@ def write_evaluation(run: Workspace) -> Path:
     script = scripts("sort", "table", "evaluation")
     driven = [row for row in read_scenes(run) if row["status"] == "ran"]
     situations = [_situation(run, number, source) for number, source in enumerate(record.sources, 1)]
-    kept_for = {source.scenario_id: source.kept_for for source in record.sources}
-    own = [[row for row in driven if row["block"] == number] for number in range(len(record.egos))]
-    fared = [_fared(record, ego, rows, kept_for) for ego, rows in zip(record.egos, own, strict=True) if rows]
+    fared = _each_fared(record, driven)
     egos = [one["ego"] for one in fared]
     scenes = _scenes(driven, situations)
     page = fill(
@@ -71,6 +69,47 @@ def write_evaluation(run: Workspace) -> Path:
     write_bytes(path, page.encode())
     note(run, path)
     return path
+
+
+def fared_in(run: Workspace) -> list[dict[str, Any]]:
+    """How each ego of an evaluation fared, a row per ego: counts, shares in percent, speeds [m/s], overall score.
+
+    Raises:
+        RunError: The folder cannot be read.
+    """
+    return _each_fared(read_record(run, EvaluationRecord), [row for row in read_scenes(run) if row["status"] == "ran"])
+
+
+def fared_in_words(fared: Sequence[Row]) -> str:
+    """A line per ego, below the names of its figures."""
+    names = ("ego", "collided", "95 % interval", "a careful driver avoids", "ran into somebody", "hardest", "completed")
+    told = [names, *(_line(one) for one in fared)]
+    widths = [max(len(line[i]) for line in told) for i in range(len(names))]
+    lines = ["  ".join(text.ljust(width) for text, width in zip(line, widths, strict=True)).rstrip() for line in told]
+    if any(one["collided"] for one in fared):
+        lines.append("the careful driver is that of UN R157; who brakes earlier may avoid what that driver does not")
+    if any(one["by_selection"] for one in fared):
+        lines.append("by selection: its scenes were kept for what it did in them, which says nothing of how it fares")
+    return "\n".join(lines)
+
+
+def _line(one: Row) -> tuple[str, ...]:
+    hits = one["collided"]
+    return (
+        one["ego"],
+        f"{hits} of {one['drives']}",
+        "by selection" if one["by_selection"] else f"{one['low']:.0f} % to {one['high']:.0f} %",
+        f"{one['avoidable']} of {hits}" if hits else "",
+        f"{one['struck']} of {hits}" if hits else "",
+        "" if one["hardest"] is None else f"{one['hardest']:.1f} m/s",
+        f"{one['completion']:.0f} %",
+    )
+
+
+def _each_fared(record: EvaluationRecord, driven: Sequence[Row]) -> list[dict[str, Any]]:
+    kept_for = {source.scenario_id: source.kept_for for source in record.sources}
+    own = [[row for row in driven if row["block"] == number] for number in range(len(record.egos))]
+    return [_fared(record, ego, rows, kept_for) for ego, rows in zip(record.egos, own, strict=True) if rows]
 
 
 def _situation(run: Workspace, number: int, source: SourceRecord) -> dict[str, Any]:

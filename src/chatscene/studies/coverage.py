@@ -52,7 +52,7 @@ from chatscene.terms.scenario import Scenario, grouped
 from chatscene.terms.snippet import Retrieval
 
 SCENES = 10  # of each entry, if nobody says how many
-EGOS = ("sac", "idm")  # the surrogate that a run has if none is named, and a driver by rule that sees everybody
+EGOS = ("sac", "idm")  # the paper's surrogate, and a driver by rule that sees everybody
 
 Task = tuple[int, str, Entry]
 

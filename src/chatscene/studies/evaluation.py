@@ -38,7 +38,7 @@ from chatscene.runs.working import working
 from chatscene.search.climb import simulator_of
 from chatscene.search.explore import Block
 from chatscene.search.generator import load_generator
-from chatscene.settings import Settings, SimulationSettings
+from chatscene.settings import EGO, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
@@ -46,6 +46,7 @@ from chatscene.terms.scenario import BaseScenario, Scenario, Slots
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
+COMPARED = (EGO, "idm", "sac")  # where nobody is named: who drives in `run`, the simplest who sees, the paper's
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
