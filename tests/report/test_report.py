@@ -584,6 +584,22 @@ def test_a_gif_shows_what_is_done_after_the_ego_was_nearest(monkeypatch: pytest.
     assert shown[0] < late < late + 5 <= shown[-1] < len(ego.x) - 1
 
 
+def test_a_gif_of_two_that_come_to_stand_ends_soon_after_that_though_they_drift_nearer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    values = dict(zip((p.name for p in DECLARED), (1.0, 0.0, 30.0), strict=True))
+    episode = drive(scene(0, values))
+    ego, (walker,) = episode.ego_track, episode.adversaries
+    steps = np.arange(len(ego.x))
+    stop = len(steps) // 3
+    x = np.where(steps < stop, 1.0 * steps, stop + 0.001 * (steps - stop))  # it goes on by a millimetre a step
+    stands = replace(walker, x=np.full(len(steps), stop + 5.0), y=ego.y * 0, speed=steps * 0.0)
+    comes = replace(ego, x=x, y=ego.y * 0, speed=np.where(steps < stop, 10.0, 0.01))
+    tracks = tuple({"ego": comes, walker.actor: stands}.get(track.actor, track) for track in episode.tracks)
+    shown = _steps_shown(replace(episode, tracks=tracks), monkeypatch)
+    assert shown[0] < stop < shown[-1] <= stop + round(animation.AFTER / episode.dt) + 1 < len(steps) - 1
+
+
 def _steps_shown(episode: Episode, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """The steps of a drive that are drawn in a GIF of twenty frames."""
     shown: list[int] = []

@@ -24,6 +24,7 @@ FRAMES = 75  # at most; a longer drive is cut to those that lead up to what happ
 AFTER = 1.5  # [s] that are shown of a drive without a collision once the ego was nearest to its adversary, at least
 WITHIN = 10.0  # [m] further apart than at their nearest, ego and adversary are still at it
 STILL = 0.2  # [m/s] of drawing near or apart, at most, at which they have come to terms
+AS_NEAR = 0.3  # [m] further apart than at their nearest, they are as near: two that stand drift a little for ever
 BEFORE = 40  # steps that a still leads up to
 LAST = 1500  # [ms] that the last frame stands
 
@@ -74,10 +75,13 @@ def still(episode: Episode, drawing: Mapping[str, Any]) -> bytes:
 
 
 def _decisive(episode: Episode) -> int:
-    """The step at which the ego crashes, or comes nearest to its adversary; the last one where there is none."""
+    """The step at which the ego crashes, or first is nearest to its adversary; the last one where there is none."""
     if episode.collision:
         return episode.collision.step
-    return int(_apart(episode).argmin()) if episode.adversaries else len(episode.ego_track.x) - 1
+    if not episode.adversaries:
+        return len(episode.ego_track.x) - 1
+    apart = _apart(episode)
+    return int(np.argmax(apart <= apart.min() + AS_NEAR))
 
 
 def _apart(episode: Episode) -> Floats:
@@ -98,7 +102,10 @@ def _settled(episode: Episode) -> int:
     apart = _apart(episode)
     moving = np.abs(np.diff(apart, prepend=apart[0])) > STILL * episode.dt
     open_steps = np.flatnonzero(moving & (apart < apart[nearest] + WITHIN))
-    return max(nearest + round(AFTER / episode.dt), int(open_steps.max(initial=0)))
+    after = round(AFTER / episode.dt)
+    speeds = np.max([np.abs(one.speed) for one in (episode.ego_track, *episode.adversaries)], axis=0)
+    all_stand = int(np.flatnonzero(speeds > STILL).max(initial=0)) + after  # from there on a picture would be a still
+    return max(nearest + after, min(all_stand, int(open_steps.max(initial=0))))
 
 
 def animate(
