@@ -20,7 +20,7 @@ import numpy as np
 
 from chatscene import runs
 from chatscene.ego.network import Network, NetworkEgo, layers_of, load_network
-from chatscene.errors import MissingExtra, RunError, SettingsError, no_such
+from chatscene.errors import MissingExtra, SettingsError, no_such
 from chatscene.learn.reward import DESIRED_SPEED
 from chatscene.maps.network import resolve_map
 from chatscene.measure.ordinary import OrdinaryResult, drive_ordinary
