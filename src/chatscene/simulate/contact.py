@@ -23,6 +23,25 @@ def touch(a: Body, b: Body) -> bool:
     )
 
 
+def depth(a: Body, b: Body) -> float:
+    """How deep the oriented boxes of two bodies are in each other [m], along the axis where it is least.
+
+    Apart it is negative, and not the distance; far apart it is minus infinity.
+    """
+    dx, dy = b.x - a.x, b.y - a.y
+    reach = a.radius + b.radius
+    if dx * dx + dy * dy > reach * reach:
+        return -math.inf
+    c = abs(a.cos * b.cos + a.sin * b.sin)
+    s = abs(a.cos * b.sin - a.sin * b.cos)
+    return min(
+        a.half_length + b.half_length * c + b.half_width * s - abs(dx * a.cos + dy * a.sin),
+        a.half_width + b.half_length * s + b.half_width * c - abs(dy * a.cos - dx * a.sin),
+        b.half_length + a.half_length * c + a.half_width * s - abs(dx * b.cos + dy * b.sin),
+        b.half_width + a.half_length * s + a.half_width * c - abs(dy * b.cos - dx * b.sin),
+    )
+
+
 def contact_side(ego: Body, other: Body) -> str:
     """Where on the ego the other touches: ``front``, ``rear``, ``left`` or ``right``.
 

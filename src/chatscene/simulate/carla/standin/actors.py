@@ -135,6 +135,7 @@ class BodyActor(Actor):
         force: What pushes it during the next step [N].
         light: The traffic light it waits at.
         lights_on: Bits of the lamps that are on.
+        came_from: x [m], y [m] and heading [rad] of its body before the last step; None where no step took it here.
     """
 
     def __init__(
@@ -160,6 +161,8 @@ class BodyActor(Actor):
         self.force = [0.0, 0.0, 0.0]
         self.light: int | None = None
         self.lights_on = 0
+        self.came_from: tuple[float, float, float] | None = None
+        self._had = self.velocity
         self._make(0.0)
 
     def _make(self, speed: float) -> None:
@@ -192,6 +195,7 @@ class BodyActor(Actor):
     def place(self, location: list[float], rotation: list[float] | None = None) -> None:
         """Put it elsewhere; it keeps its speed along its new heading."""
         super().place(location, rotation)
+        self.came_from = None
         self._make(self.body.speed)
         if isinstance(self.body, Vehicle):
             self._obey_vehicle(self.body)
@@ -219,13 +223,20 @@ class BodyActor(Actor):
         top = LIMITS[self.blueprint.kind].top_speed
         self.body.speed = max(-top, min(top, speed))
 
+    def level_with(self, other: BodyActor) -> bool:
+        """Whether two boxes could meet by their heights."""
+        above = self.location[2] + self.blueprint.lifted - other.location[2] - other.blueprint.lifted
+        return abs(above) < self.blueprint.extent[2] + other.blueprint.extent[2]
+
     def step(self, dt: float, roads: Roads) -> None:
         """Advance by `dt` [s]."""
         if not self.moving:
+            self.came_from = None
             self.acceleration = [0.0, 0.0, 0.0]
             self.turning = 0.0
             return
-        body, before, heading = self.body, self.velocity, self.body.heading
+        body, self._had, heading = self.body, self.velocity, self.body.heading
+        self.came_from = (body.x, body.y, heading)
         force, self.force = self.force, [0.0, 0.0, 0.0]
         if isinstance(body, Vehicle):
             if any(force):
@@ -244,7 +255,27 @@ class BodyActor(Actor):
         self.location = list(self._stood)
         self.velocity = self._velocity()
         self.turning = -math.degrees(body.heading - heading) / dt
-        self.acceleration = [(now - then) / dt for now, then in zip(self.velocity, before, strict=True)]
+        self._accelerated(dt)
+
+    def keep(self, share: float, at: tuple[float, float, float], dt: float) -> None:
+        """Keep a share of the last step's motion, since somebody is in the way of the rest.
+
+        Args:
+            share: In [0, 1]; so much it keeps of its speed, too.
+            at: x [m], y [m] and heading [rad] of its body then.
+            dt: What the step took [s].
+        """
+        speed, before = share * self.body.speed, self.body.before
+        self.location = [at[0], -at[1], self.location[2]]
+        self.rotation = [0.0, wrapped(-math.degrees(at[2])), 0.0]
+        self._make(speed)
+        self.body.speed, self.body.before = speed, before
+        self.turning *= share
+        self.velocity = self._velocity()
+        self._accelerated(dt)
+
+    def _accelerated(self, dt: float) -> None:
+        self.acceleration = [(now - then) / dt for now, then in zip(self.velocity, self._had, strict=True)]
 
     def _velocity(self) -> list[float]:
         body = self.body

@@ -12,6 +12,7 @@ from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
 from chatscene.simulate.carla.standin.blueprints import Blueprint, catalogue, definitions
 from chatscene.simulate.carla.standin.lights import Light, Lights
+from chatscene.simulate.carla.standin.pushing import Pair, hold_back
 from chatscene.simulate.carla.standin.recorder import Recorder
 from chatscene.simulate.carla.standin.roads import Roads
 from chatscene.simulate.carla.standin.wire import Refused
@@ -96,6 +97,8 @@ class World:
         for number in list(self.actors):
             self.destroy(number)
         self.actors.clear()
+        self._touching: list[Pair] = []
+        self._just_met, self._took = False, STEP
         self.roads = roads
         self.episode += 1
         self.time = 0.0
@@ -239,8 +242,7 @@ class World:
         self.time += dt
         self.lights.step(dt)
         bodies = self.bodies()
-        for actor in bodies:
-            actor.step(dt, self.roads)
+        met = self._move(bodies, dt)
         for actor in self.actors.values():
             actor.follow()
         for actor in bodies:
@@ -248,11 +250,24 @@ class World:
                 reach, body = actor.blueprint.extent[0], actor.body
                 front = (actor.location[0] + reach * body.cos, actor.location[1] - reach * body.sin)
                 actor.light = self.lights.waits_at(*front, actor.rotation[1])
-        met = contacts(bodies)
-        touching = [(contact.one.id, contact.other.id) for contact in met]
-        self.recorder.write(self.time, self.actors, self.lights.by_actor, self.lights.frozen, touching)
+        self.recorder.write(self.time, self.actors, self.lights.by_actor, self.lights.frozen, self._touching)
         self.on_step(met)
         return self.frame
+
+    def _move(self, bodies: list[BodyActor], dt: float) -> list[Contact]:
+        """Move everybody by `dt` [s], nobody through anybody; gives who touches whom."""
+        if self._just_met:
+            hold_back(bodies, None, self._took)
+        for actor in bodies:
+            actor.step(dt, self.roads)
+        met = {(contact.one.id, contact.other.id): contact for contact in contacts(bodies)}
+        if hold_back(bodies, self._touching, dt):  # who touches nobody now may have pushed, or jumped
+            met |= {
+                pair: contact for contact in contacts(bodies) if (pair := (contact.one.id, contact.other.id)) not in met
+            }
+        self._just_met, self._took = bool(met.keys() - self._touching), dt
+        self._touching = sorted(met)
+        return [met[pair] for pair in self._touching]
 
 
 def contacts(bodies: list[BodyActor]) -> list[Contact]:
@@ -273,8 +288,7 @@ def contacts(bodies: list[BodyActor]) -> list[Contact]:
 
 def overlap(a: BodyActor, b: BodyActor) -> bool:
     """Whether two boxes overlap, in height, too."""
-    above = a.location[2] + a.blueprint.lifted - b.location[2] - b.blueprint.lifted
-    return abs(above) < a.blueprint.extent[2] + b.blueprint.extent[2] and touch(a.body, b.body)
+    return a.level_with(b) and touch(a.body, b.body)
 
 
 def _impulse(a: BodyActor, b: BodyActor) -> list[float]:
