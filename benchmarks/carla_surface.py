@@ -383,7 +383,7 @@ def main() -> None:
         return
     names = sys.argv[1:] or list(surface())
     port = free_port()
-    command = [sys.executable, "-m", "chatscene", "serve-carla", "--port", str(port)]
+    command = [sys.executable, "-m", "chatscene", "serve-carla", "--port", str(port), "--files", tempfile.gettempdir()]
     with (
         tempfile.TemporaryFile("w+") as log,
         subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True) as server,

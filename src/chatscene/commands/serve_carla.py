@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -28,6 +29,12 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
 )
 @click.option("--port", default=2000, show_default=True, type=PORTS, help="Of calls; streams are on the next.")
 @click.option("--host", default=LOOPBACK, show_default=True, help="Anybody who reaches it has the world in hand.")
+@click.option(
+    "--files",
+    metavar="DIR",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="Below which clients may have recordings written and read. [default: a private temporary folder]",
+)
 @click.option("--simulator", default=SimulationSettings().simulator, show_default=True, help="Whose bodies move in it.")
 @click.option(
     "--physics",
@@ -36,23 +43,26 @@ PORTS = click.IntRange(1, 65534)  # streams are on the next
     show_default=True,
     help="How bodies answer to pedals and wheel: this, or lagged (build-up, yaw lag, a friction circle).",
 )
-def serve_carla(maps: tuple[str, ...], port: int, host: str, simulator: str, physics: str) -> None:
+def serve_carla(maps: tuple[str, ...], port: int, host: str, files: Path | None, simulator: str, physics: str) -> None:
     """Speak CARLA 0.9.16's protocol over our own world, for clients without a CARLA server.
 
     It is a stand-in and not CARLA: no tyres, no engine, drawings for pictures; docs/carla.md says what it can do.
     Clients need the wheel carla 0.9.16, and so does this command: the extra 'carla'.
 
     \b
-    chatscene serve-carla --port 2000
+    chatscene serve-carla --port 2000 --files runs
     chatscene serve-carla --map Town01.xodr --map Town04.xodr --physics lagged
     """
     from chatscene.simulate.carla.standin.serving import serve
 
     def ready(world: World) -> None:
-        say(f"a stand-in for CARLA 0.9.16, not CARLA: {world.roads.name} on {host}, ports {port} and {port + 1}")
+        say(
+            f"a stand-in for CARLA 0.9.16, not CARLA: {world.roads.name} on {host}, ports {port} and {port + 1}; "
+            + (f"files of clients are below {files}" if files else "files of clients go to a private temporary folder")
+        )
 
     settings = SimulationSettings(simulator=simulator, physics=physics)
     try:
-        serve(maps, host, port, settings, ready=ready, log=partial(say, err=True))
+        serve(maps, host, port, settings, files=files, ready=ready, log=partial(say, err=True))
     except KeyboardInterrupt:
         say("ended; the world is gone, and clients have to connect anew")

@@ -160,7 +160,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Generator[tuple[str, P
         with pytest.raises(ServerError, match=r"was lost: .* chatscene resume DIR"):
             pipeline.run(asked(simulator), cut, progress=kill)
         shutil.copytree(cut, folder / "left")
-    with serving(port=port):
+    with serving("--files", str(folder), port=port):
         pipeline.resume(cut, repeated=Repeated(simulator=(simulator,)))
         yield simulator, through, cut
 
@@ -220,6 +220,20 @@ def test_a_replay_can_be_recorded_into_the_run_folder_and_watched(finished: tupl
     assert "vehicle.lincoln.mkz_2017" in text
     assert "Positions" in text
     assert runs.check(cut).whole
+
+
+def test_a_server_that_keeps_its_files_elsewhere_refuses_to_record_and_says_where(
+    finished: tuple[str, Path, Path], tmp_path: Path
+) -> None:
+    simulator, through, _ = finished
+    elsewhere = tmp_path / "run"
+    shutil.copytree(through, elsewhere)
+    scene = next(row["scene_id"] for row in runs.read_scenes(runs.Workspace(through)) if row["status"] == "ran")
+    done = CliRunner().invoke(main, ["replay", str(elsewhere), scene, "--simulator", simulator, "--record"])
+    assert done.exit_code == 1
+    assert "did not record" in done.output
+    assert f"files of clients are below {through.parent}" in done.output
+    assert not list((elsewhere / "recordings").iterdir())
 
 
 def test_a_simulator_without_a_window_says_so(tmp_path: Path) -> None:

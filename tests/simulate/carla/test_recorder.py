@@ -2,15 +2,40 @@
 
 from __future__ import annotations
 
+import os
 import re
+import socket
+import tempfile
+from collections.abc import Generator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from standing_in import WALKER, spawned, ticked_until
+from standing_in import WALKER, connected, serving, spawned, ticked_until
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
+recorder: Any = pytest.importorskip("chatscene.simulate.carla.standin.recorder")
+files: Any = pytest.importorskip("chatscene.simulate.carla.standin.files")
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory: pytest.TempPathFactory) -> Generator[tuple[int, Path]]:
+    """A server whose clients' files are below a folder, and the folder."""
+    folder = tmp_path_factory.mktemp("files")
+    with serving("--files", str(folder)) as (port, _):
+        yield port, folder
+
+
+@pytest.fixture
+def client_and_world(served: tuple[int, Path]) -> tuple[Any, Any]:
+    return connected(served[0])
+
+
+@pytest.fixture
+def folder(served: tuple[int, Path]) -> Path:
+    """A fresh folder below that one."""
+    return Path(tempfile.mkdtemp(dir=served[1]))
 
 
 def crash(client: Any, world: Any, file: Path) -> tuple[Any, Any, Any]:
@@ -29,9 +54,9 @@ def crash(client: Any, world: Any, file: Path) -> tuple[Any, Any, Any]:
     return car, other, walker
 
 
-def test_a_recording_is_the_text_that_is_told_of_it(client_and_world: tuple[Any, Any], tmp_path: Path) -> None:
+def test_a_recording_is_the_text_that_is_told_of_it(client_and_world: tuple[Any, Any], folder: Path) -> None:
     client, world = client_and_world
-    file = tmp_path / "crash.log"
+    file = folder / "crash.log"
     car, other, walker = crash(client, world, file)
     text = client.show_recorder_file_info(str(file), True)
     assert text.startswith(file.read_text().rstrip())
@@ -60,25 +85,25 @@ def test_a_recording_is_the_text_that_is_told_of_it(client_and_world: tuple[Any,
     assert [int(row.split()[1]) for row in stood.splitlines() if " vehicle." in row] == [other.id]
 
 
-def test_the_same_drive_gives_the_same_recording_but_for_ids(client_and_world: tuple[Any, Any], tmp_path: Path) -> None:
+def test_the_same_drive_gives_the_same_recording_but_for_ids(client_and_world: tuple[Any, Any], folder: Path) -> None:
     client, _ = client_and_world
     texts: list[str] = []
     for name in ("one", "two"):
         world = client.reload_world(False)  # it stays synchronous, so nothing happens before the first tick
-        crash(client, world, tmp_path / f"{name}.log")
-        text = (tmp_path / f"{name}.log").read_text()
+        crash(client, world, folder / f"{name}.log")
+        text = (folder / f"{name}.log").read_text()
         texts.append(re.sub(r"(Create|Destroy|Id:|between|with) \d+", r"\1", text))
     assert texts[0] == texts[1]
 
 
-def test_only_recordings_are_written_over_or_told_of(client_and_world: tuple[Any, Any], tmp_path: Path) -> None:
+def test_only_recordings_are_written_over_or_told_of(client_and_world: tuple[Any, Any], folder: Path) -> None:
     client, world = client_and_world
-    other = tmp_path / "mine.log"
+    other = folder / "mine.log"
     other.write_text("dear diary")
     for name, why in (
         (str(other), "is there and is no recording"),
-        (str(tmp_path / "profile"), r"ends in \.log"),
-        (str(tmp_path / "no" / "such.log"), "No such file or directory"),
+        (str(folder / "profile"), r"ends in \.log"),
+        (str(folder / "no" / "such.log"), "No such file or directory"),
     ):
         with pytest.raises(RuntimeError, match=why):
             client.start_recorder(name)
@@ -89,7 +114,59 @@ def test_only_recordings_are_written_over_or_told_of(client_and_world: tuple[Any
         )
         with pytest.raises(RuntimeError, match="is no recording of this stand-in"):
             ask(str(other), *arguments)
-    assert client.start_recorder(str(tmp_path / "a.log"))
-    assert client.start_recorder(str(tmp_path / "a.log"))
+    assert client.start_recorder(str(folder / "a.log"))
+    assert client.start_recorder(str(folder / "a.log"))
     client.reload_world()  # ends it
     assert world.get_map().name.endswith("town")
+
+
+def test_no_name_leads_out_of_the_folder(client_and_world: tuple[Any, Any], folder: Path, tmp_path: Path) -> None:
+    client, _ = client_and_world
+    secret = tmp_path / "secret.log"
+    secret.write_text("Version: 1\nMap: secret\n")
+    (folder / "link.log").symlink_to(secret)
+    (folder / "dangling.log").symlink_to(tmp_path / "new.log")
+    (folder / "inner").symlink_to(tmp_path)
+    os.mkfifo(folder / "pipe.log")
+    with socket.socket(socket.AF_UNIX) as open_socket:
+        open_socket.bind(str(folder / "socket.log"))
+    (folder / "folder.log").mkdir()
+    for name in (
+        str(secret), str(tmp_path / "new.log"), f"{folder}/../../{tmp_path.name}/new.log", "../new.log", "/new.log",
+        str(folder / "link.log"), str(folder / "dangling.log"), str(folder / "inner" / "new.log"),
+        str(folder / "inner" / "secret.log"), str(folder / "pipe.log"), str(folder / "socket.log"),
+        str(folder / "folder.log"), f"{folder}/{'a' * 5000}.log", f"~{folder}.log", f"/proc/self/cwd{folder}/new.log",
+    ):  # fmt: skip
+        for ask, arguments in ((client.start_recorder, (name,)), (client.show_recorder_file_info, (name, True))):
+            with pytest.raises(RuntimeError, match=r"below .+ and .+ is not|cannot be opened|is no recording"):
+                ask(*arguments)
+    assert secret.read_text() == "Version: 1\nMap: secret\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["secret.log"]
+
+
+def test_a_name_below_the_folder_needs_not_begin_with_it(client_and_world: tuple[Any, Any], folder: Path) -> None:
+    client, _ = client_and_world
+    assert client.start_recorder(f"{folder.name}/a.log") == str(folder / "a.log")
+    client.stop_recorder()
+    assert "Frames: 0" in client.show_recorder_file_info(str(folder / "a.log"), True)
+
+
+def test_without_a_folder_recordings_are_private_and_a_name_elsewhere_says_where(port: int, tmp_path: Path) -> None:
+    client, _ = connected(port)
+    with pytest.raises(RuntimeError, match=r"files of clients are below .*chatscene-carla-.*serve-carla --files"):
+        client.start_recorder(str(tmp_path / "a.log"))
+    made = Path(client.start_recorder("a.log"))
+    client.stop_recorder()
+    assert made.parent.stat().st_mode & 0o077 == 0
+    made.unlink()
+    assert not list(tmp_path.iterdir())
+
+
+def test_recordings_of_a_server_have_a_bounded_size(tmp_path: Path) -> None:
+    writes = recorder.Recorder(files.Files(tmp_path), most=200)
+    writes.start("a.log", "town")
+    for _ in range(10):
+        writes.write(0.0, {}, {}, False, [])
+    with pytest.raises(recorder.Refused, match="ended early: recordings of this server have no more room"):
+        writes.stop()
+    assert 0 < (tmp_path / "a.log").stat().st_size <= 200

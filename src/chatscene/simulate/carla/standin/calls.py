@@ -166,19 +166,19 @@ def stop_recorder(world: World) -> None:
     world.recorder.stop()
 
 
-def recorded_steps(_: World, name: Any, every: Any = True) -> str:
+def recorded_steps(world: World, name: Any, every: Any = True) -> str:
     """A recording as text."""
-    return recorder.told(wire.text(name), bool(every))
+    return recorder.told(world.files, wire.text(name), bool(every))
 
 
-def show_recorder_collisions(_: World, name: Any, one: Any, other: Any) -> str:
+def show_recorder_collisions(world: World, name: Any, one: Any, other: Any) -> str:
     """Who met whom in a recording."""
-    return recorder.collisions(wire.text(name), wire.letter(one), wire.letter(other))
+    return recorder.collisions(world.files, wire.text(name), wire.letter(one), wire.letter(other))
 
 
-def show_recorder_actors_blocked(_: World, name: Any, least: Any, within: Any) -> str:
+def show_recorder_actors_blocked(world: World, name: Any, least: Any, within: Any) -> str:
     """Which vehicles of a recording stayed where they were for `least` seconds, within so many centimetres."""
-    return recorder.blocked(wire.text(name), wire.number(least), wire.number(within))
+    return recorder.blocked(world.files, wire.text(name), wire.number(least), wire.number(within))
 
 
 def _nothing(*_: Any) -> None:

@@ -11,16 +11,17 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TextIO
+from typing import BinaryIO
 
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor
+from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.lights import Light
 from chatscene.simulate.carla.standin.wire import Refused
 
 SUFFIX = ".log"
 _HEAD = "Version: 1\n"
 _MOST = 64 * 2**20  # bytes of a recording that is told of
+_MOST_WRITTEN = 4 * 2**30  # bytes of all recordings of a server
 _KINDS = {"vehicle": 1, "walker": 2, "traffic": 3}
 _LETTERS = {"vehicle": "v", "walker": "w", "traffic": "t"}
 _LAMPS = (
@@ -33,34 +34,35 @@ _Place = tuple[float, float]
 
 
 class Recorder:
-    """What is written of an episode, step by step, while a client wants it."""
+    """What is written of an episode, step by step, while a client wants it.
 
-    def __init__(self) -> None:
-        self._to: TextIO | None = None
+    Args:
+        files: Where.
+        most: Bytes that it writes in all; the recording that would have more ends.
+    """
+
+    def __init__(self, files: Files, most: int = _MOST_WRITTEN) -> None:
+        self._files = files
+        self._left = most
+        self._to: BinaryIO | None = None
         self._fault = ""
 
     def start(self, name: str, town: str) -> str:
         """Begin a file, in place of an older recording; gives its path.
 
         Args:
-            name: Its path; it has to end in `.log`.
+            name: Its name; it has to end in `.log`.
             town: The map's name.
 
         Raises:
             Refused: It cannot be written, or something else is in its place.
         """
         self.stop()
-        path = _path(name)
-        try:
-            if path.exists() and not _is_recording(path):
-                raise Refused(f"{path} is there and is no recording; another name is needed")
-            self._to = path.open("w", encoding="utf-8", errors="replace", newline="\n")
-            # No date of the clock, so that the same calls give the same file.
-            self._to.write(f"{_HEAD}Map: {town}\nDate: 01/01/70 00:00:00\n\n")
-        except OSError as error:
-            raise Refused(f"{path} cannot be written: {error.strerror}") from error
+        self._to = self._files.write(_checked(name), _HEAD.encode())
         self._frames, self._began, self._known, self._met = 0, None, dict[int, Actor](), set[tuple[int, int]]()
-        return str(path.absolute())
+        # No date of the clock, so that the same calls give the same file.
+        self._write(f"{_HEAD}Map: {town}\nDate: 01/01/70 00:00:00\n\n")
+        return str(self._files.path(name))
 
     def stop(self) -> None:
         """End the file, if one is open.
@@ -108,10 +110,22 @@ class Recorder:
         lines += _lights(lights, frozen)
         lines += _conduct([actor for actor in kept.values() if isinstance(actor, BodyActor)])
         lines.append(f" Current platform time: {time:.6g}")
+        self._write("\n".join(lines) + "\n\n")
+
+    def _write(self, text: str) -> None:
+        """Write on; what cannot be written ends the file, and is told with its end."""
+        assert self._to is not None
+        content = text.encode(errors="replace")
+        self._left -= len(content)
         try:
-            self._to.write("\n".join(lines) + "\n\n")
+            if self._left >= 0:
+                self._to.write(content)
+                return
+            self._to.close()
+            self._fault = f"recordings of this server have no more room, {_MOST_WRITTEN // 2**30} GiB in all"
         except OSError as error:
-            self._fault, self._to = error.strerror or str(error), None
+            self._fault = error.strerror or str(error)
+        self._to = None
 
     def _changes(self, actors: Mapping[int, Actor], met: Sequence[tuple[int, int]]) -> Iterator[str]:
         for number, actor in actors.items():
@@ -225,13 +239,13 @@ class _Recording:
         return found
 
 
-def told(name: str, every: bool) -> str:
+def told(files: Files, name: str, every: bool) -> str:
     """All of a recording, or only those steps in which actors come, go, or meet.
 
     Raises:
         Refused: There is no such recording.
     """
-    recording = _read(name)
+    recording = _read(files, name)
     shown: list[str] = []
     for _, lines in recording.frames:
         kept = lines if every else _happened(lines)
@@ -240,10 +254,11 @@ def told(name: str, every: bool) -> str:
     return recording.head + "\n".join(shown) + recording.tail
 
 
-def collisions(name: str, one: str, other: str) -> str:
+def collisions(files: Files, name: str, one: str, other: str) -> str:
     """Who met whom, and when.
 
     Args:
+        files: Where recordings are.
         name: Of the recording.
         one: h for heroes, v for vehicles, w for walkers, t for traffic lights, o for others, a for any.
         other: The same.
@@ -251,7 +266,7 @@ def collisions(name: str, one: str, other: str) -> str:
     Raises:
         Refused: There is no such recording.
     """
-    recording = _read(name)
+    recording = _read(files, name)
     types = recording.types
     rows = [f"{'Time':>8}  Types {'Id':>6} {'Actor 1':36}{'Id':>6} Actor 2"]
     for time, lines in recording.frames:
@@ -264,10 +279,11 @@ def collisions(name: str, one: str, other: str) -> str:
     return recording.head + "\n".join(rows) + "\n" + recording.tail
 
 
-def blocked(name: str, least: float, within: float) -> str:
+def blocked(files: Files, name: str, least: float, within: float) -> str:
     """Which vehicles stayed about where they were, and for how long, the longest first.
 
     Args:
+        files: Where recordings are.
         name: Of the recording.
         least: How long at least [s].
         within: How far they may have gone [cm].
@@ -275,7 +291,7 @@ def blocked(name: str, least: float, within: float) -> str:
     Raises:
         Refused: There is no such recording.
     """
-    recording = _read(name)
+    recording = _read(files, name)
     types = recording.types
     since: dict[int, tuple[float, _Place]] = {}
     found: list[tuple[float, float, int]] = []
@@ -319,30 +335,18 @@ def _happened(lines: list[str]) -> list[str]:
     return [lines[0], *(line for line in lines[1:] if told.match(line))]
 
 
-def _path(name: str) -> Path:
-    path = Path(name)
-    if "\0" in name or path.suffix != SUFFIX:
+def _checked(name: str) -> str:
+    if not name.endswith(SUFFIX):
         raise Refused(f"a recording is a file whose name ends in {SUFFIX}, not {name[:100]!r}")
-    return path
+    return name
 
 
-def _is_recording(path: Path) -> bool:
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return file.read(len(_HEAD)) == _HEAD.encode()
-
-
-def _read(name: str) -> _Recording:
-    path = _path(name)
+def _read(files: Files, name: str) -> _Recording:
+    content = files.read(_checked(name), _HEAD.encode(), _MOST)
     try:
-        if not _is_recording(path):
-            raise Refused(f"{path} is no recording of this stand-in")
-        if path.stat().st_size > _MOST:
-            raise Refused(f"{path} has more than {_MOST // 2**20} MiB; it is text that can be read as it is")
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise Refused(f"{path} cannot be read: {error}") from error
+        text = content.decode()
+    except UnicodeDecodeError as error:
+        raise Refused(f"{files.path(name)} cannot be read: {error}") from error
     head, *parts = re.split(r"^Frame ", text, flags=re.MULTILINE)
     frames: list[tuple[float, list[str]]] = []
     for part in parts:

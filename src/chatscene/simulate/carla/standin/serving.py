@@ -9,6 +9,7 @@ from pathlib import Path
 from chatscene.errors import SettingsError
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
+from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.server import Server
 from chatscene.simulate.carla.standin.world import World
 from chatscene.simulate.physics import PhysicsOf
@@ -21,6 +22,7 @@ def serve(
     port: int,
     settings: SimulationSettings,
     *,
+    files: Path | None = None,
     ready: Callable[[World], None],
     log: Callable[[str], None],
 ) -> None:
@@ -31,6 +33,7 @@ def serve(
         host: Where to listen.
         port: Of the calls; streams are on the next.
         settings: Whose bodies move, and how; the simulator has to be one that is made of a physics.
+        files: Below which folder clients may have files written and read; without one, a private one is made for them.
         ready: Called once clients can call.
         log: Is told what clients are refused, and which are cut off or woken.
 
@@ -40,7 +43,7 @@ def serve(
         SettingsError: The simulator brings no bodies, or the port cannot be had.
     """
     paths = [resolve_map(name) for name in maps]
-    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings))
+    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings), Files(files))
     try:
         asyncio.run(Server(world, host, port, log).run(lambda: ready(world)))
     except OSError as error:

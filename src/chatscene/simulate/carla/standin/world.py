@@ -11,6 +11,7 @@ from chatscene.errors import MapError
 from chatscene.simulate.carla.standin import wire
 from chatscene.simulate.carla.standin.actors import Actor, BodyActor, LightActor
 from chatscene.simulate.carla.standin.blueprints import Blueprint, catalogue, definitions
+from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.lights import Light, Lights
 from chatscene.simulate.carla.standin.pushing import Pair, hold_back
 from chatscene.simulate.carla.standin.recorder import Recorder
@@ -56,6 +57,7 @@ class World:
         maps: Files of the maps that can be loaded, by name.
         first: The map to begin with.
         physics_of: Makes the physics of each body: those of a simulator of ours.
+        files: Where files of clients are.
 
     Attributes:
         on_spawn: Called before an actor without a body joins; may refuse it.
@@ -66,11 +68,12 @@ class World:
         MissingExtra: The wheel is not installed.
     """
 
-    def __init__(self, maps: Mapping[str, Path], first: str, physics_of: PhysicsOf) -> None:
+    def __init__(self, maps: Mapping[str, Path], first: str, physics_of: PhysicsOf, files: Files | None = None) -> None:
         self.maps = dict(maps)
+        self.files = files or Files()
         self.on_spawn: Callable[[Actor], None] = lambda _: None
         self.on_step: Callable[[list[Contact]], None] = lambda _: None
-        self.recorder = Recorder()
+        self.recorder = Recorder(self.files)
         self.opendrive = ""
         self.episode = 0
         self.frame = 0
