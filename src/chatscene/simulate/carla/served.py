@@ -30,7 +30,7 @@ def as_served(text: str) -> str:
     """
     try:
         root = Xml.fromstring(text.encode())
-    except (Xml.ParseError, UnicodeEncodeError) as error:
+    except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
         raise MapError(f"the map is no XML: {error}") from error
     clashing = _clashing(root)
     header = root.find("header")
@@ -70,7 +70,7 @@ def _roads(text: str) -> dict[str, list[object]]:
     """Of each road by its id, the elements that say where its lanes are."""
     try:
         root = Xml.fromstring(text.encode())
-    except (Xml.ParseError, UnicodeEncodeError) as error:
+    except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
         raise MapError(f"the map is no XML: {error}") from error
     return {road.get("id", ""): [_rounded(element) for element in _shape(road)] for road in root.iter("road")}
 

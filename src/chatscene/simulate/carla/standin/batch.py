@@ -11,6 +11,7 @@ from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.carla.standin.world import World
 
 _SPAWN, _DESTROY = 0, 1
+_MOST = 10_000
 _DEEPEST = 8  # commands after a spawn after a spawn
 _COMMANDS: dict[int, Call] = {
     2: actors.apply_control_to_vehicle,
@@ -45,6 +46,8 @@ def apply_batch(world: World, commands: Any, tick: Any = False) -> list[Any]:
     """
     if not isinstance(commands, list):
         raise Refused("a list of commands is needed")
+    if len(commands) > _MOST:
+        raise Refused(f"a batch has {len(commands)} commands, and {_MOST} at most are taken at a time")
     answers = [_answer(world, command) for command in commands]
     if tick:
         world.step()

@@ -9,13 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from chatscene.errors import MapError
 from chatscene.simulate.carla.standin import recorder, wire
 from chatscene.simulate.carla.standin.blueprints import definitions
 from chatscene.simulate.carla.standin.lights import OFF
-from chatscene.simulate.carla.standin.roads import Roads
 from chatscene.simulate.carla.standin.wire import Refused
-from chatscene.simulate.carla.standin.world import OPENDRIVE, World, checked_settings
+from chatscene.simulate.carla.standin.world import World, checked_settings
 
 Call = Callable[..., Any]
 
@@ -61,21 +59,6 @@ def get_actor_definitions(_: World) -> list[list[Any]]:
 def tick_cue(world: World) -> int:
     """Go on by a step; gives its number."""
     return world.step()
-
-
-def load_new_episode(world: World, name: Any, reset: Any = True, *_: Any) -> None:
-    """Another map, or the same anew."""
-    world.load(wire.text(name), reset=bool(reset))
-
-
-def copy_opendrive_to_file(world: World, text: Any, *_: Any) -> None:
-    """A map by a client; it is checked now, since the call that follows names none."""
-    text = wire.text(text)
-    try:
-        Roads(OPENDRIVE, text)
-    except MapError as error:
-        raise Refused(str(error)) from error
-    world.opendrive = text
 
 
 def get_weather_parameters(world: World) -> list[float]:
@@ -200,7 +183,6 @@ CALLS: dict[str, Call] = {
     "get_available_maps": get_available_maps,
     "get_actor_definitions": get_actor_definitions,
     "tick_cue": tick_cue,
-    "copy_opendrive_to_file": copy_opendrive_to_file,
     "get_weather_parameters": get_weather_parameters,
     "set_weather_parameters": set_weather_parameters,
     "get_imui_gravity": get_imui_gravity,

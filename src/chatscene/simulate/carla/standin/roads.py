@@ -41,12 +41,28 @@ class Signal:
     junction: int
 
 
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What takes long to find in a map.
+
+    Attributes:
+        text: The map as clients get it.
+        spawn_points: Places to begin at: transforms.
+        signals: The traffic lights.
+    """
+
+    text: str
+    spawn_points: list[list[list[float]]]
+    signals: tuple[Signal, ...]
+
+
 class Roads:
     """One map.
 
     Args:
         name: What clients see as the map's name.
         text: OpenDRIVE.
+        found: What was found in it before, in another process perhaps.
 
     Attributes:
         text: The same as clients get it.
@@ -56,11 +72,12 @@ class Roads:
         MissingExtra: The wheel is not installed.
     """
 
-    def __init__(self, name: str, text: str) -> None:
+    def __init__(self, name: str, text: str, found: Found | None = None) -> None:
         self._carla = _wheel()
         self.name = name
         self._discs: list[tuple[float, float, float]] = []
-        self.text = as_served(text)
+        self._found = found
+        self.text = found.text if found else as_served(text)
         try:
             self.map = self._carla.Map(name.rsplit("/", 1)[-1], self.text)
         except RuntimeError as error:
@@ -90,6 +107,8 @@ class Roads:
     @cached_property
     def spawn_points(self) -> list[list[list[float]]]:
         """Transforms on driving lanes outside junctions, some metres apart."""
+        if self._found:
+            return self._found.spawn_points
         found: list[Any] = []
         for first, _ in self.map.get_topology():
             waypoint = None if first.is_junction else next(iter(first.next(_APART / 2)), None)
@@ -111,6 +130,8 @@ class Roads:
     @cached_property
     def signals(self) -> tuple[Signal, ...]:
         """The traffic lights, in the order of their ids; each once, however many roads name it."""
+        if self._found:
+            return self._found.signals
         by_id: dict[str, list[Any]] = {}
         for landmark in self.map.get_all_landmarks_of_type(TRAFFIC_LIGHT):
             by_id.setdefault(landmark.id, []).append(landmark)

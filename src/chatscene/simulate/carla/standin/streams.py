@@ -16,6 +16,9 @@ from chatscene.simulate.carla.standin.world import SPEED_LIMIT, Contact, World
 
 FIRST_CLIENT = 2**31  # streams of worlds are above, those of sensors, which have an actor's id, below
 _MOST_WAITING = 32 * 2**20  # bytes that a client has not read; it misses frames beyond
+_MOST_WAITING_IN_ALL, _LITTLE_WAITING = 256 * 2**20, 2**16  # bytes of all, beyond which only who reads hears on
+_MOST_CONNECTIONS = 512
+_SAYING = 30.0  # [s], after which who has not said which stream is to be opened is gone
 _UNDER_WAY = 0.05  # [s]
 _LOOKED_AT = 0.4  # [s], after which a client has done with what a sensor told
 _OPENING, _POLL = 0.5, 0.001  # [s]
@@ -31,17 +34,22 @@ class Streams:
         world: What they tell of.
         port: Where they are.
         pack: Msgpack.
+        log: Is told who is turned away.
     """
 
-    def __init__(self, world: World, port: int, pack: Callable[[Any], bytes]) -> None:
+    def __init__(self, world: World, port: int, pack: Callable[[Any], bytes], log: Callable[[str], None]) -> None:
         self.port = port
+        self._log = log
         self._world = world
+        self._next = FIRST_CLIENT
+        self._alive: set[int] = set()  # streams of worlds that a client has now
+        self._connections = 0
+        self._waiting = 0  # bytes that nobody has read yet
         self._sensors = Sensors(world, port, pack)
         self._open: dict[int, list[asyncio.StreamWriter]] = {}
         self._expected: dict[int, float] = {}
         self._loaders: set[int] = set()
         self._resting: set[int] = set()
-        self._dropped: set[int] = set()
         self._told = -math.inf  # when a sensor last told something [s, of a clock that only grows]
         world.on_step = self._publish
         world.on_spawn = Sensors.check
@@ -49,25 +57,52 @@ class Streams:
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         """One connection: a client says which stream it wants, and reads it from then on."""
         number = -1
+        self._connections += 1
         try:
-            (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
-            if number not in self._dropped:
+            if self._connections > _MOST_CONNECTIONS:
+                self._log(f"a stream is not opened: {_MOST_CONNECTIONS} are open already")
+                return
+            async with asyncio.timeout(_SAYING):
+                (number,) = _LENGTH.unpack(await reader.readexactly(_LENGTH.size))
+            if not self._was_named(number):  # such as the letters of an HTTP request
+                self._log(f"a stream is not opened: there was never one of the number {number}")
+                return
+            if number < FIRST_CLIENT or number in self._alive:
                 self._open.setdefault(number, []).append(writer)
                 self._expected.pop(number, None)
                 if number >= FIRST_CLIENT:
-                    _send([writer], self._frame())
+                    self._send([writer], self._frame())
             await reader.read(1)  # clients send nothing more; this ends when they go
-        except (ConnectionError, asyncio.IncompleteReadError):
+        except (ConnectionError, TimeoutError, asyncio.IncompleteReadError):
             pass
         finally:
-            if writer in self._open.get(number, []):
-                self._open[number].remove(writer)
+            self._connections -= 1
+            if writer in (writers := self._open.get(number, [])):
+                writers.remove(writer)
+                if not writers:
+                    del self._open[number]
             writer.close()
+
+    def _was_named(self, number: int) -> bool:
+        """Whether a client can know of a stream, also of one that is gone: the wheel asks again for what is closed."""
+        return FIRST_CLIENT <= number < self._next or self._world.was(number) is not None
+
+    def begin(self) -> int:
+        """A stream of the world for a client."""
+        self._next += 1
+        self._alive.add(self._next - 1)
+        return self._next - 1
+
+    def end(self, number: int) -> None:
+        """A client is gone; so is its stream."""
+        for numbers in (self._alive, self._loaders, self._resting):
+            numbers.discard(number)
 
     def expect(self, number: int) -> None:
         """A client asks where a stream is; if it is a sensor's, it is about to open it."""
-        if number in self._world.actors:
-            self._expected[number] = time.monotonic()
+        sensor = self._world.actors.get(number)
+        if sensor is not None and sensor.blueprint.group == "sensor":
+            self._expected.setdefault(number, time.monotonic())
 
     async def opened(self) -> None:
         """Wait until the streams of sensors that were asked for are open, so that the next step is heard; not for long.
@@ -78,7 +113,7 @@ class Streams:
             await asyncio.sleep(_POLL)
         self._expected.clear()
 
-    def loaded(self, client: int, anew: int) -> None:
+    async def loaded(self, client: int) -> int:
         """A client loaded a map: it gets another stream, and those of others that once loaded one rest until they call.
 
         The wheel ends in a segmentation fault where a frame arrives while it takes a stream down, and where a thread of
@@ -89,37 +124,48 @@ class Streams:
 
         Args:
             client: Its stream until now.
-            anew: Its stream from now on.
+
+        Returns:
+            Its stream from now on.
         """
         self._sensors.forget()
         self._open = {number: writers for number, writers in self._open.items() if number >= FIRST_CLIENT}
         self._open.pop(client, None)
-        self._dropped.add(client)
-        self._loaders.discard(client)
+        self.end(client)
         self._resting = self._loaders & set(self._open)
+        anew = self.begin()
         self._loaders.add(anew)
-        time.sleep(max(_UNDER_WAY, self._told + _LOOKED_AT - time.monotonic()))
+        await asyncio.sleep(max(_UNDER_WAY, self._told + _LOOKED_AT - time.monotonic()))
+        return anew
 
     def wake(self, client: int) -> None:
         """A client called: if its stream rests, it goes on."""
         if client in self._resting:
             self._resting.remove(client)
-            _send(self._open.get(client, []), self._frame())
+            self._send(self._open.get(client, []), self._frame())
 
     def _publish(self, contacts: list[Contact]) -> None:
+        everybody = (writer for writers in self._open.values() for writer in writers)
+        self._waiting = sum(writer.transport.get_write_buffer_size() for writer in everybody)
         self._to_worlds(self._frame())
-        heard = {number for number, writers in self._open.items() if writers}
-        for reading in self._sensors.readings(contacts, heard):
+        for reading in self._sensors.readings(contacts, set(self._open)):
             sensor = reading.sensor
             pose = (*sensor.location, *sensor.rotation)
             head = wire.sensor_header(reading.kind, self._world.frame, self._world.time, pose)
-            _send(self._open[sensor.id], head + reading.content)
+            self._send(self._open[sensor.id], head + reading.content)
             self._told = time.monotonic()
 
     def _to_worlds(self, frame: bytes) -> None:
         for number, writers in self._open.items():
             if number >= FIRST_CLIENT and number not in self._resting:
-                _send(writers, frame)
+                self._send(writers, frame)
+
+    def _send(self, writers: list[asyncio.StreamWriter], body: bytes) -> None:
+        most = _MOST_WAITING if self._waiting < _MOST_WAITING_IN_ALL else _LITTLE_WAITING
+        for writer in writers:
+            if not writer.is_closing() and (waiting := writer.transport.get_write_buffer_size()) < most:
+                writer.write(_LENGTH.pack(len(body)) + body)
+                self._waiting += writer.transport.get_write_buffer_size() - waiting
 
     def _frame(self) -> bytes:
         world = self._world
@@ -146,9 +192,3 @@ class Streams:
         if light is None:
             return b""
         return wire.light_state(light.signal.id, light.times, light.elapsed, 0, lights.frozen, light.state)
-
-
-def _send(writers: list[asyncio.StreamWriter], body: bytes) -> None:
-    for writer in writers:
-        if not writer.is_closing() and writer.transport.get_write_buffer_size() < _MOST_WAITING:
-            writer.write(_LENGTH.pack(len(body)) + body)

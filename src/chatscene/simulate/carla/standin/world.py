@@ -15,7 +15,7 @@ from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.lights import Light, Lights
 from chatscene.simulate.carla.standin.pushing import Pair, hold_back
 from chatscene.simulate.carla.standin.recorder import Recorder
-from chatscene.simulate.carla.standin.roads import Roads
+from chatscene.simulate.carla.standin.roads import Found, Roads
 from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.contact import touch
 from chatscene.simulate.physics import PhysicsOf
@@ -23,6 +23,11 @@ from chatscene.simulate.physics import PhysicsOf
 STEP = 0.05  # [s], where a client names none
 SHORTEST, LONGEST = 0.001, 1.0  # [s]
 OPENDRIVE = "OpenDriveMap"
+FOLDER = "Carla/Maps/"
+_MOST_MAPS = 4  # that stay at hand
+MOST_ACTORS = 2000  # that clients have at a time
+_MOST_ATTRIBUTES, _LONGEST_ATTRIBUTE, _ALL_ATTRIBUTES = 100, 1000, 10_000  # of an actor; in characters
+_MOST_GONE = 100_000  # of whom it is known what they were
 SENSORS = frozenset(
     {"sensor.camera.rgb", "sensor.camera.semantic_segmentation"}
     | {"sensor.lidar.ray_cast", "sensor.lidar.ray_cast_semantic"}
@@ -95,14 +100,13 @@ class World:
         Raises:
             Refused: There is no such map, or it cannot be used; the old world goes on.
         """
-        roads = self._find(name)
+        roads = self.ready(*self.wanted(name))
         self.recorder.stop()
-        for number in list(self.actors):
-            self.destroy(number)
         self.actors.clear()
         self._touching: list[Pair] = []
         self._just_met, self._took = False, STEP
         self.roads = roads
+        self._loaded = next(key for key, value in self._roads.items() if value is roads)
         self.episode += 1
         self.time = 0.0
         if reset:
@@ -115,10 +119,15 @@ class World:
         )
         self.lights = Lights(dict(self._raise_lights()))
 
-    def _find(self, name: str) -> Roads:
+    def wanted(self, name: str) -> tuple[str, str]:
+        """Name and text of a map that a client names; an empty name stands for the one that is loaded.
+
+        Raises:
+            Refused: There is no such map.
+        """
         short = name.rsplit("/", 1)[-1].removesuffix("_Opt")
         if not short:
-            return self.roads
+            return self._loaded
         if short == OPENDRIVE:
             if not self.opendrive:
                 raise Refused("no OpenDRIVE was sent before; call generate_opendrive_world")
@@ -129,14 +138,32 @@ class World:
             except (OSError, UnicodeDecodeError) as error:
                 raise Refused(f"map {short!r} cannot be read: {error}") from error
         else:
-            raise Refused(f"map not found: {name!r}; this stand-in has {', '.join(sorted(self.maps))}")
-        key = (short, text)
-        if key not in self._roads:
-            try:
-                self._roads[key] = Roads(f"Carla/Maps/{short}", text)
-            except MapError as error:
-                raise Refused(str(error)) from error
-        return self._roads[key]
+            raise Refused(f"map not found: {name[:100]!r}; this stand-in has {', '.join(sorted(self.maps))}")
+        return short, text
+
+    def has_read(self, short: str, text: str) -> bool:
+        """Whether a map is at hand."""
+        return (short, text) in self._roads
+
+    def ready(self, short: str, text: str, found: Found | None = None) -> Roads:
+        """A map, read now unless it is at hand.
+
+        Args:
+            short: Its name.
+            text: OpenDRIVE.
+            found: What was found in it before.
+
+        Raises:
+            Refused: It cannot be used.
+        """
+        try:
+            roads = self._roads.pop((short, text), None) or Roads(f"{FOLDER}{short}", text, found)
+        except MapError as error:
+            raise Refused(str(error)) from error
+        self._roads[short, text] = roads  # the last, of those that were used
+        for old in list(self._roads)[:-_MOST_MAPS]:
+            del self._roads[old]
+        return roads
 
     def _raise_lights(self) -> Iterator[tuple[int, Light]]:
         blueprint = catalogue()["traffic.traffic_light"]
@@ -152,6 +179,8 @@ class World:
         Raises:
             Refused: There is no such blueprint or parent, or something is in its place.
         """
+        if len(self.actors) - len(self.lights.by_actor) > MOST_ACTORS:
+            raise Refused(f"this stand-in has {MOST_ACTORS} actors at most; destroy some")
         described = self._described(description)
         blueprint = catalogue()[described[1]]
         if blueprint.group == "sensor" and blueprint.id not in SENSORS:
@@ -169,11 +198,14 @@ class World:
 
     def destroy(self, number: int) -> bool:
         """Take an actor and what is attached to it away; whether there was one."""
-        actor = self.actors.pop(number, None)
-        if actor is None:
+        if number not in self.actors:
             return False
-        for other in [other.id for other in self.actors.values() if other.parent is actor]:
-            self.destroy(other)
+        gone = {number}
+        for other in self.actors.values():  # whoever is attached came later
+            if other.parent is not None and other.parent.id in gone:
+                gone.add(other.id)
+        for other in gone:
+            del self.actors[other]
         return True
 
     def actor(self, number: Any) -> Actor:
@@ -209,6 +241,12 @@ class World:
     def _add(self, actor: Any) -> Any:
         self.actors[actor.id] = actor
         self._were[actor.id] = actor.blueprint
+        if len(self._were) > MOST_ACTORS + _MOST_GONE:
+            self._were = {
+                number: blueprint
+                for number, blueprint in self._were.items()
+                if number in self.actors or number > actor.id - _MOST_GONE // 2
+            }
         self._next += 1
         return actor
 
@@ -218,12 +256,22 @@ class World:
     def _described(self, description: Any) -> list[Any]:
         try:
             _, name, attributes = description
-            wanted = [[wire.text(key), wire.whole(kind), wire.text(value)] for key, kind, value in attributes]
+            wanted = [(wire.text(key), wire.whole(kind), wire.text(value)) for key, kind, value in attributes]
         except (TypeError, ValueError) as error:
             raise Refused("an actor's description is needed") from error
+        lengths = [len(key) + len(value) for key, _, value in wanted]
+        if (
+            len(wanted) > _MOST_ATTRIBUTES
+            or max(lengths, default=0) > _LONGEST_ATTRIBUTE
+            or sum(lengths) > _ALL_ATTRIBUTES
+        ):
+            raise Refused(
+                f"an actor has at most {_MOST_ATTRIBUTES} attributes, each of {_LONGEST_ATTRIBUTE} characters and all "
+                f"together of {_ALL_ATTRIBUTES}"
+            )
         if not isinstance(name, str) or name not in catalogue():
             raise Refused(f"there is no blueprint {name!r}"[:100])
-        return [self._numbers[name], name, wanted]
+        return [self._numbers[name], name, [list(one) for one in wanted]]
 
     # Time
 
