@@ -86,6 +86,33 @@ class Talk:
         return edited
 
     @property
+    def kept(self) -> Kept:
+        """What another talk needs to go on from here: what stands, and what is answered for."""
+        return {
+            "text": self._text,
+            "answer": self._answer.options(),
+            "edits": self.edits,
+            "asked": self._asked[0],
+            "answered": self._asked[1].options(),
+        }
+
+    def go_on(self, kept: Kept) -> None:
+        """Be where another talk was. Nothing is heard again: what stood is understood, and nothing else is done.
+
+        Args:
+            kept: Of the other; this one is fresh.
+
+        Raises:
+            ChatSceneError: What stood is not understood any more; the talk is fresh, but for what is answered for.
+        """
+        self._asked = asked = kept["asked"], Answer.of(kept["answered"])
+        try:
+            if kept["text"]:
+                self._understand(kept["text"], Answer.of(kept["answer"]), kept["edits"])
+        finally:
+            self._asked = asked
+
+    @property
     def edits(self) -> list[str]:
         """The edits that stand, in order."""
         return [edit for edit, _ in self._edits]
@@ -137,6 +164,11 @@ class Answer:
     reading: int = 0
     facts: tuple[tuple[str, str], ...] = ()
 
+    @classmethod
+    def of(cls, options: Answered) -> Answer:
+        """That of such options."""
+        return cls(options["reading"], tuple(options["set"].items()))
+
     def further(self, verb: str, rest: str) -> Answer | None:
         """The same with what a line answers; None if it answers nothing."""
         if verb == "reading" and rest.isdecimal():
@@ -149,6 +181,24 @@ class Answer:
     def options(self) -> Answered:
         """The same as options of `chatscene.explain` and `chatscene.run`."""
         return {"reading": self.reading, "set": dict(self.facts)}
+
+
+class Kept(TypedDict):
+    """Where a talk stands, in words of JSON.
+
+    Attributes:
+        text: What was said first and understood; empty if nothing was.
+        answer: What was answered of it.
+        edits: Those that stand, in order.
+        asked: What was said last, understood or not: what is answered for.
+        answered: What was answered of that.
+    """
+
+    text: str
+    answer: Answered
+    edits: list[str]
+    asked: str
+    answered: Answered
 
 
 class Answered(TypedDict):

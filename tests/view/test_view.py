@@ -17,10 +17,10 @@ from click.testing import CliRunner
 from browser import CHROMIUM, Browser
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import RunError, SettingsError
+from chatscene.errors import ChatSceneError, EditRefused, NothingFits, RunError, SettingsError
 from chatscene.report.evaluation import write_evaluation
 from chatscene.runs.record import Status
-from chatscene.view import working
+from chatscene.talk import Talk
 from chatscene.view.below import run_below
 from chatscene.view.child import Child, Ended
 from chatscene.view.conversation import Conversation
@@ -376,39 +376,77 @@ def test_in_a_browser_runs_are_found_sorted_and_opened_and_nothing_that_was_said
         assert browser.run("document.documentElement.scrollWidth <= innerWidth")
 
 
-def test_what_was_refused_or_began_a_run_is_not_heard_again_by_another_process(
+class Stub:
+    """What is understood of a text, as far as a talk asks."""
+
+    def __init__(self, said: list[str]) -> None:
+        self.said = said
+
+    def edit(self, line: str) -> Stub:
+        if "refuse" in line:
+            raise EditRefused(line)
+        return Stub([*self.said, line])
+
+
+def test_another_process_goes_on_from_where_a_talk_stood_and_hears_no_line_again(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    came_of = {
-        "a car ahead brakes": "shown",
-        "run /tmp/elsewhere": "failed",
-        "a flea jumps": "refused",
-        "run": "refused",
-    }
+    done: list[tuple[str, object]] = []
+
+    def explain(text: str, **options: Any) -> Stub:
+        done.append((text, (options["reading"], options["set"])))
+        if "refuse" in text or options["reading"] == 9 or "refuse" in options["set"].values():
+            raise NothingFits("it fits nothing")
+        return Stub([text])
+
+    def run(text: str, folder: Path, **_: Any) -> None:
+        done.append(("run", str(folder)))
+        raise SettingsError("the disk is full")
+
+    monkeypatch.setattr("chatscene.talk.api.explain", explain)
+    monkeypatch.setattr("chatscene.talk.api.run", run)
+    talk = Talk({}, {}, tmp_path)
+    for line, kind in (
+        ("a car ahead brakes", "shown"), ("at night", "edited"), ("in the rain", "edited"), ("undo", "undone"),
+        ("refuse this edit", "refused"), ("run /tmp/elsewhere", "failed"), ("run", "failed"), ("show", "shown"),
+        ("reading 9", "refused"), ("reading 1", "shown"), ("set side = refuse", "refused"),
+        ("new refuse this sentence", "refused"), ("set side = left", "refused"), ("run", "failed"),
+    ):  # fmt: skip
+        try:
+            talk.hear(line)
+            assert kind not in ("refused", "failed"), line
+        except ChatSceneError:
+            assert kind in ("refused", "failed"), line
+    done.clear()
+    other = Talk({}, {}, tmp_path)
+    other.go_on(json.loads(json.dumps(talk.kept)))
+    assert done == [("a car ahead brakes", (1, {}))]
+    assert (other.kept, other.edits) == (talk.kept, ["at night"])
+    done.clear()
+    with pytest.raises(NothingFits):
+        other.hear("reading 2")  # answers what was asked back last
+    assert done == [("refuse this sentence", (2, {"side": "left"}))]
+
+
+@pytest.mark.parametrize("kind", ["shown", "edited", "undone", "refused", "failed", "ran"])
+def test_a_process_is_given_what_stood_and_never_a_line(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, kind: str
+) -> None:
+    stood = {"text": "a car ahead brakes"}
 
     class Answering:
         def __init__(self, setup: Callable[[], dict[str, Any]]) -> None:
             self.setup = setup
 
-        def start(self) -> None: ...
-
         def ask(self, question: dict[str, str], _: object) -> dict[str, Any]:
-            return {"kind": came_of[question["line"]]}
+            if question["line"] == "die":
+                raise Ended("it ended")
+            return {"kind": kind, "kept": stood}
 
     monkeypatch.setattr("chatscene.view.conversation.Child", Answering)
     talk: Any = Conversation(tmp_path, {}, {})
-    for line in came_of:
-        talk._answer(line, {"since": 0.0})
-    assert talk._child.setup()["heard"] == ["a car ahead brakes", "a flea jumps"]
-
-
-def test_a_process_begins_no_run_that_it_is_told_to_have_heard() -> None:
-    heard: list[str] = []
-
-    class Listening:
-        def hear(self, line: str) -> None:
-            heard.append(line)
-
-    for line in ("the car ahead brakes", "run /tmp/elsewhere", "run", "make it a truck"):
-        vars(working)["_hear_again"](Listening(), line)
-    assert heard == ["the car ahead brakes", "make it a truck"]
+    for line in ("run /tmp/elsewhere", "die"):
+        talk._answer(line, {"since": 0.0, "cancelled": False, "folder": ""})
+    assert talk._child.setup() == {"folder": str(tmp_path), "reading": {}, "search": {}, "kept": stood}
+    assert [turn["kind"] for turn in talk.state(0)["turns"]] == [kind, "crashed"]
+    assert all("kept" not in turn for turn in talk.state(0)["turns"])

@@ -9,13 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.view.child import Child, Ended
-from chatscene.view.working import begins_run
 
 Turn = dict[str, Any]
-
-_HEARD = frozenset(("shown", "edited", "undone", "refused"))
-"""What came of the lines that another process hears again: what was understood, and sentences about which something
-was asked back. What failed, such as an order that the page does not take, is over."""
 
 
 class Busy(Exception):  # noqa: N818 - reads as what it says
@@ -25,8 +20,8 @@ class Busy(Exception):  # noqa: N818 - reads as what it says
 class Conversation:
     """One talk, which every window of the page shows.
 
-    A process that ended, or was ended, loses nothing: another one hears the lines again that the first had understood,
-    without its runs, which are in their folders.
+    A process that ended, or was ended, loses nothing: another one goes on from where the talk stood. It hears no line
+    again, so what was refused, failed or was run is over.
 
     Args:
         folder: Where the folders of runs go.
@@ -36,11 +31,9 @@ class Conversation:
 
     def __init__(self, folder: Path, reading: Mapping[str, Any], search: Mapping[str, Any]) -> None:
         self._folder = folder
-        self._child = Child(
-            lambda: {"folder": str(folder), "reading": reading, "search": search, "heard": list(self._heard)}
-        )
+        self._child = Child(lambda: {"folder": str(folder), "reading": reading, "search": search, "kept": self._kept})
         self._lock = threading.Lock()
-        self._heard: list[str] = []
+        self._kept: dict[str, Any] = {}
         self._turns: list[Turn] = []
         self._work: dict[str, Any] | None = None
         self._answering: threading.Thread | None = None
@@ -98,8 +91,7 @@ class Conversation:
     def _answer(self, line: str, work: dict[str, Any]) -> None:
         try:
             turn = self._child.ask({"line": line}, lambda told: self._tell(work, told))
-            if turn["kind"] in _HEARD and not begins_run(line):
-                self._heard.append(line)
+            self._kept = turn.pop("kept")
         except Ended as error:
             turn = self._ended(work, str(error))
         with self._lock:

@@ -6,6 +6,7 @@ import json
 import os
 import threading
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from queue import Queue
 from typing import Any, BinaryIO
@@ -47,8 +48,9 @@ def _talking(setup: Question, tell: Tell) -> Callable[[Question], dict[str, Any]
     from chatscene.view.turns import turn_of
 
     talk = Talk(setup["reading"], setup["search"], Path(setup["folder"]))
-    for line in setup["heard"]:
-        _hear_again(talk, line)
+    if setup["kept"]:
+        with suppress(ChatSceneError):  # what stood is not understood any more, as where its library is gone
+            talk.go_on(setup["kept"])
 
     def progress(what: str, done: int, total: int) -> None:
         tell({"what": what, "done": done, "total": total})
@@ -57,23 +59,9 @@ def _talking(setup: Question, tell: Tell) -> Callable[[Question], dict[str, Any]
         line = question["line"]
         if line == "run":
             tell({"folder": talk.free_folder().name})
-        return turn_of(talk, line, progress, setup["reading"]["embedder"])
+        return {**turn_of(talk, line, progress, setup["reading"]["embedder"]), "kept": talk.kept}
 
     return hear
-
-
-def begins_run(line: str) -> bool:
-    """Whether a line has a talk drive something, rather than understand or change it."""
-    return line.split(maxsplit=1)[:1] == ["run"]
-
-
-def _hear_again(talk: Any, line: str) -> None:
-    if begins_run(line):
-        return  # whatever came of it, it is not begun again
-    try:
-        talk.hear(line)
-    except ChatSceneError:
-        return  # as it was refused before; what it asked back is asked again
 
 
 def _looking(setup: Question) -> Callable[[Question], dict[str, Any]]:
