@@ -5,9 +5,11 @@ from __future__ import annotations
 import http.client
 import json
 import shutil
+import socket
 import threading
 import time
 from collections.abc import Callable, Generator, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +26,7 @@ from chatscene.talk import Talk
 from chatscene.view.below import run_below
 from chatscene.view.child import Child, Ended
 from chatscene.view.conversation import Conversation
-from chatscene.view.server import MOST, Server
+from chatscene.view.server import CONNECTIONS, MOST, Server
 from chatscene.view.turns import between
 from fake_run import evaluated, finished, started
 
@@ -450,3 +452,44 @@ def test_a_process_is_given_what_stood_and_never_a_line(
     assert talk._child.setup() == {"folder": str(tmp_path), "reading": {}, "search": {}, "kept": stood}
     assert [turn["kind"] for turn in talk.state(0)["turns"]] == [kind, "crashed"]
     assert all("kept" not in turn for turn in talk.state(0)["turns"])
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "talk?since=" + "9" * 5000, "talk?since=-1", "talk?since=%D9%A3", "talk?since=",
+        "talk?since=1&since=2", "talk?until=1", "talk?" + "&".join(f"a{i}=1" for i in range(100)), "runs?first=x",
+        "compare?first=" + "a" * 9000, "still?run=a&run=b", "about?x=%00",
+    ],
+)  # fmt: skip
+def test_what_is_asked_is_checked_value_by_value(page: Page, query: str) -> None:
+    status, content, _ = page.ask(query)
+    assert status == 400
+    assert content["error"]
+
+
+def test_an_address_that_is_none_is_told(page: Page, capfd: pytest.CaptureFixture[str]) -> None:
+    with socket.create_connection(("127.0.0.1", page.server.server_port), timeout=60) as connection:
+        connection.sendall(f"GET http://[ HTTP/1.1\r\nHost: {page.host}\r\n\r\n".encode())
+        assert connection.recv(1000).startswith(b"HTTP/1.1 400")
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_who_connects_and_asks_for_nothing_gives_way_to_others(page: Page) -> None:
+    before = threading.active_count()
+    with ExitStack() as held:
+        for number in range(200):
+            place = ("127.0.0.1", page.server.server_port)
+            connection = held.enter_context(socket.create_connection(place, timeout=60))
+            connection.sendall((b"", b"GET /", b"POST / HTTP/1.1\r\nContent-Length: 9\r\n")[number % 3])
+        assert page.ask("about")[0] == 200
+        while threading.active_count() > before + CONNECTIONS + 1:  # those that gave way are about to end
+            time.sleep(0.01)
+        assert page.ask("talk")[0] == 200
+
+
+def test_who_takes_too_long_to_ask_is_ended(page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
+    with socket.create_connection(("127.0.0.1", page.server.server_port), timeout=60) as connection:
+        connection.sendall(b"GET /")
+        monkeypatch.setattr("chatscene.view.server._WHOLE", 0.0)
+        assert connection.recv(100) == b""

@@ -9,14 +9,18 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 import secrets
+import socket
 import sys
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager, suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
 from pathlib import Path
-from threading import Lock
+from threading import Lock, RLock
 from typing import Any
 from urllib.parse import parse_qs, unquote, urlsplit
 
@@ -28,6 +32,10 @@ from chatscene.view.conversation import Busy, Conversation
 
 LOOPBACK = "127.0.0.1"
 MOST = 64 * 1024  # bytes of what is said; a text that is read has less
+CONNECTIONS = 32  # at a time; a browser has six
+_WHOLE = 60.0  # [s] for a request, and between two
+_QUERIES = {"talk": ("since",), "compare": ("first", "second"), "still": ("run",)}  # what paths ask for
+_LONGEST = 8192  # characters of a value
 _KINDS = {"html": "text/html", "css": "text/css", "js": "text/javascript", "json": "application/json"}
 _ASSETS = {"": ("chatscene.view", "page/view.html"), "viewer.css": ("chatscene.report", "viewer.css")} | {
     name: ("chatscene.view", f"page/{name}")
@@ -84,6 +92,9 @@ class Server(ThreadingHTTPServer):
         self.secret, self.of_reports = secrets.token_urlsafe(18), secrets.token_urlsafe(18)
         self.conversation = Conversation(folder, reading, search)
         self._looking, self._turn = Child(lambda: {"folder": str(folder)}), Lock()
+        self._waiting: dict[socket.socket, float] = {}  # since when nothing was asked [s], of those not answered now
+        self._answered: set[socket.socket] = set()
+        self._counting = RLock()
         try:
             super().__init__((LOOPBACK, port), _Handler)
         except OSError as error:
@@ -110,6 +121,50 @@ class Server(ThreadingHTTPServer):
         if "error" in found:
             raise Refused(HTTPStatus.NOT_FOUND, found["error"])
         return found
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Begin to serve a connection; if there are too many, the one ends that has asked for nothing for longest."""
+        with self._counting:
+            full = len(self._waiting) + len(self._answered) >= CONNECTIONS
+            if full and not self._waiting:
+                self.shutdown_request(request)
+                return
+            if full:
+                self._end(min(self._waiting, key=lambda connection: self._waiting[connection]))
+            self._waiting[request] = time.monotonic()
+        super().process_request(request, client_address)
+
+    def service_actions(self) -> None:
+        """End who takes too long to ask; called all the time."""
+        with self._counting:
+            for connection, since in list(self._waiting.items()):
+                if time.monotonic() - since > _WHOLE:
+                    self._end(connection)
+
+    def _end(self, connection: socket.socket) -> None:
+        del self._waiting[connection]
+        with suppress(OSError):  # it has gone by itself
+            connection.shutdown(socket.SHUT_RDWR)  # its thread finds that, and ends
+
+    @contextmanager
+    def answering(self, connection: socket.socket) -> Generator[None]:
+        """While somebody is answered, who was let in."""
+        with self._counting:
+            self._waiting.pop(connection, None)
+            self._answered.add(connection)
+        try:
+            yield
+        finally:
+            with self._counting:
+                self._answered.discard(connection)
+                self._waiting[connection] = time.monotonic()
+
+    def shutdown_request(self, request: Any) -> None:
+        """End a connection."""
+        with self._counting:
+            self._waiting.pop(request, None)
+            self._answered.discard(request)
+        super().shutdown_request(request)
 
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Tell of what went wrong with a request, unless whoever asked has only gone away."""
@@ -140,14 +195,17 @@ class _Handler(BaseHTTPRequestHandler):
     def _serve(self, answer: Callable[[str, Mapping[str, str]], None]) -> None:
         try:
             self._require_ours()
-            split = urlsplit(self.path)
+            try:
+                split = urlsplit(self.path)
+            except ValueError as error:
+                raise Refused(HTTPStatus.BAD_REQUEST, f"this is no address: {error}") from error
             secret, _, path = split.path.removeprefix("/").partition("/")
             if _same(secret, self.server.of_reports):
                 self._report(unquote(path))
             else:
                 self._require_secret(secret)
-                asked = {name: values[-1] for name, values in parse_qs(split.query).items()}
-                answer(unquote(path), asked)
+                path = unquote(path)
+                answer(path, _queried(path, split.query))
         except Refused as refused:
             self.close_connection = True  # what it has sent besides was not read
             self._send(json.dumps({"error": str(refused)}).encode(), "json", status=refused.status)
@@ -166,6 +224,10 @@ class _Handler(BaseHTTPRequestHandler):
             raise Refused(HTTPStatus.FORBIDDEN, "take the address that chatscene view printed, whole")
 
     def _shown(self, path: str, asked: Mapping[str, str]) -> None:
+        with self.server.answering(self.connection):
+            self._show(path, asked)
+
+    def _show(self, path: str, asked: Mapping[str, str]) -> None:
         server = self.server
         match path:
             case "about":
@@ -180,7 +242,9 @@ class _Handler(BaseHTTPRequestHandler):
                 self._send(base64.b64decode(server.look("still", asked.get("run", ""))["webp"]), "webp")
             case "talk":
                 since = asked.get("since", "0")
-                self._say(server.conversation.state(int(since) if since.isdecimal() else 0))
+                if not re.fullmatch("[0-9]{1,9}", since):
+                    raise Refused(HTTPStatus.BAD_REQUEST, "say since how many turns, as a number")
+                self._say(server.conversation.state(int(since)))
             case _ if path in _ASSETS:
                 package, name = _ASSETS[path]
                 self._send(files(package).joinpath(name).read_bytes(), name.rpartition(".")[2])
@@ -189,6 +253,10 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _done(self, path: str, _asked: Mapping[str, str]) -> None:
         said = self._said()
+        with self.server.answering(self.connection):
+            self._do(path, said)
+
+    def _do(self, path: str, said: Mapping[str, Any]) -> None:
         match path:
             case "say":
                 line = said.get("line")
@@ -227,7 +295,8 @@ class _Handler(BaseHTTPRequestHandler):
             page = page_below(self.server.folder, path)
         except RunError as error:
             raise Refused(HTTPStatus.NOT_FOUND, str(error)) from error
-        self._send(page.read_bytes(), "html", policy=_OF_A_REPORT)
+        with self.server.answering(self.connection):
+            self._send(page.read_bytes(), "html", policy=_OF_A_REPORT)
 
     def _say(self, content: Mapping[str, Any]) -> None:
         self._send(json.dumps(content).encode(), "json")
@@ -251,6 +320,22 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - its name there
         """Say nothing: the terminal is for what goes wrong in the work."""
+
+
+def _queried(path: str, query: str) -> dict[str, str]:
+    """What a path is asked for, by name.
+
+    Raises:
+        Refused: It is not what is asked there, or anything is said twice or at length.
+    """
+    try:
+        asked = parse_qs(query, keep_blank_values=True, max_num_fields=len(_QUERIES))
+    except ValueError as error:
+        raise Refused(HTTPStatus.BAD_REQUEST, "this asks for too much") from error
+    for name, values in asked.items():
+        if name not in _QUERIES.get(path, ()) or len(values) > 1 or len(values[0]) > _LONGEST:
+            raise Refused(HTTPStatus.BAD_REQUEST, f"{name[:100]!r} cannot be asked so")
+    return {name: value for name, (value,) in asked.items()}
 
 
 def _same(one: str, other: str) -> bool:
