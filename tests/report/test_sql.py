@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import resource
 import shlex
 import shutil
 import sys
@@ -21,7 +22,7 @@ from chatscene.commands.main import main
 from chatscene.errors import MissingExtra, QueryError, RunError
 from chatscene.report.index import OTHERWISE_CALLED, Index, index
 from chatscene.report.index_columns import ROWS, TABLES, schema_of
-from chatscene.report.sql import ask, rows_of
+from chatscene.report.sql import answer, ask, rows_of
 from chatscene.runs import Status, Workspace, update
 from chatscene.runs.tables import SCENES, read_table, write_table
 from chatscene.terms.scenario import Slots
@@ -150,7 +151,7 @@ def test_a_query_that_would_do_more_than_read_the_tables_or_is_none_is_refused(
     write_table(tmp_path / "scenes.parquet", pa.table({"a": [1]}))
     before = sorted(tmp_path.rglob("*"))
     with pytest.raises(QueryError):
-        ask(query.replace("{here}", str(tmp_path)), one_index)
+        answer(query.replace("{here}", str(tmp_path)), one_index.tables)
     assert sorted(tmp_path.rglob("*")) == before
 
 
@@ -164,7 +165,28 @@ def test_a_query_that_would_do_more_than_read_the_tables_or_is_none_is_refused(
     ],
 )
 def test_what_only_computes_is_answered(query: str, one_index: Index) -> None:
-    assert ask(query, one_index).num_rows > 0
+    assert answer(query, one_index.tables).num_rows > 0
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "SELECT range(10000) FROM range(1000000)",
+        "SELECT repeat(repeat('x', 1000000), 4000)",
+        "SELECT repeat('x', 1000000) FROM range(1000000)",
+    ],
+)
+def test_a_query_that_takes_more_memory_than_there_is_is_refused(query: str, one_index: Index) -> None:
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    with pytest.raises(QueryError, match=r"Out of Memory|takes more than 4 GiB|maximum total string size"):
+        ask(query, one_index)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 200_000  # kB
+
+
+def test_a_query_that_breaks_duckdb_ends_nobody_else(one_index: Index, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("chatscene.report.sql.sys.executable", "/bin/false")
+    with pytest.raises(QueryError, match="or breaks DuckDB"):
+        ask("SELECT 1", one_index)
 
 
 def test_what_was_wrong_with_a_query_is_said_with_what_there_is(one_run: Path) -> None:

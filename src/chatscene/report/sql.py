@@ -2,22 +2,35 @@
 
 Whoever asks may have copied the query from somewhere, and DuckDB can read files and addresses, load extensions, and
 take variables of the calling process for tables. All of that is shut, and the lock is thrown before the query is read.
+DuckDB's own bound on memory knows nothing of long texts and lists in an answer, and a fault in it would end whoever
+asks. So a process of its own answers, which the system holds to its bounds.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import os
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
+from importlib.util import find_spec
 from math import isfinite
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, cast
+
+import pyarrow as pa
 
 from chatscene.errors import MissingExtra, QueryError
-from chatscene.report.index import Index
-from chatscene.runs.tables import Table
+
+if TYPE_CHECKING:
+    from chatscene.report.index import Index
+    from chatscene.runs.tables import Table
 
 ROWS = 1_000_000  # of an answer, at most
 MEMORY = "1GB"  # of what a query sorts, joins and groups; the tables of 20,000 scenes are 24 MB
+PROCESSOR_TIME = 600  # [s]
+_ALL_MEMORY = 4 * 2**30  # bytes of the process that answers, besides the tables
+_ANSWER, _REFUSAL = b"A", b"R"
 _SHUT: dict[str, str | bool | int | float | list[str]] = {
     "enable_external_access": "false",  # files, addresses, other databases
     "autoinstall_known_extensions": "false",
@@ -34,7 +47,7 @@ _DRAWS = frozenset({"random", "uuid", "uuidv4", "uuidv7", "gen_random_uuid", "er
 
 
 def ask(query: str, index: Index) -> Table:
-    """The answer to a query: an Arrow table.
+    """The answer to a query: an Arrow table. A process of its own finds it.
 
     Args:
         query: One statement in DuckDB's SQL that only reads, such as a SELECT.
@@ -42,19 +55,93 @@ def ask(query: str, index: Index) -> Table:
 
     Raises:
         MissingExtra: DuckDB is not installed.
+        QueryError: It is no SQL, names what there is not, would do more than read these tables, or takes too much.
+    """
+    if find_spec("duckdb") is None:
+        raise MissingExtra("SQL over runs needs duckdb", extra="sql")
+    asked = pa.BufferOutputStream()
+    _write(asked, json.dumps({"query": query, "tables": list(index.tables)}).encode())
+    for table in index.tables.values():
+        _write(asked, _packed(table))
+    # -P: the working folder is no place of modules
+    command = [sys.executable, "-P", "-m", "chatscene.report.sql"]
+    done = subprocess.run(
+        command, input=asked.getvalue(), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False
+    )
+    if done.returncode == 0 and done.stdout[:1] == _ANSWER:
+        return _unpacked(done.stdout[1:])
+    if done.returncode == 0 and done.stdout[:1] == _REFUSAL:
+        raise QueryError(done.stdout[1:].decode())
+    raise QueryError(
+        f"cannot answer {query[:1000]!r}: it takes more than {_ALL_MEMORY // 2**30} GiB or {PROCESSOR_TIME} s of the "
+        "processor, or breaks DuckDB"
+    )
+
+
+def main() -> None:
+    """Answer the query that is on the standard input, with its tables; the answer goes to the standard output."""
+    source, out = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # nothing that a query has printed is taken for an answer
+    setup = json.loads(_read(source))
+    packed = {name: _read(source) for name in setup["tables"]}
+    _hold(_ALL_MEMORY + 4 * sum(map(len, packed.values())))
+    try:
+        told = _ANSWER + _packed(answer(setup["query"], {name: _unpacked(one) for name, one in packed.items()}))
+    except QueryError as error:
+        told = _REFUSAL + str(error).encode(errors="replace")
+    with out:
+        out.write(told)
+
+
+def _hold(memory: int) -> None:
+    """Have the system end this process if it takes more than so many bytes, or too long."""
+    if sys.platform != "win32":
+        import resource
+
+        for what, wanted in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, PROCESSOR_TIME)):
+            _, hard = resource.getrlimit(what)
+            most = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
+            resource.setrlimit(what, (most, hard))
+
+
+def _packed(table: Table) -> bytes:
+    sink = pa.BufferOutputStream()
+    with pa.ipc.new_stream(sink, table.schema) as writer:
+        writer.write_table(table)
+    return sink.getvalue().to_pybytes()
+
+
+def _unpacked(packed: bytes) -> Table:
+    with pa.ipc.open_stream(packed) as reader:
+        return reader.read_all()
+
+
+def _write(to: Any, content: bytes) -> None:
+    to.write(len(content).to_bytes(8, "big") + content)
+
+
+def _read(source: BinaryIO) -> bytes:
+    return source.read(int.from_bytes(source.read(8), "big"))
+
+
+def answer(query: str, tables: Mapping[str, Table]) -> Table:
+    """The answer to a query, found in this process: it may take what DuckDB takes.
+
+    Args:
+        query: As for `ask`.
+        tables: Those that it may name.
+
+    Raises:
         QueryError: It is no SQL, names what there is not, or would do more than read these tables.
     """
     try:
         query.encode()
     except UnicodeEncodeError as error:
         raise QueryError(f"the query is no text in UTF-8: {error.object[: error.start]!r} ends there") from error
-    try:
-        import duckdb
-    except ModuleNotFoundError as error:
-        raise MissingExtra("SQL over runs needs duckdb", extra="sql") from error
+    import duckdb
 
     with duckdb.connect(":memory:", config=_SHUT) as connection:
-        for name, table in index.tables.items():
+        for name, table in tables.items():
             connection.register(name, table)
         connection.execute("SET lock_configuration = true")
         try:
@@ -66,15 +153,15 @@ def ask(query: str, index: Index) -> Table:
                     f"this is {kinds}"
                 )
             _refuse_what_does_more(connection, query)
-            answer = connection.sql(statements[0]).limit(ROWS + 1).to_arrow_table()
-        except duckdb.Error as error:
+            found = connection.sql(statements[0]).limit(ROWS + 1).to_arrow_table()
+        except (duckdb.Error, MemoryError, pa.ArrowException) as error:
             raise QueryError(
                 f"cannot answer the query: {error}\nA query reads the tables of the index and nothing else; "
                 "chatscene sql --tables lists them with their columns"
             ) from error
-    if answer.num_rows > ROWS:
+    if found.num_rows > ROWS:
         raise QueryError(f"the answer has more than {ROWS:,} rows; count or average them, or end it with LIMIT")
-    return answer
+    return found
 
 
 def _refuse_what_does_more(connection: Any, query: str) -> None:
@@ -144,3 +231,7 @@ def _plain(value: Any) -> Any:
         case _:
             plain = str(value)
     return plain
+
+
+if __name__ == "__main__":
+    main()
