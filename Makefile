@@ -15,7 +15,7 @@ SENTENCE ?= A car runs the red light from the left.
 
 demo: .venv/core
 	rm -rf demo
-	$(PY) -m chatscene run "$(SENTENCE)" --out demo --routes 2
+	$(PY) -P -m chatscene run "$(SENTENCE)" --out demo --routes 2
 	@echo 'first:       source .venv/bin/activate'
 	@echo 'look at it:  chatscene open demo'
 	@echo 'then try:    chatscene chat'
