@@ -335,3 +335,15 @@ def test_a_cache_that_cannot_be_written_stops_nothing(tmp_path: Path, monkeypatc
     (tmp_path / "file").write_text("not a folder")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
     assert encode_cached(Counting(), TEXTS).shape == (3, 4)
+
+
+@pytest.mark.parametrize("fault", [MemoryError(), RuntimeError("Exception during initialization: std::bad_alloc")])
+def test_too_little_memory_for_the_encoder_is_said_in_a_sentence(
+    fault: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def session(*_: object, **__: object) -> None:
+        raise fault
+
+    monkeypatch.setattr("onnxruntime.InferenceSession", session)
+    with pytest.raises(SettingsError, match="too little memory for the encoder"):
+        vars(embedding)["_Layers"](b"")

@@ -10,7 +10,8 @@ import hashlib
 import importlib
 import logging
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from contextlib import contextmanager
 from functools import lru_cache, partial
 from io import BytesIO
 from itertools import pairwise
@@ -158,6 +159,21 @@ _REPEATED = (
 _RECENT = 4  # texts whose states below the upper layers are kept for the next encoder that is asked
 
 
+@contextmanager
+def _memory_told() -> Generator[None]:
+    """Want of memory, which the runtime tells in an exception of its own, as a message.
+
+    Raises:
+        SettingsError: There is not enough.
+    """
+    try:
+        yield
+    except Exception as error:
+        if isinstance(error, MemoryError) or "bad_alloc" in str(error):
+            raise SettingsError("there is too little memory for the encoder, which takes some 200 MB") from error
+        raise
+
+
 class _Layers:
     """Some layers of the encoder, ready to be run."""
 
@@ -167,7 +183,9 @@ class _Layers:
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1
         options.enable_cpu_mem_arena = False  # it keeps what the longest text took
-        self._session: Any = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
+        options.log_severity_level = 4  # a fault is told once, by its exception
+        with _memory_told():
+            self._session: Any = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
         self._inputs = {i.name for i in self._session.get_inputs()}
 
     def run(self, given: Mapping[str, Vectors]) -> Vectors:
@@ -175,7 +193,8 @@ class _Layers:
         (below,) = given.values()
         ones = np.ones(below.shape[:2], np.int64)
         feed = {"attention_mask": ones, "token_type_ids": np.zeros_like(ones), **given}
-        return self._session.run(None, {name: each for name, each in feed.items() if name in self._inputs})[0]
+        with _memory_told():
+            return self._session.run(None, {name: each for name, each in feed.items() if name in self._inputs})[0]
 
 
 class _SharedLayers:
