@@ -176,3 +176,12 @@ def test_a_run_that_was_made_of_no_other_has_nothing_to_undo(tmp_path: Path) -> 
     run = chatscene.Run(finished(tmp_path / "by hand", count=1).path)
     with pytest.raises(RunError, match="no edit of another"):
         _ = run.edited_from
+
+
+def test_a_command_that_has_too_little_memory_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    def explain(*_: object, **__: object) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr("chatscene.api.explain", explain)
+    done = CliRunner().invoke(main, ["explain", "a car ahead brakes hard"])
+    assert (done.exit_code, "too little memory" in done.output) == (1, True)

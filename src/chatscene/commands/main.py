@@ -94,6 +94,9 @@ class _Errors(click.Group):
         except ChatSceneError as error:
             complain(error)
             ctx.exit(1)
+        except MemoryError:
+            say("there is too little memory; what was finished is kept: continue with chatscene resume DIR", err=True)
+            ctx.exit(1)
         except KeyboardInterrupt:
             say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)
             ctx.exit(130)
