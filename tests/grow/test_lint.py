@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.rule_based import RuleBased
 from chatscene.grow.directions import joints
-from chatscene.grow.lint import check_code, implausible, lint, trials, try_joint, try_triple, world_names
+from chatscene.grow.lint import check_code, implausible, lint, refused_code, trials, try_joint, try_triple, world_names
 from chatscene.library.compatibility import ARMS, compatibility
 from chatscene.library.load import Library, load_library
 from chatscene.library.snippet_file import names_in
@@ -300,3 +301,18 @@ def test_no_snippet_names_a_simulator_or_looks_with_the_eyes_of_scenic() -> None
     for snippet in load_library():
         assert "carla" not in snippet.source.casefold(), snippet.id
         assert "can see" not in snippet.source, snippet.id
+
+
+def test_a_mistake_in_a_snippet_is_shown_by_the_line_of_its_file(tmp_path: Path) -> None:
+    (tmp_path / "behavior").mkdir()
+    (tmp_path / "behavior" / "mine.scenic").write_text(
+        '#: description = "The pedestrian waits."\n#: adversaries = ["pedestrian"]\n#: origin = "my own idea"\n'
+        '#: [slots]\n#: actions = ["stop"]\n\nbehavior AdvBehavior():\n    do Hallt() for 3 seconds\n'
+    )
+    library = load_library(tmp_path)
+    (finding,) = refused_code(library.get("behavior/mine"), library)
+    assert finding.message == (
+        "line 8: the name Hallt: neither the program nor the world model defines it; did you mean Halt?\n"
+        "    do Hallt() for 3 seconds\n"
+        "       ^^^^^"
+    )

@@ -211,7 +211,7 @@ def test_a_name_that_the_map_has_not_is_said(simulator: Simulator) -> None:
     program = foreign_program(
         "named", "model scenic.domains.driving.model\nego = new Car on network.elements['road69']"
     )
-    with pytest.raises(DoesNotCompile, match="KeyError: 'road69'"):
+    with pytest.raises(DoesNotCompile, match="line 2: KeyError: there is no 'road69'"):
         driven(simulator, program, scene_of(program))
 
 

@@ -27,11 +27,13 @@ from chatscene.program.assemble import assemble
 from chatscene.program.meaning import check_meaning
 from chatscene.program.sample import draw
 from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.plain_text import Refusal
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.actors import LIMITS, AdversaryKind
 from chatscene.terms.episode import Episode, Role, Track
 from chatscene.terms.plan import Plan
 from chatscene.terms.plan_text import plan_of
+from chatscene.terms.pointing import pointed
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Component
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
@@ -149,7 +151,13 @@ def refused_code(snippet: Snippet, library: Library) -> tuple[Finding, ...]:
     """What a stranger's snippet uses that strangers may not use; nothing of it is run."""
     given = partner_names(snippet.component, library)
     refusals = check_foreign(snippet.source, whole=False, given=given)
-    return tuple(Finding(snippet.id, "allow-list", str(refusal)) for refusal in refusals)
+    return tuple(Finding(snippet.id, "allow-list", _where_it_stands(snippet, refusal)) for refusal in refusals)
+
+
+def _where_it_stands(snippet: Snippet, refusal: Refusal) -> str:
+    """A refusal by its line in the snippet's file, with that line and a caret under the place."""
+    told = replace(refusal, line=snippet.lines[refusal.line - 1]) if 0 < refusal.line <= len(snippet.lines) else refusal
+    return f"{told}\n{pointed(snippet.source, refusal.place)}".rstrip()
 
 
 def check_code(snippet: Snippet) -> Iterator[Finding]:

@@ -137,7 +137,7 @@ def _text(path: Path) -> str:
 
 
 def _snippet(path: Path, header: Mapping[str, Any], body: list[tuple[int, str]], row: _Row) -> Snippet:
-    code, parameters = _code(path, body, row)
+    code, parameters, lines = _code(path, body, row)
     description = header.get("descriptions", {}).get(row.name, header.get("description"))
     if not isinstance(description, str):
         raise SnippetError(f"{row.where}: the header lacks its description, a sentence")
@@ -156,6 +156,7 @@ def _snippet(path: Path, header: Mapping[str, Any], body: list[tuple[int, str]],
         "parameters": parameters,
         "source": code,
         "file": f"{path.parent.name}/{path.name}",
+        "lines": lines,
     }
     if unused := sorted(row.values.keys() - row.used - _SLOTS - {*_OWN}):
         raise SnippetError(
@@ -172,9 +173,12 @@ def _snippet(path: Path, header: Mapping[str, Any], body: list[tuple[int, str]],
     return snippet
 
 
-def _code(path: Path, body: list[tuple[int, str]], row: _Row) -> tuple[str, tuple[ParameterRange, ...]]:
-    """The code of one snippet of a file without our marks, and what it tunes."""
+def _code(
+    path: Path, body: list[tuple[int, str]], row: _Row
+) -> tuple[str, tuple[ParameterRange, ...], tuple[int, ...]]:
+    """The code of one snippet of a file without our marks, what it tunes, and where in the file its lines stand."""
     code: list[str] = []
+    lines: list[int] = []
     parameters: list[ParameterRange] = []
     for number, line in body:
         at = f"{path}, line {number}"
@@ -184,9 +188,10 @@ def _code(path: Path, body: list[tuple[int, str]], row: _Row) -> tuple[str, tupl
         holds = [row.holds(at, one) for one in conditions]  # each is asked, so that each of its keys counts as used
         if all(holds):
             code.append(row.filled(at, text.rstrip() if mark else text))
+            lines.append(number)
             meanings = [row.filled(at, one) for one in marks if not _CONDITION.fullmatch(one)]
             parameters += _parameters(at, code[-1], meanings)
-    return "\n".join(code), tuple(parameters)
+    return "\n".join(code), tuple(parameters), tuple(lines)
 
 
 def _check_keys(path: Path, header: Mapping[str, Any]) -> None:

@@ -88,14 +88,13 @@ def check(
             break
     if not episodes:
         raise Unsatisfiable(
-            f"program {program.scenario_id!r}: none of {len(rejected)} probing scenes could be placed; "
+            f"{program.called}: none of {len(rejected)} probing scenes could be placed; "
             f"most often: {_commonest([r.reason for r in rejected])}"
         )
     way = simulator.route_in(program, placed[0])
     if failures := unshown(slots, episodes, way):
         raise MeansSomethingElse(
-            f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}) runs, "
-            f"but none of {len(episodes)} drives shows what was read: {'; '.join(failures)}",
+            f"{program.called} runs, but none of {len(episodes)} drives shows what was read: {'; '.join(failures)}",
             blamed=_blamed(program, failures),
         )
     meaning = tuple(check_meaning(slots, episode, way) for episode in episodes)

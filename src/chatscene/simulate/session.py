@@ -20,6 +20,7 @@ from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
 from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped, Track
 from chatscene.terms.order import Order
+from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
 from chatscene.world.bodies import Body, Vehicle
@@ -96,6 +97,7 @@ class SteppedSession:
         self.pedals = pedals
         self.through = through
         self._label = label
+        self._program = program
         self.draws = draws
         self.stepped = Stepped()
         self._drawn = program.drawn
@@ -258,7 +260,8 @@ class SteppedSession:
         except (ChatSceneError, MemoryError):
             raise
         except Exception as error:  # the program's own code, which may raise anything
-            raise ProgramError(f"{self._label} fails while it runs: {type(error).__name__}: {error}") from error
+            why = fault(error, self._program.filename, self._program.source)
+            raise ProgramError(f"{self._label} fails while it runs: {why}") from error
         return not self.rejection
 
     def _end(self, ending: Ending) -> None:

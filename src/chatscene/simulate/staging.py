@@ -85,12 +85,13 @@ class Stage:
         key = (program.digest, 0 if program.drawn else route)
         if key not in self._compiled:
             load_network(self._map_path)  # a large map takes its time, which is not the program's
-            with time_limit(f"program {program.scenario_id!r}, being compiled,"):
+            with time_limit(f"{program.called}, being compiled,"):
                 scenario = compile_program(
                     program.source,
                     map_path=self._map_path,
                     route=route,
-                    filename=f"<{program.scenario_id}>",
+                    filename=program.filename,
+                    called=program.called if program.own else "",
                     model=program.model,
                 )
             scenario.setSampleChecker(_InOrder(program.drawn))
@@ -132,7 +133,7 @@ class Stage:
         """A scene whose places Scenic draws; the same for the same seed and values."""
         key = (program.digest, program.as_written, scene.seed, *sorted(scene.values.items()))
         if key not in self._placed:
-            with time_limit(f"program {program.scenario_id!r}, being drawn,"):
+            with time_limit(f"{program.called}, being drawn,"):
                 self._placed[key] = self._drawn(program, scenario, scene)
             while len(self._placed) > PLACED:
                 self._placed.popitem(last=False)

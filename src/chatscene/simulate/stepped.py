@@ -15,6 +15,7 @@ from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.simulate.staging import Stage
+from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.simulator import SimulatorIdentity
@@ -54,7 +55,7 @@ class SteppedSimulator:
     def route(self, program: ScenicProgram, index: int) -> Route:
         """The route a program's geometry picks under this index."""
         if program.drawn:
-            raise ProgramError(f"program {program.scenario_id!r} draws where its ego stands; each scene has a route")
+            raise ProgramError(f"{program.called} draws where its ego stands; each scene has a route")
         route: Route = self._stage.compiled(program, index).egoObject.route.route
         return route
 
@@ -86,7 +87,7 @@ class SteppedSimulator:
         through_collisions: bool = False,
     ) -> SteppedSession | Rejected:
         """Start a session."""
-        label = f"program {program.scenario_id!r} ({', '.join(program.snippet_ids)}), scene {scene.id!r},"
+        label = f"{program.called}, scene {scene.id!r},"
         free_process()
         try:
             placed = self._stage.place(program, scene)
@@ -100,7 +101,8 @@ class SteppedSimulator:
         except (ChatSceneError, MemoryError):
             raise
         except Exception as error:  # the program's own code, which may raise anything
-            raise ProgramError(f"{label} fails while it is set up: {type(error).__name__}: {error}") from error
+            why = fault(error, program.filename, program.source)
+            raise ProgramError(f"{label} fails while it is set up: {why}") from error
         route: Route = placed.egoObject.route.route
         try:
             session = SteppedSession(

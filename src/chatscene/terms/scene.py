@@ -27,6 +27,7 @@ class ScenicProgram:
         digest: Hash of `source`, hexadecimal.
         model: The world model that it is written for, as its `model` line says.
         as_written: Whether its own ego drives, as the program has it, and the ego under test only rides along.
+        own: What a user calls a program of his own, such as its file; empty for one that was made here.
     """
 
     scenario_id: str
@@ -36,9 +37,23 @@ class ScenicProgram:
     digest: str = field(init=False)
     model: str = OWN_MODEL
     as_written: bool = False
+    own: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "digest", hashlib.blake2b(self.source.encode(), digest_size=8).hexdigest())
+
+    @property
+    def called(self) -> str:
+        """What messages call it."""
+        if self.own:
+            return f"your program {self.own}"
+        parts = f" ({', '.join(self.snippet_ids)})" if self.snippet_ids else ""
+        return f"program {self.scenario_id!r}{parts}"
+
+    @property
+    def filename(self) -> str:
+        """What Scenic calls its text."""
+        return f"<{self.scenario_id}>"
 
     @property
     def drawn(self) -> bool:

@@ -52,6 +52,7 @@ class Snippet:
         origin: Where the idea comes from.
         source: The Scenic code, without the header and our marks.
         file: Where it stands in its library, such as ``spawn/kerb-left.scenic``; empty if nowhere.
+        lines: In which line of that file each line of the code stands, from 1; empty if nowhere.
     """
 
     id: str
@@ -66,6 +67,7 @@ class Snippet:
     origin: str = ""
     source: str = ""
     file: str = field(default="", compare=False)
+    lines: tuple[int, ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

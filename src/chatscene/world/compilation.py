@@ -29,6 +29,7 @@ from scenic.syntax import translator, veneer
 from chatscene.errors import ChatSceneError, DoesNotCompile
 from chatscene.files.caches import cache_folder, keep, only_mine
 from chatscene.maps.network import install_network_memo
+from chatscene.terms.pointing import fault, place_in, pointed
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world import searched
 from chatscene.world.models import STANDS_IN
@@ -216,7 +217,13 @@ def _without_collecting() -> Generator[None]:
 
 
 def compile_program(
-    source: str, *, map_path: Path, route: int, filename: str = "<program>", model: str = OWN_MODEL
+    source: str,
+    *,
+    map_path: Path,
+    route: int,
+    filename: str = "<program>",
+    called: str = "",
+    model: str = OWN_MODEL,
 ) -> Any:
     """Compile a program for one route of one map. A session that is open in this process is ended.
 
@@ -224,7 +231,8 @@ def compile_program(
         source: Scenic text.
         map_path: The map.
         route: Which of the routes that its geometry asks for.
-        filename: Named in error messages.
+        filename: What Scenic calls the text.
+        called: What error messages call it; empty for the same.
         model: The world model that it is written for; ours that stands in for it is loaded.
 
     Returns:
@@ -247,7 +255,10 @@ def compile_program(
     except ScenicError as error:
         line = getattr(error, "lineno", None)
         file = getattr(error, "filename", None) or filename
-        where = f"line {line} of {file}" if line else filename
-        raise DoesNotCompile(f"Scenic refuses {where}: {error}") from error
+        where = f"line {line} of {called if called and file == filename else file}" if line else called or filename
+        place = place_in(error, filename)
+        shown = f"\n{pointed(source, place)}" if place else ""
+        raise DoesNotCompile(f"Scenic refuses {where}: {error}{shown}".rstrip()) from error
     except Exception as error:  # the program's own code, which may raise anything
-        raise DoesNotCompile(f"{filename} fails while it is set up: {type(error).__name__}: {error}") from error
+        why = fault(error, filename, source)
+        raise DoesNotCompile(f"{called or filename} fails while it is set up: {why}") from error

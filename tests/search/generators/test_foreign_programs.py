@@ -7,15 +7,16 @@ from pathlib import Path
 import pytest
 
 from chatscene.ego.rule_based import RuleBased
-from chatscene.errors import ForeignCodeRefused
+from chatscene.errors import ForeignCodeRefused, ProgramError
 from chatscene.maps.network import resolve_map
 from chatscene.program.check import probe_scenes
 from chatscene.search.explore import explore
 from chatscene.search.generators.foreign import ADVERSARY_BEHAVIOR, foreign_files, foreign_program, read_foreign
 from chatscene.settings import SearchSettings, SimulationSettings
 from chatscene.simulate.confined.allow_list import check_foreign
+from chatscene.simulate.confined.plain_text import TRUST
 from chatscene.simulate.confined.simulator import ConfinedSimulator
-from chatscene.simulate.simulator import simulate
+from chatscene.simulate.simulator import load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import Slots
 from red_team.corpus import ATTACKS
@@ -115,7 +116,7 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: Confin
             MINE.replace("with route", "with behavior FollowLaneBehavior(), with route"),
             "leave its `with behavior …` away",
         ),
-        (MINE + "scenario Main():\n    setup:\n        x = 1\n", "line 16: scenario def: modular scenarios are not"),
+        (MINE + "scenario Main():\n    setup:\n        x = 1\n", "line 16: a scenario: modular scenarios are not"),
         (MINE + "scenario Main():\n    compose:\n        do Sub()\n", "modular scenarios are not supported"),
         (MINE.replace("do Halt()", "override self with width 3\n    do Halt()"), "override: modular scenarios are not"),
         (MINE + "record final van.speed as fastest\n", "a program records nothing"),
@@ -128,7 +129,7 @@ def test_a_foreign_program_is_driven_and_searched_like_our_own(simulator: Confin
         (MINE.replace("Range(10, 30)", "Range(30, 10)"), "the lower first"),
         (MINE.replace("Range(10, 30)", "12"), "Range"),
         (MINE + "import os\n", "line 16: import"),
-        ("model chatscene.world.model\nx = (\n", "no Scenic"),
+        ("model chatscene.world.model\nx = (\n", "line 2, column 5: not Scenic: this ( is never closed"),
         ("x" * 50_000, "at most 20000"),
     ],
 )
@@ -193,3 +194,112 @@ def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
             read_foreign(tmp_path / name)
     with pytest.raises(ForeignCodeRefused, match=r"holds no \.scenic file"):
         foreign_files(tmp_path / "empty")
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message"),
+    [
+        ("do Halt()", "do Hallt()", "line 11: the name Hallt: neither the program nor the world model defines it"),
+        ("do Halt()", "do Hallt()", "did you mean Halt?\n    do Hallt() until"),
+        ("do Halt()", "do Hallt()", "\n       ^^^^^"),
+        ("new Truck", "new Truk", "did you mean Truck?"),
+        ("with route", "with rout", "with rout: there is no such property; did you mean route?"),
+        ("facing directionOn(egoRoute, 0)", "facng directionOn(egoRoute, 0)", "line 8, column 37: not Scenic"),
+        ("facing directionOn(egoRoute, 0)", "facng directionOn(egoRoute, 0)", "specifier facng; did you mean facing?"),
+        ("OPT_SPEED)", "OPT_SPED)", "the program has no such parameter; did you mean OPT_SPEED?"),
+        ("chatscene.world.model", "chatscene.wrld.model", "did you mean chatscene.world.model?"),
+        ("startOf(egoRoute)", "startOf(egoRoute", "line 8, column 25: not Scenic: this ( is never closed"),
+        ("startOf(egoRoute)", "startOf(egoRoute))", "line 8, column 35: not Scenic: this ) closes nothing"),
+        ('"right"', '"right', "line 14, column 45: not Scenic: this quote is never closed"),
+        ("    do DrivePath", "\tdo DrivePath", "lines are indented with tabs and with blanks"),
+        ("ego = new Car", "ego = Car", "line 8: Car without new: this is Scenic 2; Scenic 3 needs `new`"),
+        ("new ", "", "write `new Car` (so too in line 14)"),
+    ],
+)
+def test_a_mistake_is_shown_where_it_is_with_what_was_meant(
+    right: str, wrong: str, message: str, tmp_path: Path
+) -> None:
+    path = written(tmp_path, MINE.replace(right, wrong))
+    with pytest.raises(ForeignCodeRefused) as refusal:
+        read_foreign(path)
+    assert str(refusal.value).startswith(f"your program {path}: line ")
+    assert message in str(refusal.value)
+    assert "--trust" not in str(refusal.value)  # which would not help
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "model scenic.domains.driving.model\nego = Car\n",
+        "model scenic.domains.driving.model\nego = Pedestrian at (-36, 118)\n",
+        "model scenic.domains.driving.model\nego = new Car\nother = Car at (1, 2)\n",
+    ],
+)
+def test_a_program_for_scenic_2_is_told_as_one_even_if_its_lines_mean_something_to_scenic_3(text: str) -> None:
+    with pytest.raises(ForeignCodeRefused, match="this is Scenic 2; Scenic 3 needs `new`"):
+        foreign_program("x", text)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("x = f'{ego}'", "an f-string: the sandbox does not allow it"),
+        ("x = [y for y in (1, 2)]", "a list comprehension: the sandbox"),
+        ("x = 1 << 2", "the operator <<: the sandbox does not allow it\n    x = 1 << 2\n          ^^"),
+        ("print('x')", "the name print: the sandbox does not allow it"),
+        ("x = 'a/b'", "a text may not hold '/'"),
+        (f"x = '{'a' * 130}'", "it has 130 characters, and a text has at most 120"),
+        ("x = b'a'", "a constant is a real number, a text, True, False or None"),
+        ("x = 1e9", "numbers lie between ±1000000"),
+    ],
+)
+def test_what_only_the_sandbox_forbids_is_said_in_words_with_the_way_round_it(line: str, message: str) -> None:
+    with pytest.raises(ForeignCodeRefused) as refusal:
+        foreign_program("x", MINE + line + "\n")
+    assert message in str(refusal.value)
+    assert str(refusal.value).endswith("\n" + TRUST)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "town = 'Town05'\nparam map = localPath(f'../maps/{town}.xodr')\n",
+        "param map = f'../maps/Town05.xodr'\n",
+        "where = localPath('../maps/Town05.xodr')\nparam map = where\n",
+    ],
+)
+def test_the_path_of_a_map_may_be_put_together_of_texts(lines: str, tmp_path: Path) -> None:
+    read = read_foreign(written(tmp_path, f"{lines}model scenic.domains.driving.model\nego = new Car\n"))
+    assert read.map_path == tmp_path.parent / "maps" / "Town05.xodr"
+
+
+def test_a_path_that_the_program_uses_elsewhere_keeps_to_the_rules_for_texts() -> None:
+    text = (
+        "where = '/etc/passwd'\nparam map = where\nmodel scenic.domains.driving.model\nego = new Car with name where\n"
+    )
+    assert [refusal.what for refusal in check_foreign(text)] == ["the text /etc/passwd"]
+
+
+def test_a_program_longer_than_any_is_refused_whole_even_if_it_is_trusted(tmp_path: Path) -> None:
+    path = written(tmp_path, MINE + "# more\n" * 20_000)
+    with pytest.raises(ForeignCodeRefused, match="has more than 80000 bytes"):
+        read_foreign(path, trusted=True)
+
+
+@pytest.mark.parametrize("confined", [True, False], ids=["in the sandbox", "trusted"])
+def test_what_fails_while_it_runs_is_shown_where_it_does(confined: bool, simulator: ConfinedSimulator) -> None:
+    program = foreign_program("mine", MINE.replace("    do Halt()", "    speed = ego.position[7]\n    do Halt()"))
+    where = simulator if confined else load_simulator(resolve_map("town"), SimulationSettings())
+    with pytest.raises(ProgramError) as failure:
+        simulate(where, program, probe_scenes(program, 0)[0], RuleBased())
+    assert str(failure.value).startswith("your program mine, scene ")
+    assert "line 11: IndexError" in str(failure.value)
+    assert str(failure.value).endswith("    speed = ego.position[7]\n            ^^^^^^^^^^^^^^^")
+
+
+def test_an_unknown_name_of_a_trusted_program_is_told_with_the_one_that_was_meant() -> None:
+    program = foreign_program("mine", MINE.replace("do Halt()", "do Hallt()"), trusted=True)
+    with pytest.raises(ProgramError, match=r"line 11: NameError: name 'Hallt' is not defined; did you mean Halt\?"):
+        simulate(
+            load_simulator(resolve_map("town"), SimulationSettings()), program, probe_scenes(program, 0)[0], RuleBased()
+        )

@@ -59,9 +59,9 @@ def test_the_corpus_has_enough_programs_each_with_a_name() -> None:
 
 @pytest.mark.parametrize("attack", REFUSED, ids=name)
 def test_the_allow_list_refuses(attack: Attack) -> None:
-    with pytest.raises(ForeignCodeRefused, match=r"^program 'x' uses what a stranger's program may not: .+: .+") as why:
+    with pytest.raises(ForeignCodeRefused, match=r"^your program x: (.+): .+") as why:
         foreign_program("x", attack.source)
-    assert str(why.value).isprintable()
+    assert str(why.value).replace("\n", "").isprintable()
 
 
 @pytest.mark.parametrize("attack", [a for a in ATTACKS if a.listed], ids=name)

@@ -1,5 +1,6 @@
 """Both walls, part by part: what passes, what is in force, and that what comes back is checked."""
 
+import ast as python
 import json
 import os
 import signal
@@ -19,6 +20,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scenic.syntax import ast as scenic
 
 from chatscene.ego.observation import Observation
 from chatscene.ego.rule_based import RuleBased
@@ -52,12 +54,12 @@ from chatscene.simulate.confined.wire import (
     route_to_json,
     words,
 )
-from chatscene.simulate.confined.words import PYTHON_NAMES, SCENIC_NAMES, world_words
+from chatscene.simulate.confined.words import KINDS, PYTHON_NAMES, SCENIC_NAMES, dialect_of, world_words
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Slots
-from chatscene.terms.scene import Rejected, Scene, ScenicProgram
+from chatscene.terms.scene import OWN_MODEL, Rejected, Scene, ScenicProgram
 from places import GOLDEN, TESTS
 
 TOWN = resolve_map("town")
@@ -174,9 +176,11 @@ def test_what_scenes_are_made_of_passes(line: str) -> None:
         ("x = range(1000)", "range"),
         ("Car = 5", "the name Car"),
         ("self = 5", "the name self"),
-        ("ego = Car", "ego"),
+        ("ego = Car", "Car without new"),
+        ("ego = egoRoute", "ego"),
         ("new Car with physics 5", "with physics"),
-        ("x = (ego.position)(1)", "a call of something without a name"),
+        ("x = (ego.position)(1)", ".position()"),
+        ("x = [ego][0](1)", "a call of something without a name"),
         ("while 1 < 2:\n    x = 1", "while"),
         ("mutate ego", "mutate"),
         ("record ego.speed", "record"),
@@ -185,6 +189,27 @@ def test_what_scenes_are_made_of_passes(line: str) -> None:
 )
 def test_what_no_scene_needs_is_refused(line: str, what: str) -> None:
     assert what in [refusal.what for refusal in check_foreign(HEAD + line + "\n")]
+
+
+def test_every_kind_of_syntax_has_a_name_in_the_words_of_the_language() -> None:
+    parsed = [getattr(module, name) for module in (python, scenic) for name in dir(module)]
+    kinds = {kind for kind in parsed if isinstance(kind, type) and issubclass(kind, python.AST) and kind._fields}
+    inner = {
+        "Expression",
+        "FunctionType",
+        "Interactive",
+        "Suite",
+        "ExtSlice",
+        "Index",
+        "alias",
+        "withitem",
+        "TypeIgnore",
+    }
+    inner |= {"Num", "Str", "Bytes", "NameConstant", "Ellipsis", "match_case"}  # of Python 3.7, or below a match
+    refused = {
+        k.__name__ for k in kinds if k not in dialect_of(OWN_MODEL).syntax and not k.__name__.startswith("Match")
+    }
+    assert refused - inner <= set(KINDS)
 
 
 @settings(max_examples=60)
@@ -361,7 +386,7 @@ def test_a_program_that_wants_too_much_memory_is_stopped(simulator: ConfinedSimu
 
 
 def test_faults_of_a_program_are_told_as_by_the_trusting_simulator(simulator: ConfinedSimulator) -> None:
-    with pytest.raises(DoesNotCompile, match=r"^<toy> fails while it is set up"):
+    with pytest.raises(DoesNotCompile, match=r"^your program toy fails while it is set up: line 3: NameError"):
         simulator.routes(program("do Halt()", setup="x = later\nlater = 1\n"))
     with pytest.raises(MapError):
         simulator.route(CROSSES, 99)

@@ -17,8 +17,9 @@ from typing import Any
 from chatscene.errors import ForeignCodeRefused
 from chatscene.library.load import names_of
 from chatscene.simulate.confined.allow_list import check_foreign, model_of, parse_foreign, refused
+from chatscene.simulate.confined.asked_map import map_of
 from chatscene.simulate.confined.plain_text import MAX_CHARACTERS, Refusal
-from chatscene.simulate.confined.rules import OTHERS, is_map
+from chatscene.simulate.confined.rules import OTHERS
 from chatscene.terms.scene import OWN_MODEL, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 from chatscene.world.models import STANDS_IN
@@ -26,6 +27,7 @@ from chatscene.world.searched import searched
 
 ADVERSARY_BEHAVIOR = "AdvBehavior"  # by which a drive tells the adversary from the rest of the traffic
 MOST_PROGRAMS = 1_000  # in one folder
+MOST_BYTES = 4 * MAX_CHARACTERS
 
 _IMPORTED = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_]\w*)", re.MULTILINE)
 
@@ -71,7 +73,7 @@ def _beginning(file: Path) -> str:
     """As much of a file as a program can have; nothing of one that cannot be read, which is said when it is."""
     try:
         with file.open("rb") as opened:
-            return opened.read(4 * MAX_CHARACTERS).decode("utf-8", errors="replace")
+            return opened.read(MOST_BYTES).decode("utf-8", errors="replace")
     except OSError:
         return ""
 
@@ -92,12 +94,15 @@ def read_foreign(path: Path, *, trusted: bool = False, as_written: bool = False)
         if not path.is_file():
             raise ForeignCodeRefused(f"there is no file {path}; give a .scenic file or a folder of them")
         with path.open("rb") as file:
-            text = file.read(4 * MAX_CHARACTERS + 1).decode("utf-8-sig")
+            read = file.read(MOST_BYTES + 1)
+        if len(read) > MOST_BYTES:
+            raise ForeignCodeRefused(f"{path} has more than {MOST_BYTES} bytes, the most that a program has")
+        text = read.decode("utf-8-sig")
     except OSError as error:
         raise ForeignCodeRefused(f"{path} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
-    program, renamed, asked = _made(path.stem, text.replace("\r\n", "\n"), trusted, as_written)
+    program, renamed, asked = _made(path.stem, text.replace("\r\n", "\n"), trusted, as_written, own=str(path))
     return ForeignProgram(
         path=path, program=program, renamed=renamed, map_path=None if asked is None else (path.parent / asked).resolve()
     )
@@ -115,30 +120,33 @@ def foreign_program(name: str, source: str, *, trusted: bool = False, as_written
     Raises:
         ForeignCodeRefused: It uses what strangers may not use, or lacks an ego, a route or an adversary.
     """
-    return _made(name, source, trusted, as_written)[0]
+    return _made(name, source, trusted, as_written, own=name)[0]
 
 
-def _made(name: str, source: str, trusted: bool, as_written: bool) -> tuple[ScenicProgram, str, str | None]:
+def _made(
+    name: str, source: str, trusted: bool, as_written: bool, *, own: str
+) -> tuple[ScenicProgram, str, str | None]:
     """The program, what its adversary's behavior was called if it was renamed, and the map that it asks for."""
+    called = f"your program {own}"
     if not source.strip():
-        raise ForeignCodeRefused(f"program {name!r} is empty")
+        raise ForeignCodeRefused(f"{called} is empty")
     if not trusted and (refusals := check_foreign(source)):
-        raise ForeignCodeRefused(refused(name, refusals))
+        raise ForeignCodeRefused(refused(called, refusals, source, own=True))
     tree = parse_foreign(source)
     if isinstance(tree, Refusal):
-        raise ForeignCodeRefused(refused(name, (tree,)))
+        raise ForeignCodeRefused(refused(called, (tree,), source, own=True))
     model = model_of(tree)
     if model not in STANDS_IN:
         raise ForeignCodeRefused(
-            f"program {name!r} is written for the world model {model!r}; known: {', '.join(STANDS_IN)}"
+            f"{called} is written for the world model {model!r}; known: {', '.join(STANDS_IN)}"
             if model
-            else f"program {name!r} does not say what it is written for; begin it with `model {OWN_MODEL}`, {OTHERS}"
+            else f"{called} does not say what it is written for; begin it with `model {OWN_MODEL}`, {OTHERS}"
         )
     behavior = ADVERSARY_BEHAVIOR
     if model != OWN_MODEL:
-        _check_ego(name, tree)
+        _check_ego(called, tree)
     else:
-        behavior = _adversary_behavior(name, tree, as_written)
+        behavior = _adversary_behavior(called, tree, as_written)
         if behavior != ADVERSARY_BEHAVIOR:
             source = re.sub(rf"\b{behavior}\b", ADVERSARY_BEHAVIOR, source)
     ranges = (
@@ -156,36 +164,28 @@ def _made(name: str, source: str, trusted: bool, as_written: bool) -> tuple[Scen
         snippet_ids=(),
         model=model,
         as_written=as_written,
+        own=own,
     )
-    return program, behavior if behavior != ADVERSARY_BEHAVIOR else "", _map_of(tree)
+    path = map_of(tree)[0]
+    asked = path if path and path.endswith(".xodr") else None
+    return program, behavior if behavior != ADVERSARY_BEHAVIOR else "", asked
 
 
-def _map_of(tree: Any) -> str | None:
-    """The map that a program asks for: a path to an OpenDRIVE file, as it is written there."""
-    for node in tree.body:
-        for parameter in node.elts if type(node).__name__ == "Param" else ():
-            if is_map(parameter):
-                value = parameter.value
-                path = str(getattr(value.args[0] if isinstance(value, ast.Call) else value, "value", ""))
-                return path if path.endswith(".xodr") else None
-    return None
-
-
-def _check_ego(name: str, tree: Any) -> None:
+def _check_ego(called: str, tree: Any) -> None:
     """Refuse a program that places no ego at its top level, nor in the first scenario of one that is composed."""
     composed = [node for node in tree.body if type(node).__name__ == "ScenarioDef"]
     whole = [node.setup or [] for node in composed if node.name == "Main" or len(composed) == 1]
     for node in (*tree.body, *(part for setup in whole for part in setup)):
         if type(node).__name__ == "TrackedAssign" and type(node.target).__name__ == "Ego":
             return
-    raise ForeignCodeRefused(f"program {name!r} has no ego; add: ego = new Car")
+    raise ForeignCodeRefused(f"{called} has no ego; add: ego = new Car")
 
 
 def _slug(name: str) -> str:
     return "-".join(re.findall(r"[a-z0-9]+", name.lower()))[:60].strip("-") or "foreign"
 
 
-def _adversary_behavior(name: str, tree: Any, as_written: bool) -> str:
+def _adversary_behavior(called: str, tree: Any, as_written: bool) -> str:
     """The behavior of the program's own that its adversary has.
 
     Raises:
@@ -193,15 +193,15 @@ def _adversary_behavior(name: str, tree: Any, as_written: bool) -> str:
     """
     ego = [n for n in tree.body if type(n).__name__ == "TrackedAssign"]
     if not ego:
-        raise ForeignCodeRefused(f"program {name!r} has no ego; add: {_EGO_LINE}")
+        raise ForeignCodeRefused(f"{called} has no ego; add: {_EGO_LINE}")
     if not as_written and "behavior" in dict(_properties(ego[0].value)):
         raise ForeignCodeRefused(
-            f"program {name!r}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
+            f"{called}: the ego at line {ego[0].lineno} has a behavior of its own, and the ego under test is "
             "to drive it; leave its `with behavior …` away"
         )
     if "route" not in dict(_properties(ego[0].value)):
         raise ForeignCodeRefused(
-            f"program {name!r}: the ego at line {ego[0].lineno} has no route, so nobody knows where it is to go; add a "
+            f"{called}: the ego at line {ego[0].lineno} has no route, so nobody knows where it is to go; add a "
             f'line `egoRoute = selectRoute(maneuver="straight")` and place it like this: {_EGO_LINE}'
         )
     own = {node.name for node in tree.body if type(node).__name__ == "BehaviorDef"}
@@ -212,7 +212,7 @@ def _adversary_behavior(name: str, tree: Any, as_written: bool) -> str:
         return used.pop()
     found = f"found: {', '.join(sorted(used))}" if used else "nothing besides the ego has a behavior"
     raise ForeignCodeRefused(
-        f"program {name!r}: which road user is the adversary? Define `behavior {ADVERSARY_BEHAVIOR}():` and give it to "
+        f"{called}: which road user is the adversary? Define `behavior {ADVERSARY_BEHAVIOR}():` and give it to "
         f"one, with `AdvAgent = new Car …, with behavior {ADVERSARY_BEHAVIOR}()`; {found}"
     )
 

@@ -13,14 +13,18 @@ from collections.abc import Collection, Iterator
 from functools import lru_cache
 from typing import Any
 
-from chatscene.simulate.confined.plain_text import REPORTED, Refusal, check_text
-from chatscene.simulate.confined.rules import OTHERS, RULES, TEXTS, Reading, is_map, is_parameter
-from chatscene.simulate.confined.words import INSTEAD, Dialect, dialect_of
+from chatscene.simulate.confined.asked_map import map_of
+from chatscene.simulate.confined.plain_text import REPORTED, TRUST, Refusal, check_text
+from chatscene.simulate.confined.rules import FORBIDDEN, OTHERS, RULES, TEXTS, Reading, is_parameter
+from chatscene.simulate.confined.syntax import not_scenic
+from chatscene.simulate.confined.words import INSTEAD, KINDS, Dialect, dialect_of
+from chatscene.terms.pointing import pointed
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world.models import STANDS_IN
 
 MAX_NODES = 8_000
 MAX_DEPTH = 60  # of the syntax tree
+SHOWN = 3  # refusals in a message
 
 _ONLY_AT_TOP = frozenset(("Model", "Param", "BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
 _DEFINING = frozenset(("BehaviorDef", "MonitorDef", "ScenarioDef", "FunctionDef"))
@@ -44,21 +48,38 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
         return (tree,)
     model = model_of(tree) if whole else OWN_MODEL
     dialect = dialect_of(STANDS_IN.get(model, OWN_MODEL))
-    reading = Reading(given=frozenset(given) | _defined(tree), dialect=dialect)
+    reading = Reading(
+        given=frozenset(given) | _defined(tree),
+        dialect=dialect,
+        lines=source.split("\n"),
+        declared=_declared(tree) if whole else None,
+    )
     _check_model(tree, reading, whole=whole)
-    for parts, (node, depth) in enumerate(_walk(tree, reading.dialect), 1):
-        reading.line = getattr(node, "lineno", reading.line)
+    for parts, (node, depth) in enumerate(_walk(tree, reading.dialect, map_of(tree)[1]), 1):
+        if (placed := next((one for one in ast.walk(node) if hasattr(one, "lineno")), None)) is not None:
+            reading.line, reading.column = placed.lineno, placed.col_offset + 1
         if parts > MAX_NODES or depth > MAX_DEPTH:
             reading.refuse("the size", f"a program has at most {MAX_NODES} parts, {MAX_DEPTH} deep in one another")
             break
         _check_node(node, depth, reading)
-    return tuple(sorted(set(reading.refusals))[:REPORTED])
+    return tuple(sorted(set(reading.refusals), key=lambda one: (one.line, one.column, one))[:REPORTED])
 
 
-def refused(name: str, refusals: tuple[Refusal, ...]) -> str:
-    """The message for a program that may not be run."""
-    more = f"; and {len(refusals) - 3} more" if len(refusals) > 3 else ""
-    return f"program {name!r} uses what a stranger's program may not: {'; '.join(map(str, refusals[:3]))}{more}"
+def refused(called: str, refusals: tuple[Refusal, ...], source: str, *, own: bool) -> str:
+    """The message for a program that may not be run: each fault, with its line and a caret under the place.
+
+    Args:
+        called: What messages call the program.
+        refusals: What is wrong with it.
+        source: Its text.
+        own: Whether it is a user's own, who may trust it.
+    """
+    said = [f"{refusal}\n{pointed(source, refusal.place)}".rstrip() for refusal in refusals[:SHOWN]]
+    if len(refusals) > SHOWN:
+        said.append(f"and {len(refusals) - SHOWN} more")
+    if own and not any(refusal.faulty for refusal in refusals):
+        said.append(TRUST)
+    return f"{called}: " + "\n".join(said)
 
 
 @lru_cache(maxsize=64)  # of one program every simulator of a run asks anew
@@ -69,8 +90,7 @@ def parse_foreign(source: str) -> Any | Refusal:
     try:
         return parse_string(source, "exec")
     except Exception as error:  # noqa: BLE001 - a parser that loses its way in a faulty text may raise anything
-        message = ascii(str(error).strip().partition("\n")[0])[1:-1]
-        return Refusal(getattr(error, "lineno", None) or 0, "no Scenic", message or type(error).__name__)
+        return not_scenic(source, error)
 
 
 def _defined(tree: Any) -> frozenset[str]:
@@ -83,7 +103,14 @@ def _defined(tree: Any) -> frozenset[str]:
             names.add(node.arg)
         elif type(node).__name__ in _DEFINING:
             names.add(node.name)  # type: ignore[attr-defined]
+        elif isinstance(node, ast.Import | ast.ImportFrom):  # refused itself, which is enough
+            names.update(one.asname or one.name.partition(".")[0] for one in node.names)
     return frozenset(names)
+
+
+def _declared(tree: Any) -> frozenset[str]:
+    """The names of a program's parameters."""
+    return frozenset(one.identifier for node in tree.body if type(node).__name__ == "Param" for one in node.elts)
 
 
 def model_of(tree: Any) -> str:
@@ -96,16 +123,17 @@ def _check_model(tree: Any, reading: Reading, *, whole: bool) -> None:
     models = [node for node in tree.body if type(node).__name__ == "Model"]
     begins = [node for node in tree.body if not _is_docstring(node)][:1]
     if whole and (len(models) != 1 or not (reading.dialect.free or begins == models)):
-        reading.refuse("the beginning", f"a program begins with one line `model {OWN_MODEL}`, {OTHERS}")
+        why = f"a program begins with one line `model {OWN_MODEL}`, {OTHERS}"
+        reading.refuse("the beginning", why, faulty=True)
     if not whole and models:
         reading.refuse("model", "a part of a program has no model statement of its own")
 
 
 def _check_node(node: Any, depth: int, reading: Reading) -> None:
     kind = type(node).__name__
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()  # FunctionDef: a function def
+    words = KINDS.get(kind, re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower())
     if type(node) not in reading.dialect.syntax:
-        reading.refuse(words, INSTEAD.get(kind, "this is not part of what a stranger's program may use"))
+        reading.refuse(words, INSTEAD.get(kind, FORBIDDEN), word=words.removeprefix("the operator "))
         return
     if (kind in _ONLY_AT_TOP and depth != 1) or (kind == "TrackedAssign" and depth != 1 and not reading.dialect.free):
         reading.refuse(words, "it stands at the top level of a program")
@@ -116,7 +144,7 @@ def _check_node(node: Any, depth: int, reading: Reading) -> None:
             reading.refuse(words, "it holds text that nobody has looked at")
 
 
-def _walk(tree: Any, dialect: Dialect) -> Iterator[tuple[Any, int]]:
+def _walk(tree: Any, dialect: Dialect, skipped: frozenset[Any]) -> Iterator[tuple[Any, int]]:
     """Every node and how deep it lies; without what does nothing, what its owner has read, and below what is refused.
 
     Does not recurse, since a program may be deeper than Python's stack.
@@ -125,7 +153,7 @@ def _walk(tree: Any, dialect: Dialect) -> Iterator[tuple[Any, int]]:
     while left:
         node, depth = left.pop()
         yield node, depth
-        if _is_docstring(node) or is_parameter(node) or is_map(node) or type(node) not in dialect.syntax:
+        if _is_docstring(node) or is_parameter(node) or node in skipped or type(node) not in dialect.syntax:
             continue
         left += [(child, depth + 1) for child in reversed(list(ast.iter_child_nodes(node)))]
 

@@ -14,10 +14,9 @@ import shutil
 import signal
 import socket
 import sys
-import traceback
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -38,6 +37,7 @@ from chatscene.simulate.confined.wire import (
     scene_from_json,
 )
 from chatscene.simulate.simulator import Session, Simulator, load_simulator
+from chatscene.terms.pointing import place_in
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world import compilation
 
@@ -187,9 +187,9 @@ class _Confined:
         except MemoryError:
             return encode({"error": "MemoryError", "message": "out of memory"})
         except BaseException as error:  # noqa: BLE001 - a stranger's program may raise anything
-            place = traceback.extract_tb(error.__traceback__)[-1:]
-            line = next((f" (line {frame.lineno})" for frame in place if frame.filename.startswith("<")), "")
-            return encode({"error": type(error).__name__, "message": f"{error}"[:2000] + line})
+            place = place_in(error, self._program.filename) if self._program else None
+            message = f"{error}".partition("\n    ")[0]  # the other side has the text, and shows the place itself
+            return encode({"error": type(error).__name__, "message": message[:2000], "place": place and astuple(place)})
 
     def _do_load(self, program: Message) -> Message:
         self._program = program_from_json(program)

@@ -29,8 +29,10 @@ from chatscene.maps.network import map_digest
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.confined.child import CHUNK, WATCHMAN
 from chatscene.simulate.confined.confinement import LAYERS, Limits, check_layers
+from chatscene.simulate.confined.plain_text import TRUST
 from chatscene.simulate.confined.wire import Message, decode, encode, nonsense, program_to_json, words
 from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
+from chatscene.terms.pointing import Place, pointed
 from chatscene.terms.scene import ScenicProgram
 
 LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
@@ -308,6 +310,8 @@ class Confined:
         self._channel = channel
         self._rest = bytearray()
         self._label = "the program"
+        self._source = ""
+        self._hint = ""
         self._open = True
         self.layers: tuple[str, ...] = ()
 
@@ -322,7 +326,9 @@ class Confined:
         said = self._hear("confining itself").get("layers")
         self.layers = tuple(layer for layer in LAYERS if isinstance(said, list) and layer in said)
         check_layers(self.layers, LAYERS)
-        self._label = f"program {program.scenario_id!r}"
+        self._label = program.called
+        self._source = program.source
+        self._hint = f". {TRUST}" if program.own else ""
         self.ask("load", program=program_to_json(program))
 
     @property
@@ -399,7 +405,8 @@ class Confined:
         del self._rest[: end + 1]
         message = decode(line)
         if "stopped" in message:
-            raise SandboxError(f"{self._label} was stopped: it tried what no scene needs: {words(message['stopped'])}")
+            tried = f"it tried what no scene needs: {words(message['stopped'])}"
+            raise SandboxError(f"{self._label} was stopped: {tried}{self._hint}")
         return message
 
     def _ended(self) -> SandboxError:
@@ -426,8 +433,21 @@ class Confined:
 
     def _error(self, answer: Message) -> ChatSceneError:
         kind, message = answer.get("error"), words(answer.get("message"))
+        place = _place(answer.get("place"))
+        if place is not None and (shown := pointed(self._source, place)):
+            named = "" if f"line {place.line}" in message else f" (line {place.line})"
+            message = f"{message}{named}\n{shown}"
         if kind == "MemoryError":
             return SandboxError(f"{self._label} was stopped: it used up its memory")
         if isinstance(kind, str) and kind in _PASSED_ON:
             return _PASSED_ON[kind](message)
         return DoesNotCompile(f"{self._label} fails: {words(kind)}: {message}")
+
+
+def _place(sent: object) -> Place | None:
+    """The place in a program that its process names."""
+    match sent:
+        case [int(line), int(column), int(width)]:
+            return Place(line, column, width)
+        case _:
+            return None

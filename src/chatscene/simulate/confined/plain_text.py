@@ -7,12 +7,20 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from chatscene.terms.pointing import Place
+
 MAX_CHARACTERS = 20_000  # the longest program that our library makes has 3 000
 MAX_LINES = 500
 MAX_LINE = 400
 MAX_BRACKETS = 20  # open at once
 MAX_SIGNS = 8  # minus signs or `not` in a row
+NOT_SCENIC = "not Scenic"  # what the parser refuses
 REPORTED = 20  # refusals; who wrote more needs no longer list
+
+TRUST = (
+    "If you trust who wrote it, --trust (in Python: trust=True) runs it with all of Scenic and Python, "
+    "outside the sandbox."
+)
 
 _DOCSTRING = re.compile(r"\s*(?P<quotes>\"\"\"|\'\'\')(?:(?!(?P=quotes))[^\\])*(?P=quotes)")
 _SIGNS = re.compile(rf"(?:(?:[-+~]|\bnot\b)\s*){{{MAX_SIGNS + 1}}}")
@@ -26,14 +34,26 @@ class Refusal:
         line: Where, from 1; 0 for the program as a whole.
         what: What was found.
         why: Why it is not allowed.
+        column: Where in the line, from 1; 0 for the line as a whole.
+        width: How many characters it has.
+        faulty: Whether it is wrong whoever runs it; else only the sandbox forbids it.
     """
 
     line: int
     what: str
     why: str
+    column: int = 0
+    width: int = 1
+    faulty: bool = False
+
+    @property
+    def place(self) -> Place:
+        """Where it is."""
+        return Place(self.line, self.column, self.width)
 
     def __str__(self) -> str:
-        return f"line {self.line}: {self.what}: {self.why}" if self.line else f"{self.what}: {self.why}"
+        column = f", column {self.column}" if self.what == NOT_SCENIC and self.column else ""
+        return f"line {self.line}{column}: {self.what}: {self.why}" if self.line else f"{self.what}: {self.why}"
 
 
 def check_text(source: str) -> tuple[Refusal, ...]:
@@ -60,11 +80,14 @@ def _check_line(number: int, line: str, prose: bool) -> Iterator[Refusal]:
     code = "" if prose else line.partition("#")[0]
     for character in sorted(set(line)):
         if character not in "\t " and unicodedata.category(character)[0] in "CZ":
-            yield Refusal(number, _named(character), "invisible and control characters can hide what a line does")
+            why = "invisible and control characters can hide what a line does"
+            yield Refusal(number, _named(character), why, line.index(character) + 1)
         elif character in code and not character.isascii():
-            yield Refusal(number, _named(character), "code is written in ASCII; other letters only in comments")
+            why = "code is written in ASCII; other letters only in comments"
+            yield Refusal(number, _named(character), why, line.index(character) + 1)
     if "\\" in code.removesuffix("\\"):
-        yield Refusal(number, "a backslash", "nothing in a program needs one; put brackets around a long line")
+        why = "nothing in a program needs one; put brackets around a long line"
+        yield Refusal(number, "a backslash", why, code.index("\\") + 1)
     if _SIGNS.search(code):
         yield Refusal(number, "a pile of signs", f"at most {MAX_SIGNS} stand in a row")
 

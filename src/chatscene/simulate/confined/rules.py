@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from chatscene.simulate.confined.plain_text import Refusal
-from chatscene.simulate.confined.words import PARAMETERS, Dialect
+from chatscene.simulate.confined.words import PARAMETERS, Dialect, outside
+from chatscene.terms.pointing import meant, nearest
 from chatscene.terms.scene import OWN_MODEL
 from chatscene.world.models import STANDS_IN
 
@@ -18,9 +19,13 @@ MAX_EXPONENT = 4
 MAX_TURNS = 100  # of a `for` loop
 MAX_OBJECTS = 50
 
+FORBIDDEN = "the sandbox does not allow it"
+ODD_NAME = "a name is made of at most 64 ASCII letters and digits, a letter first"
+LONGEST_TEXT = 120
+
 _NAME = re.compile(r"(?:[A-Za-z][A-Za-z0-9_]{0,63}|_)\Z")
 _OPT = re.compile(r"OPT_[A-Z0-9_]{1,60}\Z")
-_TEXT = re.compile(r"[A-Za-z0-9 ,.:!?_-]{0,120}\Z")
+_NO_TEXT = re.compile(r"[^A-Za-z0-9 ,.:!?_-]")  # which a text in a program may not hold
 OTHERS = "or the model of Scenic's driving domain, of CARLA, of MetaDrive or of the Newtonian simulator"
 
 _YIELDING = frozenset(
@@ -37,6 +42,9 @@ class Reading:
         given: Names that it or its partners define.
         dialect: What it may use.
         line: Where the reader is.
+        lines: Its text.
+        column: Where in the line, from 1.
+        declared: The names of the parameters of a whole program; None for a part of one.
         refusals: What was found.
         objects: How many things it places.
         egos: How often it places the ego.
@@ -45,31 +53,55 @@ class Reading:
 
     given: frozenset[str]
     dialect: Dialect
+    lines: Sequence[str] = ()
+    declared: frozenset[str] | None = None
     line: int = 0
+    column: int = 0
     refusals: list[Refusal] = field(default_factory=list[Refusal])
     objects: int = 0
     egos: int = 0
     parameters: set[str] = field(default_factory=set[str])
 
-    def refuse(self, what: str, why: str) -> None:
-        """Note something that is not allowed, at the line where the reader is."""
-        if len(self.refusals) < 200:
-            self.refusals.append(Refusal(self.line, what, why))
+    def refuse(self, what: str, why: str, *, word: str = "", faulty: bool = False) -> None:
+        """Note something that is not allowed, at the line where the reader is.
+
+        Args:
+            what: What was found.
+            why: Why it is not allowed.
+            word: How it is written; the place is where that stands next in the line.
+            faulty: Whether it is wrong whoever runs it.
+        """
+        if len(self.refusals) >= 200:
+            return
+        column, width = self.column, 1
+        if word and 0 < self.line <= len(self.lines):
+            text = self.lines[self.line - 1]
+            found = next((at for at in (text.find(word, max(0, column - 1)), text.find(word)) if at >= 0), -1)
+            column, width = (found + 1, len(word)) if found >= 0 else (column, 1)
+        self.refusals.append(Refusal(self.line, what, why, column, width, faulty))
 
     def known(self, name: str) -> None:
         """Refuse a name that nothing a stranger may use defines."""
-        if name not in self.given and name not in self.dialect.names:
-            self.refuse(
-                f"the name {shown(name)}",
-                "neither the program nor the part of the world model that strangers may use defines it",
-            )
+        if name in self.given or name in self.dialect.names:
+            return
+        if name in outside():
+            self.refuse(f"the name {shown(name)}", FORBIDDEN, word=name)
+            return
+        hint = meant(name, self.given | self.dialect.names)
+        self.refuse(
+            f"the name {shown(name)}",
+            f"neither the program nor the world model defines it{hint}",
+            word=name,
+            faulty=True,
+        )
 
     def bind(self, name: str) -> None:
         """Refuse to define a name that is odd, or that means something already."""
         if not _NAME.match(name):
-            self.refuse(f"the name {shown(name)}", "a name is made of ASCII letters and digits, a letter first")
+            self.refuse(f"the name {shown(name)}", ODD_NAME, word=name)
         elif name in self.dialect.kept:
-            self.refuse(f"the name {name}", "a program may not put something else in the place of what is given")
+            why = "a program may not put something else in the place of what is given"
+            self.refuse(f"the name {name}", why, word=name)
 
 
 def shown(text: str) -> str:
@@ -84,7 +116,7 @@ def _name(node: ast.Name, reading: Reading) -> None:
     if isinstance(node.ctx, ast.Store):
         reading.bind(node.id)
     elif node.id == "globalParameters":
-        reading.refuse(node.id, "parameters are read one by one, as in globalParameters.OPT_SPEED")
+        reading.refuse(node.id, "parameters are read one by one, as in globalParameters.OPT_SPEED", word=node.id)
     else:
         reading.known(node.id)
 
@@ -103,30 +135,49 @@ def _arguments(node: ast.arguments, reading: Reading) -> None:
 def _constant(node: ast.Constant, reading: Reading) -> None:
     value: Any = node.value
     if isinstance(value, str):
-        if not _TEXT.match(value):
-            reading.refuse(f"the text {shown(value)}", "a text is at most 120 plain characters")
-    elif not (value is None or (isinstance(value, int | float) and abs(value) <= MAX_NUMBER)):
-        reading.refuse(f"the constant {shown(repr(value))}", f"numbers lie between ±{MAX_NUMBER:g}")
+        if why := _not_plain(value):
+            reading.refuse(f"the text {shown(value)}", why)
+    elif value is None or isinstance(value, int | float):
+        if value is not None and not abs(value) <= MAX_NUMBER:
+            reading.refuse(f"the constant {shown(repr(value))}", f"numbers lie between ±{MAX_NUMBER:.0f}")
+    else:
+        called = "..." if value is ... else shown(repr(value))
+        reading.refuse(f"the constant {called}", "a constant is a real number, a text, True, False or None")
+
+
+def _not_plain(text: str) -> str:
+    """Why a text may not stand in a program; empty if it may."""
+    if len(text) > LONGEST_TEXT:
+        return f"it has {len(text)} characters, and a text has at most {LONGEST_TEXT}"
+    if odd := _NO_TEXT.search(text):
+        return f"a text may not hold {shown(odd[0])!r}; it is made of letters, digits, blanks and , . : ! ? _ -"
+    return ""
 
 
 def _attribute(node: ast.Attribute, reading: Reading) -> None:
     if not isinstance(node.ctx, ast.Load):
-        reading.refuse(f".{shown(node.attr)} =", "what belongs to a thing is set with `with`, when it is made")
+        why = "what belongs to a thing is set with `with`, when it is made"
+        reading.refuse(f".{shown(node.attr)} =", why, word=f".{node.attr}")
     elif is_parameter(node):
-        if not (_NAME if reading.dialect.free else _OPT).match(node.attr):
-            reading.refuse(f"globalParameters.{shown(node.attr)}", "only OPT_ parameters may be read")
-    elif node.attr not in reading.dialect.attributes | reading.dialect.methods:
-        known = "" if reading.dialect.free else f": {', '.join(sorted(reading.dialect.attributes))}"
-        reading.refuse(f".{shown(node.attr)}", f"of a thing may be read what is on the list{known}")
+        _read_parameter(node.attr, reading)
+    elif node.attr not in (known := reading.dialect.attributes | reading.dialect.methods):
+        near = nearest(node.attr, known)
+        if near:
+            why = f"the list of what may be read of a thing has it not; did you mean .{near}?"
+        elif reading.dialect.free:
+            why = "the list of what may be read of a thing has it not"
+        else:
+            why = f"of a thing may be read: {', '.join(sorted(reading.dialect.attributes))}"
+        reading.refuse(f".{shown(node.attr)}", why, word=f".{node.attr}", faulty=bool(near))
 
 
-def is_map(node: Any) -> bool:
-    """Whether it says where a map lies, as in ``param map = localPath('Town01.xodr')``: a run has its own."""
-    if type(node).__name__ != "parameter" or node.identifier != "map":
-        return False
-    value = node.value
-    path = value.args[0] if _calls(value, "localPath") and len(value.args) == 1 and not value.keywords else value
-    return isinstance(path, ast.Constant) and isinstance(path.value, str)
+def _read_parameter(name: str, reading: Reading) -> None:
+    if not (_NAME if reading.dialect.free else _OPT).match(name):
+        reading.refuse(f"globalParameters.{shown(name)}", "only OPT_ parameters may be read", word=name)
+    elif not reading.dialect.free and reading.declared is not None and name not in reading.declared:
+        hint = meant(name, reading.declared) or f"; add `param {name} = Range(low, high)`"
+        why = f"the program has no such parameter{hint}"
+        reading.refuse(f"globalParameters.{name}", why, word=name, faulty=True)
 
 
 def is_parameter(node: Any) -> bool:
@@ -141,9 +192,11 @@ def _subscript(node: ast.Subscript, reading: Reading) -> None:
 
 def _call(node: ast.Call, reading: Reading) -> None:
     called = node.func
-    if not (
-        isinstance(called, ast.Name) or (isinstance(called, ast.Attribute) and called.attr in reading.dialect.methods)
-    ):
+    if isinstance(called, ast.Attribute):
+        read = called.attr in reading.dialect.attributes or is_parameter(called)
+        if read and called.attr not in reading.dialect.methods:
+            reading.refuse(f".{shown(called.attr)}()", "it may be read, not called", word=f".{called.attr}")
+    elif not isinstance(called, ast.Name):
         reading.refuse("a call of something without a name", "only named functions, behaviors and actions are called")
     if any(keyword.arg is None or not _NAME.match(keyword.arg) for keyword in node.keywords):
         reading.refuse("** or an odd name in a call", "a call lists its arguments")
@@ -154,6 +207,8 @@ def _call(node: ast.Call, reading: Reading) -> None:
 def _assign(node: ast.Assign, reading: Reading) -> None:
     if any(isinstance(target, ast.List | ast.Starred) for target in node.targets):
         reading.refuse("an assignment", "only names are assigned to")
+    if type(node.value).__name__ == "FieldAtOp" and (kind := _without_new(node.value, reading)):
+        reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
 
 
 def _operation(node: ast.BinOp | ast.AugAssign, reading: Reading) -> None:
@@ -193,22 +248,26 @@ def _behavior(node: Any, reading: Reading) -> None:
 
 def _model(node: Any, reading: Reading) -> None:
     if node.name not in STANDS_IN:
-        reading.refuse(f"model {shown(node.name)}", f"a program says `model {OWN_MODEL}` and no other; {OTHERS}")
+        hint = meant(node.name, STANDS_IN, alike=0.9)
+        why = f"there is no such model{hint}" if hint else f"a program says `model {OWN_MODEL}` and no other; {OTHERS}"
+        reading.refuse(f"model {shown(node.name)}", why, word=node.name, faulty=True)
 
 
 def _parameter(node: Any, reading: Reading) -> None:
     name, value = node.identifier, node.value
     if name in reading.parameters:
-        reading.refuse(f"param {shown(name)}", "it is given twice")
+        reading.refuse(f"param {shown(name)}", "it is given twice", word=name)
     reading.parameters.add(name)
     if reading.dialect.free:
         if not _NAME.match(name):
-            reading.refuse(f"param {shown(name)}", "a name is made of ASCII letters and digits, a letter first")
+            reading.refuse(f"param {shown(name)}", ODD_NAME)
     elif name in PARAMETERS:
         if not (isinstance(value, ast.Constant) and value.value in PARAMETERS[name]):
-            reading.refuse(f"param {name}", f"it is one of {', '.join(sorted(PARAMETERS[name]))}")
+            why = f"it is one of {', '.join(sorted(PARAMETERS[name]))}"
+            reading.refuse(f"param {name}", why, word=name, faulty=True)
     elif not _OPT.match(name):
-        reading.refuse(f"param {shown(name)}", "a program's parameters are named OPT_...; map and route are the user's")
+        why = "a program's parameters are named OPT_...; map and route are the user's"
+        reading.refuse(f"param {shown(name)}", why, word=name)
     elif not _is_range(value):
         reading.refuse(f"param {name}", "it is Range(low, high) with two numbers, the lower first")
 
@@ -222,14 +281,35 @@ def _new(node: Any, reading: Reading) -> None:
 
 def _with(node: Any, reading: Reading) -> None:
     if node.prop not in reading.dialect.properties:
-        known = ", ".join(sorted(reading.dialect.properties))
-        reading.refuse(f"with {shown(node.prop)}", f"known properties: {known}")
+        known = reading.dialect.properties
+        why = f"there is no such property{meant(node.prop, known) or '; known: ' + ', '.join(sorted(known))}"
+        reading.refuse(f"with {shown(node.prop)}", why, word=node.prop, faulty=bool(nearest(node.prop, known)))
 
 
 def _ego(node: Any, reading: Reading) -> None:
     reading.egos += 1
-    if type(node.value).__name__ != "New" or reading.egos > 1:
-        reading.refuse("ego", "it is placed once, with `ego = new ...`")
+    if (kind := _without_new(node.value, reading)) and type(node.target).__name__ == "Ego":
+        reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
+    elif type(node.value).__name__ != "New" or reading.egos > 1:
+        reading.refuse("ego", "it is placed once, with `ego = new ...`", faulty=reading.egos > 1)
+
+
+def scenic_2(kind: str) -> str:
+    """Why a thing cannot be placed as Scenic 2 has it."""
+    return f"this is Scenic 2; Scenic 3 needs `new`: write `new {kind}`"
+
+
+def _without_new(node: Any, reading: Reading) -> str:
+    """The class of what is placed as Scenic 2 has it, as in ``ego = Car`` or ``Car at (1, 2)``; empty for all else."""
+    if type(node).__name__ == "FieldAtOp":
+        node = node.left
+    name = node.id if isinstance(node, ast.Name) else ""
+    return name if name[:1].isupper() and name in reading.dialect.names and name not in reading.given else ""
+
+
+def _expression(node: ast.Expr, reading: Reading) -> None:
+    if kind := _without_new(node.value, reading):
+        reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
 
 
 def _defined(node: Any, reading: Reading) -> None:
@@ -249,8 +329,8 @@ def _record(node: Any, reading: Reading) -> None:
 
 
 def _named(node: Any, reading: Reading) -> None:
-    if isinstance(node.name, str) and not _TEXT.match(node.name):
-        reading.refuse(f"the name {shown(node.name)}", "a requirement's name is plain text")
+    if isinstance(node.name, str) and (why := _not_plain(node.name)):
+        reading.refuse(f"the name {shown(node.name)}", why)
 
 
 # Shapes of values that are written out
@@ -295,6 +375,7 @@ RULES: dict[str, Callable[[Any, Reading], None]] = {
     "Subscript": _subscript,
     "Call": _call,
     "Assign": _assign,
+    "Expr": _expression,
     "BinOp": _operation,
     "AugAssign": _operation,
     "For": _for,

@@ -135,7 +135,7 @@ class ConfinedSimulator:
         held = self._confined.get(program.digest)
         if held is None or not held.alive:
             if refusals := check_foreign(program.source):
-                raise ForeignCodeRefused(refused(program.scenario_id, refusals))
+                raise ForeignCodeRefused(refused(program.called, refusals, program.source, own=bool(program.own)))
             held = self._nursery.confine(program)
             self._confined[program.digest] = held
             while len(self._confined) > KEPT:

@@ -93,6 +93,7 @@ def program_from_json(message: Message) -> ScenicProgram:
         snippet_ids=tuple(message["snippet_ids"]),
         model=message["model"],
         as_written=message["as_written"],
+        own=message["own"],
     )
 
 

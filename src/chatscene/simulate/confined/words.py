@@ -10,6 +10,7 @@ What our own world models define is ours and reviewed; their public names are re
 from __future__ import annotations
 
 import ast
+import builtins
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
@@ -69,6 +70,91 @@ INSTEAD = {
     "NotVisibleSpecifier": _PLACE,
 }
 """By kind of node: what to write in the place of something that is not on the list."""
+
+KINDS = {
+    "AltitudeFromOp": "the operator altitude from",
+    "AnnAssign": "an annotation",
+    "Assert": "assert",
+    "AsyncFor": "async for",
+    "AsyncFunctionDef": "async def",
+    "AsyncWith": "async with",
+    "Await": "await",
+    "BitAnd": "the operator &",
+    "BitOr": "the operator |",
+    "BitXor": "the operator ^",
+    "ClassDef": "a class",
+    "ContainedInSpecifier": "the specifier contained in",
+    "Delete": "del",
+    "Dict": "a dictionary",
+    "DictComp": "a dictionary comprehension",
+    "DoChoose": "do choose",
+    "DoShuffle": "do shuffle",
+    "ExceptHandler": "except",
+    "FacingDirectlyAwayFromSpecifier": "the specifier facing directly away from",
+    "FacingDirectlyTowardSpecifier": "the specifier facing directly toward",
+    "FormattedValue": "an f-string",
+    "FunctionDef": "a function",
+    "GeneratorExp": "a generator expression",
+    "Global": "global",
+    "Import": "import",
+    "ImportFrom": "from ... import",
+    "In": "the operator in",
+    "InSpecifier": "the specifier in",
+    "InitialScenario": "initial scenario",
+    "IntersectsOp": "the operator intersects",
+    "Invert": "the operator ~",
+    "Is": "the operator is",
+    "IsNot": "the operator is not",
+    "JoinedStr": "an f-string",
+    "LShift": "the operator <<",
+    "Lambda": "a lambda",
+    "ListComp": "a list comprehension",
+    "MatMult": "the operator @",
+    "Match": "match",
+    "Model": "model",
+    "MonitorDef": "a monitor",
+    "Mutate": "mutate",
+    "NamedExpr": "the operator :=",
+    "Nonlocal": "nonlocal",
+    "NotIn": "the operator not in",
+    "NotVisibleFromOp": "the operator not visible from",
+    "NotVisibleOp": "the operator not visible",
+    "NotVisibleSpecifier": "the specifier not visible",
+    "OnSpecifier": "the specifier on",
+    "Override": "override",
+    "Param": "param",
+    "PropertyDef": "a property",
+    "RShift": "the operator >>",
+    "Raise": "raise",
+    "Record": "record",
+    "RecordFinal": "record final",
+    "RecordInitial": "record initial",
+    "RequireMonitor": "require monitor",
+    "Return": "return",
+    "ScenarioDef": "a scenario",
+    "Set": "a set",
+    "SetComp": "a set comprehension",
+    "Simulator": "simulator",
+    "TrackedAssign": "ego or workspace",
+    "Try": "try",
+    "TryStar": "try",
+    "VisibleFromOp": "the operator visible from",
+    "VisibleOp": "the operator visible",
+    "VisibleSpecifier": "the specifier visible",
+    "With": "with",
+    "Workspace": "workspace",
+    "Yield": "yield",
+    "YieldFrom": "yield from",
+    "BehaviorDef": "a behavior",
+    "comprehension": "a comprehension",
+} | dict.fromkeys(
+    _set(
+        "Above Below Bottom BottomBackLeft BottomBackRight BottomFrontLeft BottomFrontRight"
+        " Top TopBackLeft TopBackRight TopFrontLeft TopFrontRight"
+    ),
+    "a side in three dimensions",
+)
+"""By kind of node: what a user calls it; the names of the parser mean nothing to him."""
 
 PYTHON_NAMES = _set("abs bool float int len max min range round sum")
 """Of Python's own functions."""
@@ -236,3 +322,11 @@ def _defined_in(*models: str) -> frozenset[str]:
 
 
 _MIXINS = frozenset(("Driven", "Placed", "Walking", "chatscene_parameter"))
+
+
+@lru_cache(maxsize=1)
+def outside() -> frozenset[str]:
+    """Names that Python or Scenic defines for a program that is trusted; the sandbox need not."""
+    from scenic.syntax import veneer
+
+    return frozenset(dir(builtins)) | frozenset(veneer.__all__)
