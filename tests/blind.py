@@ -12,7 +12,12 @@ class Blind:
 
     def act(self, observation: Observation) -> tuple[float, float]:
         lateral, heading, speed, _ = observation.tolist()
-        return 0.5 * (8.0 - speed), 0.35 * lateral + 1.6 * heading
+        return clipped(0.5 * (8.0 - speed)), clipped(0.35 * lateral + 1.6 * heading)
+
+
+def clipped(value: float) -> float:
+    """A pedal or a wheel, in [-1, 1]."""
+    return max(-1.0, min(1.0, value))
 
 
 STRAIGHT = ordinary_program(ordinary_queries()[0])

@@ -8,6 +8,7 @@ import inspect
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import click
@@ -19,7 +20,7 @@ from chatscene import api
 from chatscene.commands import main as cli
 from chatscene.commands.finetune import finetune
 from chatscene.commands.proposal import describe
-from chatscene.errors import NothingFits, RunError, SettingsError
+from chatscene.errors import ChatSceneError, NothingFits, RunError, SettingsError
 from chatscene.report.viewer import write_report
 from chatscene.studies.evaluation import Evaluated
 from fake_run import SCENARIO, finished, started
@@ -265,3 +266,20 @@ def test_a_folder_of_programs_is_not_one_program(tmp_path: Path) -> None:
         (tmp_path / f"{name}.scenic").write_text(source)
     with pytest.raises(SettingsError, match="holds 2 programs"):
         chatscene.run(program=tmp_path)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda name: chatscene.run("a car ahead brakes hard", name),
+        lambda name: chatscene.run(program=name),
+        lambda name: chatscene.run("a car ahead brakes hard", library=name),
+        lambda name: chatscene.replay(name, "one"),
+        lambda name: chatscene.sql("SELECT 1", name),
+        chatscene.import_scenario,
+    ],
+    ids=["folder", "program", "library", "replay", "sql", "import"],
+)
+def test_a_name_with_a_nul_is_no_path(call: Callable[[str], object]) -> None:
+    with pytest.raises(ChatSceneError, match="is no path: it holds a NUL character"):
+        call("run\0s")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import chatscene
 from chatscene import pipeline, runs
 from chatscene.ego.rule_based import RuleBased
 from chatscene.errors import NamesNotClosed, NothingFits, Unsatisfiable
@@ -18,6 +19,7 @@ from chatscene.program.assemble import assemble
 from chatscene.program.check import check, probe_scenes
 from chatscene.report.summary import Summary, stepped_in_words
 from chatscene.runs import working
+from chatscene.runs.progress import Slowly
 from chatscene.settings import SearchSettings, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
 from chatscene.terms.actors import AdversaryKind
@@ -179,3 +181,22 @@ def test_each_sentence_of_the_paper_becomes_a_program_that_means_it(number: int,
         return
     understood = pipeline.understand(_paper()[number])
     check(understood.program, understood.scenario.slots, simulator, RuleBased())
+
+
+def test_of_many_quick_drives_it_is_told_once_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = iter([10.0, 10.4, 10.8, 11.2, 11.2, 11.9, 12.3, 12.3])
+    monkeypatch.setattr("time.monotonic", lambda: next(now))
+    told: list[int] = []
+    slowly = Slowly(told.append)
+    for _ in range(5):
+        slowly()
+    assert told == [3, 5]
+
+
+def test_a_slow_run_tells_of_each_scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("chatscene.runs.progress.SLOW", 0.0)
+    told: list[tuple[str, int, int]] = []
+    chatscene.run("a car ahead brakes hard", tmp_path / "run", scenes=2, progress=lambda *said: told.append(said))
+    checking = [said[1:] for said in told if said[0] == "checking that drives show what was read"]
+    assert checking[1:4] == [(1, 3), (2, 3), (3, 3)]
+    assert [said[1:] for said in told if said[0] == "searching, scenes"] == [(0, 2), (1, 2), (2, 2), (2, 2)]

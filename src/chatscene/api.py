@@ -85,7 +85,7 @@ class Run:
         embedder: Names = (),
         language_model: Names = (),
     ) -> None:
-        self.folder = Path(folder)
+        self.folder = _path(folder)
         self._repeated = _again(
             ego=ego,
             generator=generator,
@@ -200,7 +200,7 @@ class Run:
             edits=[*record.edits, text],
         )
         asked = asked.model_copy(update={"edited_from": str(self.folder.resolve())})
-        where = runs.free_folder(self.folder.parent, text) if folder is None else Path(folder)
+        where = runs.free_folder(self.folder.parent, text) if folder is None else _path(folder)
         pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
         return Run(where, **asdict(self._repeated))
 
@@ -456,7 +456,7 @@ def run(
     )
     simulation = _changed(settings.simulation, simulator=simulator, physics=physics)
     where = _folder(folder)
-    own = None if program is None else _own(Path(program), trusted=trust, as_written=as_written)
+    own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written)
     if own and own.map_path:
         if own.map_path.is_file():
             map = own.map_path  # noqa: A001
@@ -540,7 +540,7 @@ def conflicts(
     """
     from chatscene.interpret.conflicts import conflicts_in, read_report
 
-    path = Path(report)
+    path = _path(report)
     reading = _reading(RetrievalSettings(), library, embedder, language_model)
     return conflicts_in(read_report(path), reading, path.name, progress)
 
@@ -609,7 +609,7 @@ def resume(
         RunError: There is nothing to go on with in the folder, it is damaged, another process is at work on it, or it
             names what must be repeated.
     """
-    where = Path(folder)
+    where = _path(folder)
     repeated = _again(
         ego=ego,
         generator=generator,
@@ -668,7 +668,7 @@ def replay(
     from chatscene.runs.replay import replay as replay_scene
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return replay_scene(Path(folder), scene_id or Run(folder).best.id, repeated=repeated, watch=watch, record=record)
+    return replay_scene(_path(folder), scene_id or Run(folder).best.id, repeated=repeated, watch=watch, record=record)
 
 
 def why(
@@ -697,7 +697,7 @@ def why(
     from chatscene.runs.why import why as why_crashed
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
-    return why_crashed(Path(folder), scene_id or Run(folder).best.id, repeated=repeated)
+    return why_crashed(_path(folder), scene_id or Run(folder).best.id, repeated=repeated)
 
 
 def rate(
@@ -738,9 +738,9 @@ def rate(
     from chatscene.search.exposure import read_exposure
 
     repeated = _again(ego=ego, generator=generator, simulator=simulator, library=library)
-    densities = () if exposure is None else read_exposure(Path(exposure))
+    densities = () if exposure is None else read_exposure(_path(exposure))
     return rate_of(
-        Path(folder),
+        _path(folder),
         scenes=scenes,
         seed=seed,
         densities=densities,
@@ -768,7 +768,7 @@ def export(folder: Name, scenes: Names = (), *, to: str, out: Name | None = None
     """
     from chatscene.exports.export import export as export_scenes
 
-    return export_scenes(Path(folder), _names(scenes), to=to, out=_folder(out))
+    return export_scenes(_path(folder), _names(scenes), to=to, out=_folder(out))
 
 
 def import_scenario(
@@ -791,7 +791,7 @@ def import_scenario(
     """
     from chatscene.imports.import_file import import_scenario as import_file
 
-    return import_file(Path(file), out=None if out is None else Path(out), map_name=None if map is None else str(map))
+    return import_file(_path(file), out=None if out is None else _path(out), map_name=None if map is None else str(map))
 
 
 def sql(query: str, folder: Name = "runs") -> Table:
@@ -813,7 +813,7 @@ def sql(query: str, folder: Name = "runs") -> Table:
     from chatscene.report.index import index
     from chatscene.report.sql import ask
 
-    found = index(Path(folder))
+    found = index(_path(folder))
     for one in found.left_out:
         warnings.warn(str(one), RuntimeWarning, stacklevel=2)
     return ask(query, found)
@@ -1001,7 +1001,7 @@ def _reading(
     reading: int | None = None,
     stated: Mapping[str, object] | None = None,
 ) -> RetrievalSettings:
-    own = None if library is None else str(library)
+    own = None if library is None else str(_path(library))
     facts = in_text(stated) if stated else None
     return _changed(
         settings,
@@ -1018,7 +1018,7 @@ def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
     """The conflict of a report that tells one."""
     from chatscene.interpret.conflicts import conflicts_in, read_report
 
-    found, *others = conflicts_in(read_report(Path(report)), reading, Path(report).name)
+    found, *others = conflicts_in(read_report(_path(report)), reading, _path(report).name)
     if others:
         raise SettingsError(
             f"{report} tells {found.of} conflicts; run them one by one: "
@@ -1032,8 +1032,19 @@ def _again(**named: Names) -> Repeated:
     return Repeated(**{field: _names(names) for field, names in named.items()})
 
 
+def _path(name: Name) -> Path:
+    """A path that a user names.
+
+    Raises:
+        SettingsError: It can be none.
+    """
+    if "\0" in str(name):
+        raise SettingsError(f"{str(name)!r} is no path: it holds a NUL character")
+    return Path(name)
+
+
 def _folder(folder: Name | None) -> Path:
-    return Path(tempfile.mkdtemp(prefix="chatscene-")) if folder is None else Path(folder)
+    return Path(tempfile.mkdtemp(prefix="chatscene-")) if folder is None else _path(folder)
 
 
 def _names(names: Names) -> tuple[str, ...]:
@@ -1042,7 +1053,7 @@ def _names(names: Names) -> tuple[str, ...]:
 
 def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
-    return [one.folder if isinstance(one, Run) else Path(one) for one in every]
+    return [one.folder if isinstance(one, Run) else _path(one) for one in every]
 
 
 def _own(path: Path, *, trusted: bool, as_written: bool) -> ForeignProgram:

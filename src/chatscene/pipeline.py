@@ -14,16 +14,17 @@ from functools import partial
 from pathlib import Path
 
 from chatscene import runs
+from chatscene.ego.policy import cut_off
 from chatscene.report.animation import write_gif
 from chatscene.report.summary import Summary
 from chatscene.report.understood import understand
 from chatscene.report.viewer import write_report
 from chatscene.runs.executor import ONE, Workers
-from chatscene.runs.progress import Progress, silent
+from chatscene.runs.progress import Progress, Slowly, silent
 from chatscene.runs.searching import Common, Desk, Search, search_all
 from chatscene.runs.trust import Repeated, follow
 from chatscene.runs.working import working
-from chatscene.simulate.simulator import check_jobs
+from chatscene.simulate.simulator import check_jobs, telling
 
 __all__ = ["resume", "run", "search", "understand"]
 
@@ -67,6 +68,7 @@ def _carry_on(kept: runs.Workspace, workers: Workers, progress: Progress) -> Sum
 
 def search(kept: runs.Workspace, workers: Workers, progress: Progress) -> None:
     """Steps 2 to 7 for a run folder, from where it stands."""
+    cut_off.clear()
     done = runs.resume(kept, told=lambda said: progress(said, 0, 0))
     record = runs.read_record(kept)
     if record.status is runs.Status.DONE:
@@ -74,6 +76,10 @@ def search(kept: runs.Workspace, workers: Workers, progress: Progress) -> None:
     common = Common.of(record)
     one = Search(run=kept, record=record, settings=common.settings.search, done=done)
     one.prepare(Desk(common).prepare(record, partial(runs.write_choice, kept), progress))
-    progress("searching, blocks", one.kept, one.expected)
-    for _ in search_all([one], workers=workers):
-        progress("searching, blocks", one.kept, one.expected)
+    scenes = len(one.prepared.routes) * one.settings.scenes if one.prepared else 0
+    slowly = Slowly(lambda driven: progress("searching, scenes", min(one.scenes_kept + driven, scenes), scenes))
+    progress("searching, scenes", one.scenes_kept, scenes)
+    with telling(slowly):
+        for _ in search_all([one], workers=workers):
+            slowly.begin()
+            progress("searching, scenes", one.scenes_kept, scenes)

@@ -206,3 +206,12 @@ def test_doctor_finds_nothing_wrong() -> None:
     walls = next(check["found"] for check in checks if check["what"] == "walls around strangers' code")
     assert walls.startswith("allow-list, limits, ")
     assert ("landlock" in walls.partition("; missing: ")[0]) == (landlock_version() > 0)
+
+
+@pytest.mark.parametrize(
+    "words", [("run", "a car ahead brakes hard", "--out", "a\0b"), ("open", "a\0b"), ("explain", "a\0b")]
+)
+def test_what_holds_a_nul_is_refused_as_wrong_usage(words: tuple[str, ...]) -> None:
+    done = CliRunner().invoke(main, words)
+    assert done.exit_code == 2
+    assert "holds a NUL character" in done.output

@@ -301,6 +301,45 @@ def test_torchscript_and_onnx_act_as_the_network_they_were_made_from(tmp_path: P
             assert ego.act(observation) == pytest.approx(ours(observation), abs=3e-6)
 
 
+@quiet
+def test_a_torchscript_of_other_sizes_is_refused_with_both_sizes(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    torch.jit.trace(torch.nn.Linear(10, 2), torch.zeros(1, 10)).save(str(tmp_path / "in.pt"))
+    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), actors \(\d+\)$"):
+        load_file(tmp_path / "in.pt")
+    torch.jit.trace(torch.nn.Conv2d(3, 2, 3), torch.zeros(1, 3, 8, 8)).save(str(tmp_path / "image.pt"))
+    with pytest.raises(EgoError, match=r"takes an input of shape \[2, 3, 3, 3\]; observations are"):
+        load_file(tmp_path / "image.pt")
+    torch.jit.trace(torch.nn.Linear(4, 3), torch.zeros(1, 4)).save(str(tmp_path / "out.pt"))
+    with pytest.raises(EgoError, match=r"answers with 3 numbers, not with 2"):
+        load_file(tmp_path / "out.pt")
+
+
+def test_an_onnx_model_of_other_sizes_is_refused_with_both_sizes(tmp_path: Path) -> None:
+    onnx = pytest.importorskip("onnx", reason="the extra 'onnx' is not installed")
+    helper = onnx.helper
+    for name, shape in (("row", [1, 10]), ("image", [1, 3, 8, 8])):
+        node = helper.make_node("Tanh", ["x"], ["y"])
+        ends = [[helper.make_tensor_value_info(end, onnx.TensorProto.FLOAT, shape)] for end in "xy"]
+        graph = helper.make_graph([node], "policy", *ends)
+        made = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=9)
+        onnx.save(made, str(tmp_path / f"{name}.onnx"))
+    with pytest.raises(EgoError, match=r"takes 10 numbers; observations are safebench \(4\), actors \(\d+\)$"):
+        load_file(tmp_path / "row.onnx")
+    with pytest.raises(EgoError, match=r"takes an input of shape \[1, 3, 8, 8\]; observations are"):
+        load_file(tmp_path / "image.onnx")
+
+
+@quiet
+def test_what_a_library_says_of_a_file_is_told_without_its_colours(tmp_path: Path) -> None:
+    torch = pytest.importorskip("torch", reason="the extra 'train' is not installed")
+    torch.save(torch.nn.Linear(4, 2), str(tmp_path / "whole.pt"))
+    with pytest.raises(EgoError, match="cannot read weights from") as refused:
+        load_file(tmp_path / "whole.pt")
+    assert "\x1b" not in str(refused.value)
+    assert "[1m" not in str(refused.value)
+
+
 @pytest.mark.skipif(not DATA.is_dir(), reason="SafeBench's checkpoints are not beside this checkout")
 @pytest.mark.parametrize("name", ["sac", "sac_0", "ppo_0", "td3_0"])
 class TestSafeBenchCheckpoints:

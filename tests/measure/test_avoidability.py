@@ -182,7 +182,9 @@ def test_an_ego_that_fails_only_the_second_time_is_an_error_of_the_ego(simulator
     driven = simulate(simulator, STRAIGHT, scene, Moody())
     assert isinstance(driven, Episode)
     Moody.calls = 200
-    with pytest.raises(EgoError, match="drove scene 's' once and fails when it drives it again"):
+    with pytest.raises(
+        EgoError, match="fails at step 0 of scene 's', which it drove once before: LookupError: no more"
+    ):
         avoidable(driven, STRAIGHT, scene, Moody(), simulator)
     assert isinstance(simulate(simulator, STRAIGHT, scene, Blind()), Episode)  # the process is free for another drive
 

@@ -716,12 +716,12 @@ def test_a_terminal_shows_how_far_it_is_and_a_file_only_what_is_done() -> None:
     for stream in (terminal, file):
         show = progress_line(stream)
         for done in (0, 1, 4):
-            show("searching, blocks", done, 4)
+            show("searching, scenes", done, 4)
     lines = terminal.getvalue().replace("\x1b[K", "").split("\r")[1:]
-    assert lines[0] == "searching, blocks [....................] 0 of 4"
-    assert re.fullmatch(r"searching, blocks \[#####\.{15}\] 1 of 4, \d+ s left", lines[1])
-    assert lines[2] == "searching, blocks [####################] 4 of 4\n"
-    assert file.getvalue() == "searching, blocks\n"
+    assert lines[0] == "searching, scenes [....................] 0 of 4"
+    assert re.fullmatch(r"searching, scenes \[#####\.{15}\] 1 of 4, \d+ s left", lines[1])
+    assert lines[2] == "searching, scenes [####################] 4 of 4\n"
+    assert file.getvalue() == "searching, scenes\n"
 
 
 def test_nobody_who_reads_how_far_it_is_is_no_reason_to_give_up_the_work() -> None:

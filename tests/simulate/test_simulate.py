@@ -1,6 +1,7 @@
 """The embedded simulator on small programs whose outcome is known."""
 
 import math
+import re
 import signal
 import time
 from collections.abc import Callable
@@ -11,13 +12,13 @@ import numpy as np
 import pytest
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.policy import EgoPolicy, cut_off
 from chatscene.ego.rule_based import TARGET_SPEED, RuleBased
 from chatscene.errors import DoesNotCompile, EgoError, MapError, ProgramError, SettingsError, StuckBehavior
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate import staging, watchdog
-from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate, telling
 from chatscene.terms.episode import Ending, Episode, EventKind, Role
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.world.compilation import compile_program
@@ -516,3 +517,56 @@ def test_leaving_the_road_is_seen(drive: Callable[..., Episode]) -> None:
 def test_an_unknown_simulator_is_named_with_the_nearest() -> None:
     with pytest.raises(SettingsError, match="did you mean 'embedded'"):
         load_simulator(Path("x.xodr"), SimulationSettings(simulator="embeded"))
+
+
+class _Fails:
+    def act(self, observation: Observation) -> tuple[float, float]:
+        return self._think(observation)
+
+    def _think(self, observation: Observation) -> tuple[float, float]:
+        return observation[400], 0.0
+
+
+def test_what_an_ego_raises_is_shown_where_it_does(simulator: Simulator) -> None:
+    with pytest.raises(EgoError) as failure:
+        simulate(simulator, program(HEAD + EGO), scene(), _Fails())
+    said, line, caret = str(failure.value).split("\n")
+    assert said.startswith("the ego '_Fails' fails at step 0: IndexError: index 400 is out of bounds")
+    assert re.search(r"test_simulate\.py, line \d+\)$", said)
+    assert line == "    return observation[400], 0.0"
+    assert caret == "           ^^^^^^^^^^^^^^^^"
+
+
+class _FailsAtFirst:
+    def reset(self) -> None:
+        raise LookupError("no weights")
+
+    def act(self, observation: Observation) -> tuple[float, float]:
+        return 0.0, 0.0
+
+
+def test_an_ego_that_cannot_begin_is_to_blame_itself(simulator: Simulator) -> None:
+    with pytest.raises(EgoError, match=r"'_FailsAtFirst' fails before a drive: LookupError: no weights \(.*line \d+\)"):
+        simulate(simulator, program(HEAD + EGO), scene(), _FailsAtFirst())
+
+
+class _Loud:
+    def act(self, observation: Observation) -> tuple[float, float]:
+        return -30.0, 2.0
+
+
+def test_an_action_that_is_cut_off_is_told_once(simulator: Simulator) -> None:
+    cut_off.clear()
+    with pytest.warns(RuntimeWarning, match="'_Loud' answers with an acceleration of -30 and a steering of 2") as told:
+        for _ in range(2):
+            simulate(simulator, program(HEAD + EGO), scene(), _Loud())
+    assert len(told) == 1
+
+
+def test_each_drive_is_told_of_when_it_has_ended(simulator: Simulator) -> None:
+    drives: list[str] = []
+    with telling(lambda: drives.append("one")):
+        for _ in range(2):
+            simulate(simulator, program(HEAD + EGO), scene(), RuleBased())
+    simulate(simulator, program(HEAD + EGO), scene(), RuleBased())
+    assert drives == ["one", "one"]

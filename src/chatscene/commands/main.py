@@ -9,7 +9,9 @@ import gc
 import json
 import os
 import sys
+import warnings
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -82,12 +84,28 @@ def _simulator(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any
     )
 
 
+def _warn(otherwise: Callable[..., None], message: Warning | str, kind: type[Warning], file: str, *more: Any) -> None:
+    """Say a warning of ours as a line; where in our code it stands is nothing to a user."""
+    if Path(file).is_relative_to(Path(__file__).parents[1]):
+        say(f"warning: {message}", err=True)
+    else:
+        otherwise(message, kind, file, *more)
+
+
 class _Errors(click.Group):
     """Shows our own errors as one message and turns them into the exit status."""
 
+    def make_context(self, info_name: str | None, args: list[str], *more: Any, **extra: Any) -> click.Context:
+        """Refuse what no path, no name and no text holds, before anything takes it for one."""
+        if odd := next((one for one in args if "\0" in one), None):
+            raise click.UsageError(f"{odd!r} holds a NUL character")
+        return super().make_context(info_name, args, *more, **extra)
+
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            return super().invoke(ctx)
+            with warnings.catch_warnings():
+                warnings.showwarning = partial(_warn, warnings.showwarning)
+                return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse, EditRefused) as error:
             complain(error)
             ctx.exit(REFUSED)

@@ -25,6 +25,7 @@ from chatscene.files.bounded import check_archive, check_file, parse_json
 
 State = Mapping[str, Any]
 _NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")  # as numpy prints it
+_ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x08\x0b-\x1f\x7f]")  # colours and the like
 SAFEBENCH_EVERY = 4  # SafeBench v1 trained at a frame skip of 4: a decision each 0.4 s
 
 
@@ -155,7 +156,15 @@ def _torchscript(path: Path) -> EgoPolicy:
         with torch.no_grad():
             return module(torch.from_numpy(observation)).numpy()
 
-    return _asked(ask, path)
+    first = next((one.shape for name, one in module.named_parameters() if name.endswith("weight")), ())
+    return _asked(ask, path, _wanted(first))
+
+
+def _wanted(shape: Sequence[Any]) -> str:
+    """What a model takes, by the shape of its input or of its first layer; empty if it may be an observation."""
+    if len(shape) != 2 or not isinstance(shape[1], int):
+        return f"an input of shape {list(shape)}" if len(shape) > 2 else ""
+    return "" if shape[1] in OBSERVATIONS.values() else f"{shape[1]} numbers"
 
 
 def _onnx(path: Path) -> EgoPolicy:
@@ -167,12 +176,15 @@ def _onnx(path: Path) -> EgoPolicy:
         session = onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
     except Exception as error:
         raise EgoError(f"cannot read an ONNX model from {path}: {_first_line(error)}") from error
-    name = session.get_inputs()[0].name
+    inputs = session.get_inputs()
+    if len(inputs) != 1:
+        raise EgoError(f"the model in {path} wants {len(inputs)} inputs; an ego sees one row of numbers")
+    name, shape = inputs[0].name, inputs[0].shape
 
     def ask(observation: np.ndarray[Any, Any]) -> Any:
         return session.run(None, {name: observation})[0]
 
-    return _asked(ask, path)
+    return _asked(ask, path, _wanted(shape))
 
 
 class _Asked:
@@ -188,13 +200,24 @@ class _Asked:
     def act(self, observation: Observation) -> tuple[float, float]:
         answer = np.asarray(self._ask(observation.astype(np.float32)[None]), dtype=float).ravel()
         if answer.shape != (2,):
-            raise EgoError(f"the model {self.name!r} answers with {answer.size} numbers, not acceleration and steering")
-        first, second = np.clip(answer, -1.0, 1.0).tolist()
+            raise EgoError(
+                f"the model {self.name!r} answers with {answer.size} numbers, not with 2, acceleration and steering"
+            )
+        first, second = answer.tolist()
         return round(first, 6), round(second, 6)
 
 
-def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path) -> EgoPolicy:
-    """The ego of a model, whose preset is found by trying which size of input it takes."""
+def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path, wants: str) -> EgoPolicy:
+    """The ego of a model, whose preset is found by trying which size of input it takes.
+
+    Args:
+        ask: Asks it.
+        path: Its file.
+        wants: What its file says that it takes, if no observation is that; else empty.
+
+    Raises:
+        EgoError: It takes no observation, or its answers are none.
+    """
     problems: list[str] = []
     for observation, size in OBSERVATIONS.items():
         ego = _Asked(ask, path.stem, observation)
@@ -208,6 +231,8 @@ def _asked(ask: Callable[[np.ndarray[Any, Any]], Any], path: Path) -> EgoPolicy:
             if not np.isfinite(answer).all():
                 raise EgoError(f"the model in {path} answers {answer} to zeros; its training diverged")
             return ego
+    if wants:
+        raise EgoError(f"the model in {path} takes {wants}; observations are {_sizes()}")
     raise EgoError(f"the model in {path} takes none of the observations: {'; '.join(problems)}")
 
 
@@ -248,8 +273,11 @@ def _check_size(size: int, path: Path, observation: str | None = None) -> str:
     for name, numbers in OBSERVATIONS.items():
         if numbers == size and observation in (None, name):
             return name
-    known = ", ".join(f"{name} ({numbers})" for name, numbers in OBSERVATIONS.items())
-    raise EgoError(f"the policy in {path} looks at {size} numbers; observations are {known}")
+    raise EgoError(f"the policy in {path} looks at {size} numbers; observations are {_sizes()}")
+
+
+def _sizes() -> str:
+    return ", ".join(f"{name} ({numbers})" for name, numbers in OBSERVATIONS.items())
 
 
 def _state(source: Path | IO[bytes], path: Path) -> Any:
@@ -288,7 +316,8 @@ def _import_torch() -> Any:
 
 
 def _first_line(error: Exception) -> str:
-    return str(error).strip().partition("\n")[0][:200]
+    """The first line of what a library says, without its commands to the terminal."""
+    return _ESCAPES.sub("", str(error)).strip().partition("\n")[0][:200]
 
 
 _READERS: dict[str, Callable[[Path], EgoPolicy]] = {

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import linecache
 import math
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
+from traceback import walk_tb
 from typing import Any, Protocol
 
 from chatscene.ego.observation import IN_WORDS, Observation, check_preset
-from chatscene.errors import EgoError
+from chatscene.errors import ChatSceneError, EgoError
 from chatscene.plugins import Kind, make
 from chatscene.terms.actors import LIMITS
+from chatscene.terms.pointing import place_in, pointed, told
+
+FAR = 1.1  # of an action; what is less beyond [-1, 1] is a network's rounding
+_PACKAGE = Path(__file__).parents[1]
 
 
 class EgoPolicy(Protocol):
@@ -42,6 +49,54 @@ def begin(ego: EgoPolicy) -> None:
     """Tell an ego that an episode begins, if it wants to know: it forgets what was before."""
     if (reset := getattr(ego, "reset", None)) is not None:
         reset()
+
+
+def failed(ego: EgoPolicy, error: BaseException, when: str) -> EgoError:
+    """The error for an ego whose code fails: what it raised, where in its file, and the line.
+
+    Args:
+        ego: Whose.
+        error: What it raised.
+        when: When it did.
+    """
+    said = f"the ego {name_of(ego)!r} fails {when}: "
+    files = (frame.f_code.co_filename for frame, _ in walk_tb(error.__traceback__))
+    file = next((one for one in files if not Path(one).is_relative_to(_PACKAGE)), "")
+    place = place_in(error, file) if file else None
+    if place is None or isinstance(error, ChatSceneError):
+        return EgoError(said + told(error))
+    shown = pointed("".join(linecache.getlines(file)), place)
+    here = Path(file).relative_to(Path.cwd()) if Path(file).is_relative_to(Path.cwd()) else file
+    return EgoError(f"{said}{told(error)} ({here}, line {place.line})\n{shown}".rstrip())
+
+
+def is_cut_off(action: tuple[float, float]) -> bool:
+    """Whether an action lies so far outside [-1, 1] that its ego means something else by it."""
+    acceleration, steering = action
+    return not (-FAR <= acceleration <= FAR and -FAR <= steering <= FAR)
+
+
+def tell_cut_off(whose: str, action: tuple[float, float]) -> None:
+    """Warn of an action that is cut off; once for each ego of a run.
+
+    Args:
+        whose: What the message calls the ego.
+        action: The first of its actions that is.
+    """
+    if whose in cut_off:
+        return
+    cut_off.add(whose)
+    acceleration, steering = (f"{float(one):.6g}" for one in action)
+    warnings.warn(
+        f"{whose} answers with an acceleration of {acceleration} and a steering of {steering}: both lie in "
+        "[-1, 1], where 1 is the whole pedal or wheel, and what is beyond is cut off",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+
+
+cut_off: set[str] = set()
+"""Of whom it was told that actions are cut off; a run begins with nobody."""
 
 
 def observation_of(ego: EgoPolicy) -> str:

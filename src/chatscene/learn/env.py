@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chatscene.ego.observation import OBSERVATIONS, check_preset
-from chatscene.ego.policy import PEDALS, controls
+from chatscene.ego.policy import PEDALS, controls, is_cut_off, tell_cut_off
 from chatscene.errors import EgoError, MissingExtra, SettingsError, no_such
 from chatscene.learn.reward import REWARDS, Moment
 from chatscene.maps.drawing import map_drawing
@@ -165,6 +165,8 @@ class DrivingEnv(gymnasium.Env[Array, Array]):
             raise EgoError("no drive is in progress: call reset first")
         before = drive.along
         drive.step(action)
+        if is_cut_off(action):
+            tell_cut_off("the policy", action)
         ended = drive.ending
         moment = Moment(
             collided=ended is Ending.COLLISION,

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, name_of, observation_of
-from chatscene.errors import EgoError, SimulationError
+from chatscene.ego.policy import EgoPolicy, failed, observation_of
+from chatscene.errors import SimulationError
 from chatscene.simulate.simulator import DrivesItself, Session, Simulator
 from chatscene.terms.braking import STANDING, STANDSTILL, Braking
 from chatscene.terms.episode import Ending
@@ -89,10 +89,8 @@ def drive_instead(
             try:
                 action = driver.act(drive.observation)
             except Exception as error:
-                raise EgoError(
-                    f"the ego {name_of(ego)!r} drove scene {scene.id!r} once and fails when it drives it again, "
-                    f"at step {drive.step_number}: {type(error).__name__}: {error}"
-                ) from error
+                when = f"at step {drive.step_number} of scene {scene.id!r}, which it drove once before"
+                raise failed(ego, error, when) from error
             drive.step(action)
             standing = standing + 1 if drive.step_number > not_over_before and abs(drive.speed) < STANDING else 0
         return _ended(drive)

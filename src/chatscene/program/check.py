@@ -28,6 +28,7 @@ PROBES = (
     0.1,
     0.9,
 )  # where in every range the probing scenes lie, the middle first
+PROBED = 3  # drives that a program is checked with
 DRAWN_PROBES = 3  # of them, for a program that draws where its things stand: each takes its time to be drawn
 
 
@@ -52,7 +53,7 @@ def probe_scenes(program: ScenicProgram, route: int) -> tuple[Scene, ...]:
 
 
 def check(
-    program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, *, route: int = 0, drives: int = 3
+    program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, *, route: int = 0, drives: int = PROBED
 ) -> Checked:
     """Climb the ladder from compiling to meaning.
 
@@ -90,6 +91,7 @@ def check(
         raise Unsatisfiable(
             f"{program.called}: none of {len(rejected)} probing scenes could be placed; "
             f"most often: {_commonest([r.reason for r in rejected])}"
+            + ("; no more were tried, since each takes its time to be drawn" if program.drawn else "")
         )
     way = simulator.route_in(program, placed[0])
     if failures := unshown(slots, episodes, way):

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from typing import Any, TypeVar
 
+from chatscene.ego.policy import cut_off
 from chatscene.errors import RunError
 from chatscene.runs.executor import Workers, load_executor
 
@@ -56,7 +57,7 @@ def spread(
         return
     lost = 0
     while left:
-        pool = load_executor(workers.executor, count, _begin, make, setup)
+        pool = load_executor(workers.executor, count, _begin, make, setup, frozenset(cut_off))
         pending: dict[Future[Result], Task] = {}
         try:
             while left or pending:
@@ -87,8 +88,9 @@ _making: list[tuple[Callable[[Any], Callable[[Any], Any]], Any]] = []
 _doing: list[Callable[[Any], Any]] = []
 
 
-def _begin(make: Callable[[Any], Callable[[Any], Any]], setup: Any) -> None:
+def _begin(make: Callable[[Any], Callable[[Any], Any]], setup: Any, told: frozenset[str]) -> None:
     """What a worker is to do; it is made for the first task, whose result tells what is wrong with it."""
+    cut_off.update(told)
     _making[:], _doing[:] = [(make, setup)], []
 
 

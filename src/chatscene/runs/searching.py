@@ -15,12 +15,13 @@ from chatscene.errors import MapError, MeansSomethingElse, NothingFits
 from chatscene.maps.carried import CarriedMap
 from chatscene.maps.drawing import routes_drawing
 from chatscene.maps.network import load_network
+from chatscene.program.check import PROBED
 from chatscene.runs.asked import scenario_of
 from chatscene.runs.blocks import finish, write_block
 from chatscene.runs.executor import Workers
 from chatscene.runs.explanation import write_choice
 from chatscene.runs.parallel import spread
-from chatscene.runs.progress import Progress, silent
+from chatscene.runs.progress import Progress, Slowly, silent
 from chatscene.runs.rebuild import map_of
 from chatscene.runs.record import RunRecord, Status, settings_of
 from chatscene.runs.selection import selected
@@ -30,7 +31,7 @@ from chatscene.search.climb import climb, simulator_of
 from chatscene.search.explore import Block, outcomes
 from chatscene.search.generator import Generator, Written, load_generator
 from chatscene.settings import SearchSettings, Settings
-from chatscene.simulate.simulator import Simulator, routes_of
+from chatscene.simulate.simulator import Simulator, routes_of, telling
 from chatscene.terms.outcome import Outcome
 from chatscene.terms.scenario import Scenario, Slots
 from chatscene.terms.scene import ScenicProgram
@@ -150,6 +151,11 @@ class Search:
         return sum(map(len, self._history.values()))
 
     @property
+    def scenes_kept(self) -> int:
+        """How many scenes they hold."""
+        return sum(min(len(done) * self.settings.block, self.settings.scenes) for done in self._history.values())
+
+    @property
     def expected(self) -> int:
         """How many there have to be."""
         return len(self._history) * self._per_route
@@ -232,10 +238,12 @@ class Desk:
 
         if scenario.slots.site is not None:
             progress(f"driving on the map {self._map.stem!r}, for the {scenario.slots.site}", 0, 0)
-        progress("checking that drives show what was read", 0, 0)
-        written, _ = climb(
-            generator, scenario, written, settings=settings.retrieval, simulator=simulator, ego=self._ego
-        )
+        checking = "checking that drives show what was read"
+        progress(checking, 0, 0)
+        with telling(Slowly(lambda driven: progress(checking, driven, -(-driven // PROBED) * PROBED))):
+            written, _ = climb(
+                generator, scenario, written, settings=settings.retrieval, simulator=simulator, ego=self._ego
+            )
         keep(scenario, written)
 
         routes = routes_of(simulator, written.program, settings.search.routes)

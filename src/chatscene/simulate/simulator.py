@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from chatscene.ego.observation import Observation
-from chatscene.ego.policy import EgoPolicy, begin, name_of, observation_of, pedals_of
+from chatscene.ego.policy import (
+    EgoPolicy,
+    begin,
+    failed,
+    is_cut_off,
+    name_of,
+    observation_of,
+    pedals_of,
+    tell_cut_off,
+)
 from chatscene.errors import EgoError, MapError, SettingsError, StuckBehavior
 from chatscene.plugins import Kind, make, without_address
 from chatscene.settings import SimulationSettings
@@ -137,6 +148,19 @@ class Simulator(Protocol):
         ...
 
 
+_TELL: ContextVar[Callable[[], None] | None] = ContextVar("tell", default=None)
+
+
+@contextmanager
+def telling(tell: Callable[[], None]) -> Generator[None]:
+    """Tell somebody of each drive that ends in this process meanwhile: a slow ego takes its time over every one."""
+    before = _TELL.set(tell)
+    try:
+        yield
+    finally:
+        _TELL.reset(before)
+
+
 def simulate(
     simulator: Simulator, program: ScenicProgram, scene: Scene, ego: EgoPolicy, *, through_collisions: bool = False
 ) -> Episode | Rejected:
@@ -169,6 +193,8 @@ def simulate(
             if session.rejection:
                 return Rejected(scene=scene, reason=session.rejection)
             episode = session.episode(scene.id, name_of(ego))
+            if (tell := _TELL.get()) is not None:
+                tell()
             return episode if episode.stepped.by else replace(episode, stepped=Stepped(by=simulator.identity.name))
         finally:
             session.close()
@@ -196,7 +222,10 @@ def drive(session: Session, ego: EgoPolicy) -> None:
         EgoError: The ego fails, or does not answer.
         ProgramError: The program's own code fails.
     """
-    begin(ego)
+    try:
+        begin(ego)
+    except (Exception, SystemExit) as error:
+        raise failed(ego, error, "before a drive") from error
     if isinstance(session, DrivesItself) and session.drive(ego):
         return
     act, step = ego.act, session.step
@@ -209,10 +238,10 @@ def drive(session: Session, ego: EgoPolicy) -> None:
                 f"{error.within}"
             ) from error
         except (Exception, SystemExit) as error:
-            raise EgoError(
-                f"the ego {name_of(ego)!r} fails at step {session.step_number}: {type(error).__name__}: {error}"
-            ) from error
+            raise failed(ego, error, f"at step {session.step_number}") from error
         step(action)
+        if is_cut_off(action):
+            tell_cut_off(f"the ego {name_of(ego)!r}", action)
 
 
 SIMULATORS: Kind[Simulator] = Kind(
