@@ -203,3 +203,10 @@ def test_a_change_to_the_left_of_who_drives_against_the_reference_line_goes_to_t
     found = read_openscenario(case / "esmini444.xosc")
     assert found.board.lines["otherWay"].points[0][1] == pytest.approx(5.25)
     assert found.board.lines["otherWay2"].points[0][1] == pytest.approx(1.75)
+
+
+@pytest.mark.parametrize("value", ["abc", "nan", ""])
+def test_a_parameter_that_varies_about_no_number_is_refused_by_its_line(beside: Path, value: str) -> None:
+    text = scenario().replace('parameterType="double" value="20"', f'parameterType="double" value="{value}"')
+    with pytest.raises(ScenarioError, match=r"line 4: <ParameterDeclaration>: .* is no number"):
+        read(beside, text)

@@ -195,6 +195,15 @@ def test_a_folder_of_before_the_first_release_is_refused_with_what_made_it(folde
     assert "before 0.1.0" in command("check", str(folder)).output
 
 
+def test_a_sentence_longer_than_any_is_damage(folder: Path) -> None:
+    resealed(Workspace(folder), text="a car " * 500_000)
+    with pytest.raises(RunError, match=r"run\.json is not the record of a run: text: string should have at most 20000"):
+        open_run(folder)
+    answer = command("resume", str(folder))
+    assert answer.exit_code == 1
+    assert "text: string should have at most 20000 characters" in answer.output
+
+
 def test_a_folder_without_a_run_cannot_be_checked(tmp_path: Path) -> None:
     with pytest.raises(RunError, match="not a run folder"):
         check(tmp_path)

@@ -53,6 +53,7 @@ class Given:
             groups = one.all("ConstraintGroup")
             if kind in _RANGED and groups:
                 try:
+                    self._float(one, self.values[name])
                     self.ranges[name] = self._range(one, name, groups)
                 except Refused as reason:
                     self.refusals.append(str(reason))

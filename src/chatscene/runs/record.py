@@ -16,6 +16,7 @@ from chatscene.settings import RetrievalSettings, SearchSettings, Settings, Simu
 from chatscene.terms.edit import with_edits
 from chatscene.terms.simulator import SimulatorIdentity
 
+MOST_TEXT = 20_000  # characters of a record's sentence; what reads one takes a tenth of that
 SCHEMA_VERSION = 3
 
 
@@ -232,7 +233,7 @@ class RunRecord(MapRecord):
 
     kind = Kind.RUN
     egos: Annotated[list[str], Field(min_length=1)]
-    text: str
+    text: Annotated[str, Field(max_length=MOST_TEXT)]
     program: ProgramRecord | None
     generator: str
     edits: list[str] = []
