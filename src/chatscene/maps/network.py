@@ -18,10 +18,14 @@ from xml.etree import ElementTree as Xml
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder, only_mine
+from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
 
 LONGEST = 1e5  # [m] of a road
 FARTHEST = 1e8  # [m] from the origin; projected coordinates have it far away
+LARGEST = 100 * 2**20  # [bytes]
+DEEPEST = 100
+MOST_TURN = 200.0  # [rad] of one piece of a road: thirty times round
 MOST_LANES = 100  # beside each other; Scenic fails at some three hundred
 
 # What the numbers of a road lie between, by the name of the attribute.
@@ -86,7 +90,7 @@ def map_digest(path: Path) -> str:
 
 @lru_cache(maxsize=8)
 def _parse(digest: str, path: Path) -> Any:
-    check_opendrive(path)
+    root = check_opendrive(path)
     from scenic.domains.driving.roads import Network
 
     from chatscene.maps.furniture import read_furniture
@@ -99,9 +103,9 @@ def _parse(digest: str, path: Path) -> Any:
     except ChatSceneError:  # such as that the time for it is up
         raise
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
-        message = str(error) or type(error).__name__
+        why = why_unread(root, error)
         raise MapError(
-            f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {message} ({path})"
+            f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {why} ({path})"
         ) from error
     if not network.lanes:
         raise MapError(f"map {path.name!r} has no lane to drive on ({path})")
@@ -136,14 +140,19 @@ def _parse_quietly(parse: Any, path: Path, *, cached: bool) -> Any:
             return parse(str(path), useCache=False, writeCache=False)
 
 
-def check_opendrive(path: Path) -> None:
+def check_opendrive(path: Path) -> Xml.Element:
     """Hold a file to what every map is.
+
+    Returns:
+        Its root.
 
     Raises:
         MapError: It is no OpenDRIVE, has no road, or has numbers that no road has.
     """
     try:
-        root = Xml.parse(path).getroot()
+        if path.stat().st_size > LARGEST:
+            raise MapError(f"map {path.name!r} has more than {LARGEST // 2**20} MB; cut it down ({path})")
+        root = _root(path)
     except Xml.ParseError as error:
         raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
     except (ValueError, LookupError) as error:
@@ -167,6 +176,23 @@ def check_opendrive(path: Path) -> None:
             )
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
+    return root
+
+
+def _root(path: Path) -> Xml.Element:
+    """The root of a file of XML whose elements do not lie too deep in one another; what is read goes round in them."""
+    depth, road, root = 0, "", None
+    for event, element in Xml.iterparse(path, ("start", "end")):
+        depth += 1 if event == "start" else -1
+        root = element if root is None else root
+        if event == "start" and element.tag == "road" and depth <= DEEPEST:
+            road = element.get("id", "")
+        if depth > DEEPEST:
+            raise MapError(
+                f"map {path.name!r}: at road {road!r}, elements lie more than {DEEPEST} deep in one another ({path})"
+            )
+    assert root is not None
+    return root
 
 
 def _faults(road: Xml.Element) -> Iterator[str]:
@@ -177,6 +203,14 @@ def _faults(road: Xml.Element) -> Iterator[str]:
             if name in _MEASURES and not _within(value, *_MEASURES[name]):
                 low, high = _MEASURES[name]
                 yield f"has <{element.tag} {name}={value[:40]!r}>; that is a number from {low:g} to {high:g}"
+    for one in road.iterfind("planView/geometry"):
+        for shape in (inner for inner in one if inner.tag in ("arc", "spiral")):
+            bends = [abs(float(shape.get(name, 0))) for name in ("curvature", "curvStart", "curvEnd")]
+            if (turn := max(bends) * float(one.get("length", 0))) > MOST_TURN:
+                yield (
+                    f"turns by up to {turn:.0f} rad in the <{shape.tag}> at s={one.get('s')!r}; "
+                    f"at most {MOST_TURN:.0f} are followed"
+                )
     for section in road.iter("laneSection"):
         lanes = sum(1 for _ in section.iter("lane"))
         if lanes > MOST_LANES:

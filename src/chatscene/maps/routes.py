@@ -175,7 +175,8 @@ def _in_words(query: RouteQuery) -> list[str]:
         words.append(f"traffic from {' and '.join(query.conflicting_from)} that crosses the ego's way")
     if query.site is None:
         before = f"{min(APPROACHES):.0f} m of lane before a junction"
-        words.append(before if _needs_junction(query) else f"{SHORT_ROAD:.0f} m of lane without a junction")
+        straight = "straight lane" if (query.place or Place.ROAD) is Place.ROAD else "lane"
+        words.append(before if _needs_junction(query) else f"{SHORT_ROAD:.0f} m of {straight} without a junction")
     return words
 
 

@@ -125,7 +125,8 @@ def check_map(path: Path) -> tuple[str, ...]:
         return (str(error),)
     problems = [*_dead_lanes(network), *_overlaps(network)]
     if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
-        problems.append("no base scenario finds a route: every lane is too short, or none leads into a junction")
+        why = "no straight stretch of a lane is long enough, and none leads into a junction"
+        problems.append(f"no base scenario finds a route: {why}")
     return tuple(problems)
 
 

@@ -1,0 +1,117 @@
+"""What about a map cannot be made into lanes: the road, the section and the lane, where Scenic's parser gives up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from traceback import walk_tb
+from xml.etree import ElementTree as Xml
+
+SHAPES = ("line", "arc", "spiral", "paramPoly3")
+_NUMBERS = {
+    "road": ("length",),
+    "geometry": ("s", "x", "y", "hdg", "length"),
+    "laneSection": ("s",),
+    "width": ("sOffset", "a", "b", "c", "d"),
+}
+
+
+def why_unread(root: Xml.Element, error: Exception) -> str:
+    """Why the parser gave up on a map.
+
+    Args:
+        root: The map.
+        error: What the parser raised.
+    """
+    for road in root.iter("road"):
+        if (fault := next(_of_road(road), None)) is not None:
+            return f"road {road.get('id', '')!r} {fault}"
+    for junction in root.iter("junction"):
+        if (fault := next(_of_junction(junction), None)) is not None:
+            return f"junction {junction.get('id', '')!r} {fault}"
+    said = str(error).partition("\n")[0] if len(str(error)) > 3 else ""  # less is a key or an index of the parser's own
+    return f"{_where(error)}{said or 'what is drawn there does not fit together'}"
+
+
+def _of_road(road: Xml.Element) -> Iterator[str]:
+    yield from _identified(road)
+    yield from _numbers(road)
+    shapes = list(road.iterfind("planView/geometry"))
+    if not shapes:
+        yield "has no <geometry>, so no place"
+    for one in shapes:
+        at = f"has a <geometry> at s={one.get('s')!r}"
+        yield from (f"{at} that {fault}" for fault in _numbers(one))
+        shape = next((inner for inner in one if inner.tag != "userData"), None)
+        if shape is None or shape.tag not in SHAPES:
+            what = "without a shape" if shape is None else f"of the shape <{shape.tag}>"
+            yield f"{at} {what}; {', '.join(SHAPES)} are read"
+        elif shape.tag == "paramPoly3" and shape.get("pRange", "normalized") != "normalized":
+            yield f"{at} with pRange={shape.get('pRange')!r}; only 'normalized' is read"
+    sections = list(road.iterfind("lanes/laneSection"))
+    if not sections:
+        yield "has no <laneSection>, so no lane"
+    for number, section in enumerate(sections):
+        where = f"section {number} (s={section.get('s')!r})"
+        yield from (f"has the {where} that {fault}" for fault in _numbers(section))
+        for lane in section.iter("lane"):
+            yield from (f"{where}: lane {lane.get('id', '')!r} {fault}" for fault in _of_lane(lane))
+    for one, after in pairwise(sections):
+        if float(after.get("s", 0)) <= float(one.get("s", 0)):
+            yield f"has sections out of order: one at s={after.get('s')} follows one at s={one.get('s')}"
+        yield from _links(one, after)
+
+
+def _of_lane(lane: Xml.Element) -> Iterator[str]:
+    yield from _identified(lane)
+    if lane.get("id") == "0":
+        return
+    widths = lane.findall("width")
+    if not widths:
+        yield "has a <border> and no <width>" if lane.find("border") is not None else "has no <width>"
+    for width in widths:
+        yield from (f"has a <width> that {fault}" for fault in _numbers(width))
+    if all(not float(width.get(name, 0)) for width in widths for name in "abcd"):
+        yield "has a width of 0 all along the section; leave it away"
+
+
+def _links(one: Xml.Element, after: Xml.Element) -> Iterator[str]:
+    known = {lane.get("id") for lane in after.iter("lane")}
+    for lane in one.iter("lane"):
+        successor = lane.find("link/successor")
+        if successor is not None and successor.get("id") not in known:
+            to = f"lane {successor.get('id')!r} in the section at s={after.get('s')}"
+            yield f"section at s={one.get('s')}: lane {lane.get('id')!r} leads to {to}, which has none such"
+
+
+def _of_junction(junction: Xml.Element) -> Iterator[str]:
+    yield from _identified(junction)
+    if junction.get("type") == "direct" or any(c.get("connectingRoad") is None for c in junction.iter("connection")):
+        yield "is direct: its connections name no connecting road, and only those that do are read"
+
+
+def _identified(element: Xml.Element) -> Iterator[str]:
+    written = element.get("id")
+    if written is None:
+        yield "has no id"
+    elif not written.removeprefix("-").isdecimal():
+        yield f"has the id {written[:40]!r}; only whole numbers are read"
+
+
+def _numbers(element: Xml.Element) -> Iterator[str]:
+    for name in _NUMBERS[element.tag]:
+        written = element.get(name)
+        try:
+            float(written or "")
+        except ValueError:
+            yield f"has no {name}" if written is None else f"has {name}={written[:40]!r}, which is no number"
+
+
+def _where(error: Exception) -> str:
+    """The road, section and lane at which the parser was."""
+    at: dict[str, object] = {}
+    for frame, _ in walk_tb(error.__traceback__):
+        for name, kind in (("road", "road"), ("lane", "lane"), ("junction", "junction")):
+            if (id_ := getattr(frame.f_locals.get(name), "id_", None)) is not None:
+                at[kind] = id_
+    return f"{', '.join(f'{kind} {id_}' for kind, id_ in at.items())}: " if at else ""
