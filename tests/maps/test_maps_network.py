@@ -83,7 +83,7 @@ def test_the_town_cut_in_half_is_refused(tmp_path: Path, cache: Path) -> None:
 
 @pytest.mark.parametrize("plan", ["", '<geometry s="5" x="0" y="0" hdg="0" length="50"><line/></geometry>'])
 def test_what_scenic_cannot_parse_is_a_map_error_that_names_the_road(tmp_path: Path, cache: Path, plan: str) -> None:
-    with pytest.raises(MapError, match="road '?1"):
+    with pytest.raises(MapError, match=r"road '?1"):
         load_network(_map(tmp_path, plan))
 
 

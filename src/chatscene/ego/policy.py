@@ -5,7 +5,7 @@ from __future__ import annotations
 import linecache
 import math
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from traceback import walk_tb
 from typing import Any, Protocol
@@ -70,13 +70,13 @@ def failed(ego: EgoPolicy, error: BaseException, when: str) -> EgoError:
     return EgoError(f"{said}{told(error)} ({here}, line {place.line})\n{shown}".rstrip())
 
 
-def is_cut_off(action: tuple[float, float]) -> bool:
+def is_cut_off(action: Iterable[float]) -> bool:
     """Whether an action lies so far outside [-1, 1] that its ego means something else by it."""
     acceleration, steering = action
     return not (-FAR <= acceleration <= FAR and -FAR <= steering <= FAR)
 
 
-def tell_cut_off(whose: str, action: tuple[float, float]) -> None:
+def tell_cut_off(whose: str, action: Iterable[float]) -> None:
     """Warn of an action that is cut off; once for each ego of a run.
 
     Args:

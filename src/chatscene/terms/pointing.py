@@ -78,7 +78,7 @@ def _raised(trace: TracebackType | None, filename: str) -> Place | None:
         if code.co_filename == filename and trace.tb_lineno:
             where = next((p for i, p in enumerate(code.co_positions()) if i == trace.tb_lasti // 2), None)
             line, end, column, end_column = where or (None, None, None, None)
-            if line == trace.tb_lineno and column is not None and end_column is not None:
+            if line is not None and line == trace.tb_lineno and column is not None and end_column is not None:
                 found = Place(line, column + 1, end_column - column if end == line else 1)
             else:
                 found = Place(trace.tb_lineno)

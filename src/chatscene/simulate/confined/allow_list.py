@@ -56,7 +56,8 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
     )
     _check_model(tree, reading, whole=whole)
     for parts, (node, depth) in enumerate(_walk(tree, reading.dialect, map_of(tree)[1]), 1):
-        if (placed := next((one for one in ast.walk(node) if hasattr(one, "lineno")), None)) is not None:
+        placed: Any = next((one for one in ast.walk(node) if hasattr(one, "lineno")), None)
+        if placed is not None:
             reading.line, reading.column = placed.lineno, placed.col_offset + 1
         if parts > MAX_NODES or depth > MAX_DEPTH:
             reading.refuse("the size", f"a program has at most {MAX_NODES} parts, {MAX_DEPTH} deep in one another")
