@@ -230,7 +230,7 @@ class Run:
         from chatscene.report.accounting import told_first
         from chatscene.runs.explanation import read_explanation
 
-        return told_first(read_explanation(self._workspace))
+        return told_first(read_explanation(self._workspace), self._record)
 
     def __str__(self) -> str:
         return "\n".join([*self.told_first, self.summary.in_words(), f"report: {self.report}"])

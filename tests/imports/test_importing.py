@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import math
 from pathlib import Path
@@ -210,3 +211,19 @@ def test_a_parameter_that_varies_about_no_number_is_refused_by_its_line(beside: 
     text = scenario().replace('parameterType="double" value="20"', f'parameterType="double" value="{value}"')
     with pytest.raises(ScenarioError, match=r"line 4: <ParameterDeclaration>: .* is no number"):
         read(beside, text)
+
+
+def test_an_event_that_never_begins_is_told_on_the_terminal_in_the_head_of_the_page_and_to_a_script(
+    beside: Path,
+) -> None:
+    (beside / "theirs.xosc").write_text(scenario(events=event(condition=NEAR.replace("$near", "1"))))
+    program = chatscene.import_scenario(beside / "theirs.xosc").program
+    how = ("--map", "town", "--scenes", "1", "--simulator", "native", "--trust", "--out", str(beside / "run"))
+    said = CliRunner().invoke(main, ["run", "--program", str(program), "--json", *how])
+    assert said.exit_code == 0, said.output
+    (told,) = json.loads(said.stdout)["told_first"]
+    assert told.startswith("in 1 of 1 scenes: this never began: adversary brakes along leadWay")
+    done = chatscene.Run(beside / "run")
+    assert str(done).splitlines()[0] == told
+    page = html.unescape((beside / "run" / "report.html").read_text())
+    assert page.index(told) < page.index("collided in")

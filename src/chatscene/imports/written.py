@@ -81,7 +81,8 @@ def _placed(actor: Actor, behavior: str, number: int) -> str:
     along, left = print_expression(start.along), print_expression(start.left)
     name = "AdvAgent" if behavior == BEHAVIOR else f"Other{number + 1}"
     label = "".join(c if c.isascii() and c.isalnum() else "-" for c in actor.name)[:40]
-    does = f", with behavior {behavior}()" if behavior else f", with label '{label}'"
+    does = f", with behavior {behavior}()" if behavior else ""
+    does += f", with label '{label}'" if behavior != BEHAVIOR else ""  # that one is called the adversary
     turn = f", {start.turn:g}" if start.turn else ""
     return (
         f"{name} = new {actor.kind} at pointOn({start.line}, {along}, {left}),\n"

@@ -88,15 +88,16 @@ def _phase(phase: Phase) -> str:
     values = "".join(f"with {value.name} = {_say(value.expression)}: " for value in phase.values)
     match phase.end:
         case Until(condition):
-            end = f", until {_say(condition)}"
+            end = f", until {in_words(condition)}"
         case After(seconds):
-            end = f", for {_say(seconds)} s"
+            end = f", for {in_words(seconds)} s"
         case None:
             end = ""
-    return f"{values}{_does(phase)}{end}"
+    return f"{values}{phase_in_words(phase)}{end}"
 
 
-def _does(phase: Phase) -> str:
+def phase_in_words(phase: Phase) -> str:
+    """What a phase does, without what ends it."""
     takes = PRIMITIVES[phase.primitive].takes
     said = {
         argument.name: _say(given) + (f" {argument.unit}" if argument.unit not in ("", "1") else "")
@@ -110,6 +111,11 @@ def _does(phase: Phase) -> str:
         if not (optional and any(f"{{{name}}}" in part for name in default)):
             out += part.format(**said)
     return out
+
+
+def in_words(expression: Expression) -> str:
+    """A condition, a number or a thing in words."""
+    return _say(expression)
 
 
 def _say(expression: Expression, *, inner: bool = False) -> str:  # noqa: C901, PLR0911, PLR0912
@@ -142,6 +148,10 @@ def _say(expression: Expression, *, inner: bool = False) -> str:  # noqa: C901, 
             return f"{_say(condition)} for any {actor} of {_say(actors)}"
         case Call("abs", (Call("offsetFrom", (path, actor)),)):
             return f"how far beside {_say(path)} {_say(actor)} is"
+        case Call("speed", (Name("self"),)):
+            return "its speed"
+        case Call("gap", (Name("self"), other)) | Call("gap", (other, Name("self"))):
+            return f"its distance to {_say(other)}"
         case Call(name, arguments) if name in _ASKED:
             return _ASKED[name].format(*map(_say, arguments))
         case Call(name, arguments):

@@ -9,6 +9,7 @@ from chatscene.measure.avoidability import avoidable
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
+from chatscene.measure.unplayed import unplayed
 from chatscene.program.meaning import check_meaning
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.criticality import Criticality, Fault
@@ -33,6 +34,7 @@ class Ran:
         avoidable: Whether a careful driver would have avoided the collision; None without one.
         crash_type: Of which kind the collision is; empty without one.
         waits: Whether the ego waits at the end behind somebody who does not move on.
+        unplayed: What of a program of one's own did not take place; empty is good.
     """
 
     scene: Scene
@@ -45,6 +47,7 @@ class Ran:
     avoidable: bool | None
     crash_type: str
     waits: bool
+    unplayed: tuple[str, ...] = ()
 
 
 def drive(
@@ -78,4 +81,5 @@ def drive(
         avoidable=avoidable(episode, program, scene, ego, simulator),
         crash_type=crash_type(episode),
         waits=waits(episode),
+        unplayed=unplayed(program, episode),
     )

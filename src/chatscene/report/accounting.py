@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
+from chatscene.runs import RunRecord
+
 _COLOURS = 8  # that the style sheet has for facts
 
 
@@ -69,14 +71,18 @@ def unread_in_words(text: str, words: Sequence[Mapping[str, Any]]) -> str:
     return f"words that were not read, and may not be shown: {', '.join(unread)}" if unread else ""
 
 
-def told_first(explanation: Mapping[str, Any]) -> list[str]:
-    """What stands before any number: words that were not read, and what was built otherwise than it was read.
+def told_first(explanation: Mapping[str, Any], record: RunRecord | None = None) -> list[str]:
+    """What stands before any number: what was not read, was built otherwise than it was read, or did not take place.
 
     Args:
         explanation: As in `explanation.json`; older ones do not tell what was built otherwise.
+        record: Of the run, as in `run.json`; None where nothing was driven.
     """
     told: list[str] = []
     for one in explanation.get("scenarios", []):
         unread = unread_in_words(one["text"], one.get("words", []))
         told += [*([unread] if unread else []), *one.get("otherwise", [])]
-    return told
+    if record is None:
+        return told
+    ran = record.counts.get("ran", 0)
+    return told + [f"in {len(scenes)} of {ran} scenes: {what}" for what, scenes in record.unplayed.items()]

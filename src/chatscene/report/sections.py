@@ -48,7 +48,14 @@ def heading(record: RunRecord, explanation: Row, around: str) -> Markup:
     facts = "; ".join(f"{_words(name)}: {_slot(value)}" for name, value in facts_of(explanation))
     own = record.program is not None
     return fill_section(
-        "heading", record.title, own, told_first(explanation), facts, around, _BANNERS.get(record.status), record.reason
+        "heading",
+        record.title,
+        own,
+        told_first(explanation, record),
+        facts,
+        around,
+        _BANNERS.get(record.status),
+        record.reason,
     )
 
 

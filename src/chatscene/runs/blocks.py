@@ -142,6 +142,7 @@ def _ran_row(ran: Ran) -> SceneRow:
         waits=ran.waits,
         stepped=ran.episode.stepped.by,
         instead=ran.episode.stepped.instead,
+        unplayed=list(ran.unplayed),
     )
 
 
@@ -289,7 +290,13 @@ def finish(
         files = digests(run.path, (*KEPT, *DRAWN))
         stepped, instead = _stepped(parts)
         record = update(
-            run, status=Status.DONE, counts=_counts(scenes, parts), stepped=stepped, instead=instead, files=files
+            run,
+            status=Status.DONE,
+            counts=_counts(scenes, parts),
+            stepped=stepped,
+            instead=instead,
+            unplayed=_unplayed(parts),
+            files=files,
         )
     _drop_parts(run)
     return record
@@ -303,6 +310,15 @@ def _stepped(parts: Sequence[Part]) -> tuple[dict[str, int], dict[str, list[str]
         if scene.instead and scene.scene_id not in (named := instead.setdefault(scene.instead, [])):
             named.append(scene.scene_id)
     return dict(sorted(Counter(scene.stepped for scene in driven).items())), instead
+
+
+def _unplayed(parts: Sequence[Part]) -> dict[str, list[str]]:
+    """The scenes in which something did not take place, by what it is."""
+    found: dict[str, list[str]] = {}
+    for scene in (scene for part in parts for scene in part.scenes):
+        for what in scene.unplayed:
+            found.setdefault(what, []).append(scene.scene_id)
+    return found
 
 
 def _require(run: Workspace, parts: Sequence[Part], expected: Sequence[tuple[str, int, int]]) -> None:

@@ -190,6 +190,7 @@ class MapRecord(Record):
             until there are some. Older records lack some of them.
         stepped: How many drives each simulator stepped; empty in the records of older versions.
         instead: The scenes that another simulator stepped than the one that was asked for, by why.
+        unplayed: The scenes in which a part of a program of one's own did not take place, by what it is.
     """
 
     map_name: str
@@ -201,6 +202,7 @@ class MapRecord(Record):
     counts: dict[str, int] = {}
     stepped: dict[str, int] = {}
     instead: dict[str, list[str]] = {}
+    unplayed: dict[str, list[str]] = {}
 
     def egos_named(self) -> dict[str, str]:
         """Those that drive."""
@@ -451,6 +453,7 @@ class SceneRow(_Frozen):
     waits: bool = False  # for the search and the selection alone
     stepped: str = ""  # by which simulator
     instead: str = ""  # why not by the one that was asked for
+    unplayed: list[str] = []  # what of a program of one's own did not take place
 
 
 class EventRow(_Frozen):

@@ -346,7 +346,7 @@ def measurements_of(row: Mapping[str, Any]) -> Measurements:
     return Measurements(**numbers | {"collided": bool(numbers["collided"])})
 
 
-_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "waits", "stepped", "instead"}
+_NO_COLUMNS = {"values", "metrics", "measurements", "criticality", "waits", "stepped", "instead", "unplayed"}
 
 
 def _scene_row(part: Part, scene: SceneRow, selected: Mapping[str, bool]) -> dict[str, Any]:

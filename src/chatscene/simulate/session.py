@@ -18,11 +18,12 @@ from chatscene.simulate.obedience import obeyed
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.simulation import SteppedSimulation
 from chatscene.terms.actors import LIMITS, has_lamps, kind_of
-from chatscene.terms.episode import Ending, Episode, Event, EventKind, Role, Stepped, Track
+from chatscene.terms.episode import Ending, Episode, Event, EventKind, Reached, Role, Stepped, Track
 from chatscene.terms.order import Order
 from chatscene.terms.pointing import fault
 from chatscene.terms.route import Route
 from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.world.bodies import Body, Vehicle
 
 ARRIVAL = 0.99  # share of the route that counts as complete (SafeBench, RouteCompletionTest)
@@ -102,6 +103,8 @@ class SteppedSession:
         self.stepped = Stepped()
         self._drawn = program.drawn
         self._as_written = program.as_written
+        self._plans = written_plans(program.source)
+        self._phases: dict[int, int] = {}
         self._names: list[tuple[str, Role]] = []
         self.limit = min(settings.max_steps, int(route.length * SECONDS_PER_METRE / settings.dt))
         self.preset = check_preset(observation)
@@ -193,6 +196,7 @@ class SteppedSession:
         step: int,
         along: float,
         ending: Ending | None,
+        phases: dict[int, int],
     ) -> None:
         """Put down what another engine stepped from its beginning on, in place of own steps.
 
@@ -203,10 +207,12 @@ class SteppedSession:
             step: How many steps were made.
             along: Arc length of the ego on its route [m].
             ending: Why it ended, or None while it goes on.
+            phases: How far each body that follows a plan is in it: the number of the phase, by that of the body.
         """
         self._rows, self._offsets, self._view.along = rows, offsets, along
         self._contacts = [self._contact(*contact) for contact in contacts]
         self.step_number, self.ending = step, ending
+        self._phases = {number: phase for number, phase in phases.items() if self._plan_of(number) is not None}
 
     def _contact(self, step: int, other: int, side: str, speed: float) -> Event:
         return Event(kind=EventKind.COLLISION, step=step, other=self._names[other][0], side=side, impact_speed=speed)
@@ -266,6 +272,7 @@ class SteppedSession:
 
     def _end(self, ending: Ending) -> None:
         """End it, unless the program rejects it for how it ends."""
+        self._phases = self._reached()  # as it ends, its behaviors are stopped
         if self._go_on(self.simulation.finish):
             self.ending = ending
 
@@ -331,7 +338,28 @@ class SteppedSession:
             off_road=off_road,
             surroundings=self.simulation.surroundings,
             stepped=self.stepped,
+            reached={
+                self._names[i][0]: self._in_plan(i, phase) for i, phase in (self._phases or self._reached()).items()
+            },
         )
+
+    def _in_plan(self, number: int, phase: int) -> Reached:
+        return Reached(type(self.simulation.objects[number].behavior).__name__, phase)
+
+    def _plan_of(self, number: int) -> WrittenPlan | None:
+        """The plan of the program's own that an object follows."""
+        plan = self._plans.get(type(self.simulation.objects[number].behavior).__name__)
+        return plan if isinstance(plan, WrittenPlan) else None
+
+    def _reached(self) -> dict[int, int]:
+        """How far everybody is who follows a plan: the phase whose line the behavior stands at."""
+        found: dict[int, int] = {}
+        for number, one in enumerate(self.simulation.objects):
+            plan, running = self._plan_of(number), getattr(one.behavior, "_runningIterator", None)
+            if plan is not None and running is not None:
+                frame = running.gi_frame
+                found[number] = len(plan.lines) if frame is None else plan.phase_at(frame.f_lineno)
+        return found
 
     def _states(self, steps: int) -> list[NDArray[np.float64]]:
         """The state of each body that moves at each step, (4, steps); of one that came later, as it stood at first."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -130,6 +131,19 @@ class Stepped:
     instead: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """How far somebody is in a plan.
+
+    Attributes:
+        behavior: What the program calls the plan.
+        phase: The number of the phase, from 0; as many as there are where all are done.
+    """
+
+    behavior: str
+    phase: int
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Episode:
     """One drive of one ego through one scene.
@@ -147,6 +161,8 @@ class Episode:
         off_road: (T,) bool: the ego's centre was off every driving lane.
         surroundings: Light, weather and the state of the road.
         stepped: Who stepped it, which changes no number of it.
+        reached: How far everybody who follows a plan of the program's own was in it at the end, by actor; no run folder
+            keeps it.
     """
 
     scene_id: str
@@ -161,6 +177,7 @@ class Episode:
     off_road: NDArray[np.bool_]
     surroundings: Surroundings = field(default_factory=Surroundings)
     stepped: Stepped = field(default_factory=Stepped)
+    reached: Mapping[str, Reached] = field(default_factory=dict[str, Reached])
 
     @property
     def ego_track(self) -> Track:

@@ -74,7 +74,7 @@ def differences(one: Episode, other: Episode) -> list[str]:
     """In what two episodes of one scene and ego differ, down to the last bit; empty if in nothing."""
     found = [
         name
-        for name in ("ending", "events", "signals", "route_completion", "surroundings", "dt")
+        for name in ("ending", "events", "signals", "route_completion", "surroundings", "dt", "reached")
         if _told(one, name) != _told(other, name)
     ]
     found += [

@@ -18,7 +18,7 @@ import numpy as np
 
 from chatscene.errors import ChatSceneError, SandboxError
 from chatscene.files.bounded import parse_json
-from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Role, SignalTrack, Track
+from chatscene.terms.episode import Array, Ending, Episode, Event, EventKind, Reached, Role, SignalTrack, Track
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -31,6 +31,7 @@ Kind = TypeVar("Kind", bound=StrEnum)
 MAX_ACTORS = 64
 MAX_EVENTS = 1_000
 MAX_SIGNALS = 64
+MAX_PHASES = 10_000  # of a plan
 MAX_POINTS = 20_000  # of a route's line
 MAX_LANES = 1_000
 MAX_NUMBER = 1e9
@@ -155,6 +156,7 @@ def episode_to_json(episode: Episode) -> Message:
         "distance_to_route": episode.distance_to_route.tolist(),
         "off_road": episode.off_road.astype(int).tolist(),
         "surroundings": asdict(episode.surroundings),
+        "reached": {actor: asdict(one) for actor, one in episode.reached.items()},
     }
 
 
@@ -194,6 +196,7 @@ def episode_from_json(message: Message, *, scene_id: str, ego: str, dt: float, s
         distance_to_route=numbers(message.get("distance_to_route"), steps),
         off_road=numbers(message.get("off_road"), steps) != 0,
         surroundings=_surroundings(_object(message.get("surroundings"))),
+        reached=_reached(_object(message.get("reached")), {track.actor for track in tracks}),
     )
 
 
@@ -203,6 +206,19 @@ def _surroundings(message: Message) -> Surroundings:
         weather=_choice(Weather, message, "weather"),
         surface=_choice(Surface, message, "surface"),
     )
+
+
+def _reached(message: Message, actors: set[str]) -> dict[str, Reached]:
+    if not message.keys() <= actors:
+        raise nonsense("a plan of nobody")
+    return {actor: _in_plan(_object(one)) for actor, one in message.items()}
+
+
+def _in_plan(message: Message) -> Reached:
+    phase = message.get("phase")
+    if type(phase) is not int or not 0 <= phase <= MAX_PHASES:
+        raise nonsense("how far somebody is in a plan")
+    return Reached(_text(message, "behavior", _NAME), phase)
 
 
 def _track(message: Any, steps: int) -> Track:

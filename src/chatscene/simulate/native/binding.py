@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import re
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -13,16 +12,16 @@ import shapely
 from numpy.typing import NDArray
 
 from chatscene.ego.policy import PEDALS
-from chatscene.errors import ChatSceneError, SnippetError
+from chatscene.errors import ChatSceneError
 from chatscene.simulate.native import engine
 from chatscene.simulate.native.code import Compiler, NotCovered, Surrounding
 from chatscene.simulate.roadside import RouteSurroundings
 from chatscene.simulate.session import ARRIVAL, SteppedSession
 from chatscene.terms.actors import Limits
 from chatscene.terms.plan import PRIMITIVES, After, Kind, Name, Phase, Plan, Until
-from chatscene.terms.plan_text import BEHAVIOR, parse_plan
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.written_plans import written_plans
 from chatscene.world.bodies import Vehicle, Walker
 from chatscene.world.control import curve_speeds
 
@@ -50,7 +49,6 @@ ORDER = [
 ]  # as engine.c numbers them
 POSE = ("x", "y", "heading", "speed", "before", "cos", "sin", "half_length", "half_width", "radius", "grip")
 CONTACTS = 256
-_BEHAVIOR = re.compile(r"^behavior (\w+)\(\):\s*(?:#.*)?\n((?:[ \t]+.*\n|[ \t]*(?:#.*)?\n)+)", re.MULTILINE)
 
 
 @dataclass(slots=True)
@@ -114,7 +112,7 @@ class _Binder:
         self._session = session
         self._objects: list[Any] = list(session.simulation.objects)
         self._bodies: list[Any] = list(session.simulation.bodies)
-        self._plans = _plans_of(program.source)
+        self._plans = written_plans(program.source)
         self._instructions: list[engine.Instruction] = []
         self._lines: list[Polyline] = [session.route.line]
         self._kept: list[Any] = []
@@ -204,7 +202,9 @@ class _Binder:
             plan = self._plans[name]
             if isinstance(plan, str):
                 raise NotCovered("a behavior that is no plan")
-            return plan, type(behavior).makeGenerator.__globals__  # the program's own names, with what the scene drew
+            return plan.plan, type(
+                behavior
+            ).makeGenerator.__globals__  # the program's own names, with what the scene drew
         if name not in PRIMITIVES or behavior._kwargs:
             raise NotCovered("a behavior that is no plan")
         takes = PRIMITIVES[name].takes[: len(given)]
@@ -318,15 +318,3 @@ def _act_of(body: Any, primitive: str) -> str:
     if not body.moves and primitive not in STANDING:
         raise NotCovered(f"{primitive} of a thing")
     return primitive
-
-
-@lru_cache(maxsize=256)
-def _plans_of(source: str) -> dict[str, Plan | str]:
-    """The behaviors in a program's text: the plan of each, or why it is none."""
-    found: dict[str, Plan | str] = {}
-    for name, block in _BEHAVIOR.findall(source):
-        try:
-            found[name] = parse_plan(f"behavior {BEHAVIOR}():\n{block}")
-        except SnippetError as error:
-            found[name] = str(error)
-    return found

@@ -127,6 +127,7 @@ class NativeSession:
             step=world.step,
             along=world.along,
             ending=self.ending,
+            phases={agent.body: agent.phase for agent in world.agent[: world.agents]},
         )
         return self._reference.episode(scene_id, ego)
 

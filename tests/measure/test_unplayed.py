@@ -1,0 +1,94 @@
+"""What a program has and a drive does not show is told: a result of an event that did not take place is none."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from chatscene.ego.policy import load_ego
+from chatscene.maps.network import resolve_map
+from chatscene.measure.unplayed import unplayed
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.terms.episode import Episode
+from chatscene.terms.scene import Scene, ScenicProgram
+
+SOURCE = """model chatscene.world.model
+param OPT_NEAR = Range(1, 60)
+egoRoute = selectRoute(maneuver="straight")
+leadWay = lineThrough((0.0, 0.0), (10.0, 0.0))
+
+behavior Waves():
+    do DrivePath(egoRoute, 7)
+
+behavior AdvBehavior():
+    {phases}
+
+ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute
+AdvAgent = new Car at pointOn(egoRoute, 30), facing directionOn(egoRoute, 30), with behavior AdvBehavior()
+"""
+WAITS = "do DrivePath(egoRoute, 7) until gap(self, ego) < globalParameters.OPT_NEAR\n    do BrakeOnPath(egoRoute)"
+
+
+@pytest.fixture(scope="module")
+def simulator() -> Simulator:
+    return load_simulator(resolve_map("town"), SimulationSettings(simulator="embedded", max_steps=40))
+
+
+def driven(simulator: Simulator, phases: str, near: float = 1.0) -> tuple[ScenicProgram, Episode]:
+    program = ScenicProgram(scenario_id="own", source=SOURCE.format(phases=phases), parameters=(), snippet_ids=())
+    scene = Scene(id="own/0", scenario_id="own", route=0, block=0, seed=0, values={"OPT_NEAR": near})
+    episode = simulate(simulator, program, scene, load_ego("planner"))
+    assert isinstance(episode, Episode)
+    return program, episode
+
+
+def test_a_phase_whose_condition_never_came_true_is_told_with_the_condition(simulator: Simulator) -> None:
+    assert unplayed(*driven(simulator, WAITS)) == (
+        "this never began: adversary brakes along the ego's route; "
+        "it waits until its distance to the ego is under OPT_NEAR",
+    )
+
+
+def test_nothing_is_told_of_a_drive_in_which_every_phase_began(simulator: Simulator) -> None:
+    assert unplayed(*driven(simulator, WAITS, near=60.0)) == ()
+
+
+def test_who_waits_longer_than_the_drive_lasts_is_told(simulator: Simulator) -> None:
+    told = unplayed(
+        *driven(simulator, "do Park() for 60 seconds\n    do DrivePath(egoRoute, 5) for 1 seconds\n    do Park()")
+    )
+    assert told == (
+        "this never began: adversary follows the ego's route at 5 m/s (and 1 more after that); it waits 60 s",
+    )
+
+
+def test_a_round_of_a_loop_that_is_not_over_is_no_phase_that_never_began(simulator: Simulator) -> None:
+    phases = (
+        "while True:\n        do DrivePath(egoRoute, 7) for 1 seconds\n        do BrakeOnPath(egoRoute) for 1.5 seconds"
+    )
+    program, episode = driven(simulator, phases)
+    assert unplayed(program, episode) == ()
+
+
+def test_who_drives_on_where_the_followed_line_ends_is_told(simulator: Simulator) -> None:
+    program, episode = driven(simulator, "do DrivePath(leadWay, 7)")
+    there = episode.tracks[1]
+    x, y = float(there.x[0]), float(there.y[0])
+    ends = f"lineThrough(({x:.1f}, {y:.1f}), ({there.x[9]:.2f}, {there.y[9]:.2f}))"
+    source = program.source.replace("lineThrough((0.0, 0.0), (10.0, 0.0))", ends)
+    again = replace(program, source=source)
+    drive = simulate(
+        simulator,
+        again,
+        Scene(id="own/0", scenario_id="own", route=0, block=0, seed=0, values={"OPT_NEAR": 1.0}),
+        load_ego("planner"),
+    )
+    assert isinstance(drive, Episode)
+    assert unplayed(again, drive) == ("adversary drives on past the end of its line leadWay",)
+
+
+def test_of_a_program_of_snippets_nothing_is_told_here(simulator: Simulator) -> None:
+    program, episode = driven(simulator, WAITS)
+    assert unplayed(replace(program, snippet_ids=("a", "b", "c")), episode) == ()
