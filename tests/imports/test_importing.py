@@ -227,3 +227,17 @@ def test_an_event_that_never_begins_is_told_on_the_terminal_in_the_head_of_the_p
     assert str(done).splitlines()[0] == told
     page = html.unescape((beside / "run" / "report.html").read_text())
     assert page.index(told) < page.index("collided in")
+
+
+def test_the_speed_of_an_imported_ego_is_what_it_wants(beside: Path) -> None:
+    at, begins = "</Position></TeleportAction></PrivateAction></Private>", speeds_to("20", "step", "time", "0")
+    text = scenario().replace(at, at.replace("</Private>", f"<PrivateAction>{begins}</PrivateAction></Private>"), 1)
+    (beside / "theirs.xosc").write_text(text)
+    program = read_foreign(chatscene.import_scenario(beside / "theirs.xosc").program).program
+    assert program.wanted_speed == 20.0
+    assert "with speed 20, with wantedSpeed 20" in program.source
+
+
+def test_an_imported_ego_that_begins_standing_drives_as_it_does(beside: Path) -> None:
+    (beside / "theirs.xosc").write_text(scenario())
+    assert read_foreign(chatscene.import_scenario(beside / "theirs.xosc").program).program.wanted_speed is None

@@ -26,16 +26,30 @@ _CAR = LIMITS["Car"]
 
 
 class IntelligentDriver:
-    """IDM and AEB on the preset ``actors``, with the whole brake pedal."""
+    """IDM and AEB on the preset ``actors``, with the whole brake pedal.
+
+    Args:
+        speed: Wanted [m/s].
+
+    Attributes:
+        speed: As it was given.
+    """
 
     name = "idm"
     observation = "actors"
     pedals = "full-brake"
 
+    def __init__(self, speed: float = DESIRED_SPEED) -> None:
+        self.speed = speed
+
+    def wanting(self, speed: float) -> IntelligentDriver:
+        """The same driver with another wanted speed [m/s]."""
+        return IntelligentDriver(speed)
+
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
         speed = float(observation[0])
-        wish = min(DESIRED_SPEED, curve_speed(observation[4:OWN].reshape(-1, 2)))
+        wish = min(self.speed, curve_speed(observation[4:OWN].reshape(-1, 2)))
         actors = observation[OWN:].reshape(-1, PER_ACTOR)
         acceleration = _free(speed, wish)
         for row in actors[actors[:, 0] > 0.0]:

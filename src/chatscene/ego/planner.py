@@ -12,7 +12,7 @@ the order of time or of who is expected, and angles are Python's own. So `engine
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -147,6 +147,10 @@ class Planner:
         self.name = name
         self.caution = caution or Caution()
         self.discount = np.array([math.exp(-time / self.caution.patience) for time in TIMES.tolist()])
+
+    def wanting(self, speed: float) -> Planner:
+        """The same driver with another wanted speed [m/s]."""
+        return Planner(replace(self.caution, speed=speed), name=self.name)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import linecache
 import math
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from traceback import walk_tb
 from typing import Any, Protocol
@@ -33,6 +33,7 @@ class EgoPolicy(Protocol):
         observation: Which preset it sees; ``safebench`` if it does not say.
         pedals: Which of `PEDALS` its actions go through; ``safebench`` if it does not say.
         reset: Called without arguments before each episode.
+        wanting: Called with a speed [m/s], gives an ego that is like it and wants to drive at that; see `wanting`.
     """
 
     def act(self, observation: Observation) -> tuple[float, float]:
@@ -49,6 +50,25 @@ def begin(ego: EgoPolicy) -> None:
     """Tell an ego that an episode begins, if it wants to know: it forgets what was before."""
     if (reset := getattr(ego, "reset", None)) is not None:
         reset()
+
+
+def takes_speed(ego: EgoPolicy) -> bool:
+    """Whether an ego can be told at what speed it is to drive."""
+    return hasattr(ego, "wanting")
+
+
+def wanting(ego: EgoPolicy, speed: float | None) -> EgoPolicy:
+    """An ego that wants to drive at a speed, where it can be told.
+
+    Args:
+        ego: Which.
+        speed: What a program wants of its ego [m/s]; None where it wants nothing.
+
+    Returns:
+        It itself where nothing is wanted of it, or where it drives at a speed of its own.
+    """
+    made: Callable[[float], EgoPolicy] | None = getattr(ego, "wanting", None)
+    return ego if speed is None or made is None else made(speed)
 
 
 def failed(ego: EgoPolicy, error: BaseException, when: str) -> EgoError:

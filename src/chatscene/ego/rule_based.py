@@ -10,12 +10,26 @@ BEND = 0.15  # [rad] of heading error at the preview point that counts as a bend
 
 
 class RuleBased:
-    """The surrogate ego of a first run. It sees four numbers, so it cannot see pedestrians or crossing traffic."""
+    """The surrogate ego of a first run. It sees four numbers, so it cannot see pedestrians or crossing traffic.
+
+    Args:
+        speed: Wanted [m/s], where the route does not bend.
+
+    Attributes:
+        speed: As it was given.
+    """
+
+    def __init__(self, speed: float = TARGET_SPEED) -> None:
+        self.speed = speed
+
+    def wanting(self, speed: float) -> RuleBased:
+        """The same driver with another wanted speed [m/s]."""
+        return RuleBased(speed)
 
     def act(self, observation: Observation) -> tuple[float, float]:
         """Acceleration and steering in [-1, 1] for one step."""
         lateral, heading, speed, vehicle_ahead = observation.tolist()
-        wish = TARGET_SPEED if abs(heading) < BEND else TURN_SPEED
+        wish = self.speed if abs(heading) < BEND else min(self.speed, TURN_SPEED)
         acceleration = 0.5 * (wish - speed)
         if vehicle_ahead:
             acceleration = -1.0

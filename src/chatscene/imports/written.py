@@ -42,7 +42,8 @@ def written(board: Storyboard, name: str) -> str:
         *(_line(line, path) for line, path in board.lines.items()),
         *(_behavior(actor, behaviors[actor.name]) for actor in acting),
         f"ego = new {ego.kind} at pointOn({EGO_ROUTE}, 0), facing directionOn({EGO_ROUTE}, 0), with route {EGO_ROUTE}"
-        + _properties(ego),
+        + _properties(ego)
+        + (f", with wantedSpeed {ego.speed:g}" if ego.speed else ""),
         *(_placed(actor, behaviors.get(actor.name, ""), i) for i, actor in enumerate(others)),
     ]
     return "\n\n".join(blocks) + "\n"

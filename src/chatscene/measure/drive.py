@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from chatscene.ego.policy import EgoPolicy
+from chatscene.ego.policy import EgoPolicy, name_of, takes_speed, wanting
 from chatscene.measure.avoidability import avoidable
 from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
@@ -66,6 +66,7 @@ def drive(
         EgoError: The ego fails.
         ProgramError: The program's own code fails.
     """
+    ego = wanting(ego, program.wanted_speed)
     episode = simulate(simulator, program, scene, ego)
     if isinstance(episode, Rejected):
         return episode
@@ -81,5 +82,12 @@ def drive(
         avoidable=avoidable(episode, program, scene, ego, simulator),
         crash_type=crash_type(episode),
         waits=waits(episode),
-        unplayed=unplayed(program, episode),
+        unplayed=(*_not_kept_to(program, ego), *unplayed(program, episode)),
     )
+
+
+def _not_kept_to(program: ScenicProgram, ego: EgoPolicy) -> list[str]:
+    """Whether a program wants a speed of its ego, and this one drives at its own."""
+    if program.wanted_speed is None or program.as_written or takes_speed(ego):
+        return []
+    return [f"the ego is to drive at {program.wanted_speed:g} m/s, and {name_of(ego)} drives at a speed of its own"]

@@ -37,7 +37,7 @@ def unplayed(program: ScenicProgram, episode: Episode) -> tuple[str, ...]:
 
 def _never_began(actor: str, plan: Plan, reached: int) -> list[str]:
     """Phases after the last that began; in a loop, they may have begun in a round before."""
-    left = plan.phases[reached + 1 :]
+    left = [phase for number, phase in enumerate(plan.phases) if number > reached]
     if not left or (plan.loop is not None and reached >= plan.loop):
         return []
     match plan.phases[reached].end:

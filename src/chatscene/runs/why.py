@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from chatscene.ego.policy import wanting
 from chatscene.errors import RunError
 from chatscene.measure.avoidability import braking_step, crashes_braking_from, risk_step
 from chatscene.measure.counterfactual import (
@@ -384,11 +385,12 @@ def trial_in(made: Remade, row: Mapping[str, Any]) -> Trial:
     """
     program, simulator = made.program, made.simulator
     scene = scene_of(row, program)
-    episode = simulate(simulator, program, scene, made.ego)
+    ego = wanting(made.ego, program.wanted_speed)
+    episode = simulate(simulator, program, scene, ego)
     if isinstance(episode, Rejected) or episode.collision is None:
         raise RunError(f"scene {scene.id!r} crashed when it was made and does not now; `chatscene replay` says more")
     route = simulator.route_in(program, scene).line
-    return Trial(program=program, scene=scene, ego=made.ego, simulator=simulator, episode=episode, route=route)
+    return Trial(program=program, scene=scene, ego=ego, simulator=simulator, episode=episode, route=route)
 
 
 def back_of(trial: Trial, rows: Sequence[Mapping[str, Any]]) -> Back | None:

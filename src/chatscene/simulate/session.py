@@ -90,6 +90,7 @@ class SteppedSession:
             )
         self._ego = body
         self.orders = () if program.as_written else _orders(objects[0], label)
+        _check_wanted(objects[0], program, label)
         self._limits = LIMITS.get(kind_of(objects[0]), LIMITS["Car"])
         self.simulation = simulation
         self.route = route
@@ -400,6 +401,20 @@ class SteppedSession:
             )
         order = (Role.EGO, Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
         return tuple(sorted(tracks, key=lambda track: order.index(track.role)))
+
+
+def _check_wanted(ego: Any, program: ScenicProgram, label: str) -> None:
+    """Hold that the speed that is wanted of the ego is one that is read in the program's text.
+
+    Raises:
+        ProgramError: It is computed, or no number.
+    """
+    wanted = None if program.drawn else getattr(ego, "wantedSpeed", None)
+    if wanted != program.wanted_speed:
+        raise ProgramError(
+            f"{label} fails: `with wantedSpeed` takes a plain number of metres per second and stands where the ego is "
+            f"placed, as in `ego = new Car …, with wantedSpeed 20`, not {wanted!r}"
+        )
 
 
 def _orders(ego: Any, label: str) -> tuple[Order, ...]:

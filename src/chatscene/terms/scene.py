@@ -6,10 +6,13 @@ Paper: section 3.1 ("Scenario", "Scene").
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from chatscene.terms.snippet import ParameterRange
+
+_WANTED = re.compile(r"^ego\s*=\s*new\b[^#]*?\bwith\s+wantedSpeed\s+(\d+(?:\.\d+)?)\s*(?:,|$)", re.MULTILINE)
 
 OWN_MODEL = "chatscene.world.model"
 """The world model of programs whose scenes are their parameters, no more: Scenic draws nothing in them."""
@@ -54,6 +57,12 @@ class ScenicProgram:
     def filename(self) -> str:
         """What Scenic calls its text."""
         return f"<{self.scenario_id}>"
+
+    @property
+    def wanted_speed(self) -> float | None:
+        """What the ego under test is to drive at [m/s], as `with wantedSpeed` says; None where nothing is said."""
+        found = None if self.drawn else _WANTED.search(self.source)
+        return float(found[1]) if found else None
 
     @property
     def drawn(self) -> bool:

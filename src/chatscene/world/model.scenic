@@ -79,6 +79,7 @@ class Car(Driven, Car):
     label: ''
     route: None
     orders: ()
+    wantedSpeed: None
 
 class Truck(Car):
     length: _LIMITS['Truck'].length

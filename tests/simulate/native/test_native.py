@@ -15,7 +15,7 @@ import pytest
 from chatscene.ego.network import HIDDEN, OUTPUTS, Network, NetworkEgo
 from chatscene.ego.observation import AHEAD, NEAREST, OBSERVATIONS, OWN, PER_ACTOR, ROAD, Observation
 from chatscene.ego.planner import Caution, Planner
-from chatscene.ego.policy import EgoPolicy, load_ego, observation_of
+from chatscene.ego.policy import EgoPolicy, load_ego, observation_of, wanting
 from chatscene.errors import MapError, StuckBehavior
 from chatscene.library.compatibility import compatibility
 from chatscene.library.load import load_library
@@ -29,8 +29,7 @@ from chatscene.settings import RetrievalSettings, SimulationSettings
 from chatscene.simulate.native import building, engine
 from chatscene.simulate.native.binding import bind
 from chatscene.simulate.native.building import NoEngine, compile_engine
-from chatscene.simulate.native.engine import Policy
-from chatscene.simulate.native.policies import RULE_BASED, network_policy, policy_of
+from chatscene.simulate.native.policies import network_policy, policy_of
 from chatscene.simulate.native.simulator import NativeSimulator
 from chatscene.simulate.session import SteppedSession
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
@@ -171,9 +170,10 @@ def _street(draw: np.random.Generator) -> Observation:
     return seen
 
 
+@pytest.mark.parametrize("speed", (None, 3.0, 20.0))
 @pytest.mark.parametrize("name", ("rule-based", "idm", "planner", "hardened"))
-def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str) -> None:
-    ego, draw = load_ego(name), np.random.default_rng(5)
+def test_a_driver_by_rule_answers_the_same_to_the_last_bit(name: str, speed: float | None) -> None:
+    ego, draw = wanting(load_ego(name), speed), np.random.default_rng(5)
     loaded = engine.load_engine()
     policy = policy_of(ego, loaded)
     assert policy is not None
@@ -195,6 +195,16 @@ def test_the_planner_answers_the_same_however_cautious_it_is() -> None:
         for _ in range(3):
             seen = _street(draw)
             assert loaded.ask(policy, seen.tolist()) == ego.act(seen)
+
+
+@pytest.mark.parametrize("name", ("rule-based", "idm", "planner"))
+def test_an_ego_of_which_a_speed_is_wanted_drives_the_same_inside_the_engine(
+    native: NativeSimulator, name: str
+) -> None:
+    program = _program("do Park()", left=-15.0, ego=", with speed 14, with wantedSpeed 14")
+    episode = _agrees(native, program, _scene(), load_ego(name))
+    assert episode is not None
+    assert episode.ego_track.speed[30] > 10.0  # of its own it would have slowed down to 8 and less
 
 
 @pytest.mark.parametrize("name", ("sac", "ppo", "td3"))
@@ -334,10 +344,12 @@ def test_copies_of_a_scene_are_stepped_by_themselves_and_end_alike(native: Nativ
     assert isinstance(session, SteppedSession)
     first = bind(session, _program(PHASES["FollowTraffic"]))
     session.close()
-    engine.load_engine().run(first.copy().world, Policy(kind=RULE_BASED))
+    by_rule = policy_of(load_ego("rule-based"), engine.load_engine())
+    assert by_rule is not None
+    engine.load_engine().run(first.copy().world, by_rule)
     assert first.world.step == 0
     many = [first.copy() for _ in range(3)]
-    engine.load_engine().run_many([one.world for one in many], Policy(kind=RULE_BASED))
+    engine.load_engine().run_many([one.world for one in many], by_rule)
     assert first.world.step == 0
     assert many[0].world.step > 20
     assert all(np.array_equal(one.rows, many[0].rows) for one in many)

@@ -173,7 +173,9 @@ ATTRIBUTES = _set(
 METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
-PROPERTIES = _set("allowCollisions behavior heading label length orders roadDeviation route speed velocity width")
+PROPERTIES = _set(
+    "allowCollisions behavior heading label length orders roadDeviation route speed velocity wantedSpeed width"
+)
 """What may follow ``with``."""
 
 RESERVED = _set("globalParameters network simulation workspace model param new require")

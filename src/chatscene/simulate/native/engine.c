@@ -922,8 +922,8 @@ static double within_one(double value) {
 }
 
 /* chatscene.ego.rule_based */
-static void rule_based(const double *seen, double *acceleration, double *steer) {
-    double wish = fabs(seen[1]) < 0.15 ? 7.5 : 5.5, a = 0.5 * (wish - seen[2]);
+static void rule_based(double speed, const double *seen, double *acceleration, double *steer) {
+    double wish = fabs(seen[1]) < 0.15 || speed < 5.5 ? speed : 5.5, a = 0.5 * (wish - seen[2]);
     if (seen[3] != 0.0) a = -1.0;
     *acceleration = within_one(a);
     *steer = within_one(0.35 * seen[0] + 1.6 * seen[1]);
@@ -966,9 +966,10 @@ static double curve_speed(const double *seen) {
     return lowest;
 }
 
-static void intelligent_driver(const Limits *car, const double *seen, double *acceleration, double *steer) {
+static void intelligent_driver(const Limits *car, double wanted, const double *seen, double *acceleration,
+                               double *steer) {
     double speed = seen[0], wish = curve_speed(seen);
-    wish = wish < 8.0 ? wish : 8.0;
+    wish = wish < wanted ? wish : wanted;
     double ratio = speed / (0.1 > wish ? 0.1 : wish), slower = -2.0 * (speed - wish);
     double a = ratio < 1.0 ? 2.0 * (1.0 - pow(ratio, 4.0)) : slower > -2.5 ? slower : -2.5;
     for (const double *row = seen + OWN; row < seen + ACTORS_SIZE; row += PER_ACTOR) {
@@ -1257,8 +1258,10 @@ static void network(const Policy *policy, const double *seen, double *accelerati
 /* What somebody does who sees this. */
 void ask(const Policy *policy, const double *seen, double *acceleration, double *steer) {
     switch (policy->kind) {
-    case RULE_BASED: rule_based(seen, acceleration, steer); break;
-    case INTELLIGENT_DRIVER: intelligent_driver(&policy->car, seen, acceleration, steer); break;
+    case RULE_BASED: rule_based(policy->caution.speed, seen, acceleration, steer); break;
+    case INTELLIGENT_DRIVER:
+        intelligent_driver(&policy->car, policy->caution.speed, seen, acceleration, steer);
+        break;
     case PLANNER: planner(&policy->car, &policy->caution, seen, acceleration, steer); break;
     default: network(policy, seen, acceleration, steer);
     }

@@ -31,13 +31,11 @@ ASKED = 16  # observations on which a network's answers are held against numpy's
 def policy_of(ego: EgoPolicy, engine: Engine) -> Policy | None:
     """An ego in the engine's terms; None for one that has to be asked at every step."""
     if type(ego) is RuleBased:
-        return _by_rule(RULE_BASED)
+        return _by_rule(RULE_BASED, Caution(speed=ego.speed))
     if type(ego) is IntelligentDriver:
-        return _by_rule(INTELLIGENT_DRIVER)
+        return _by_rule(INTELLIGENT_DRIVER, Caution(speed=ego.speed))
     if type(ego) is Planner:
-        policy = _by_rule(PLANNER)
-        policy.caution = _caution(ego)
-        return policy
+        return _by_rule(PLANNER, _caution(ego))
     if type(ego) is NetworkEgo and ego.network.size == OBSERVATIONS.get(ego.observation) and ego.every > 0:
         policy = network_policy(ego.network)
         if not _agree(ego.network, engine):
@@ -61,9 +59,9 @@ def foot_of(braking: Braking, own: float) -> Foot:
     )
 
 
-def _by_rule(kind: int) -> Policy:
+def _by_rule(kind: int, caution: Caution) -> Policy:
     """Somebody who decides at every step, and takes his car for one of ours."""
-    return Policy(kind=kind, every=1, car=limits_of(LIMITS["Car"]))
+    return Policy(kind=kind, every=1, car=limits_of(LIMITS["Car"]), caution=caution)
 
 
 def _caution(ego: Planner) -> Caution:
