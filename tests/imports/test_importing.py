@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 import chatscene
 from chatscene.commands.main import main
-from chatscene.errors import ScenarioError, SettingsError
+from chatscene.errors import MapError, ScenarioError, SettingsError
 from chatscene.imports.given import Given
 from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.player import lane_beside
@@ -241,3 +241,24 @@ def test_the_speed_of_an_imported_ego_is_what_it_wants(beside: Path) -> None:
 def test_an_imported_ego_that_begins_standing_drives_as_it_does(beside: Path) -> None:
     (beside / "theirs.xosc").write_text(scenario())
     assert read_foreign(chatscene.import_scenario(beside / "theirs.xosc").program).program.wanted_speed is None
+
+
+def test_a_map_of_left_hand_traffic_is_the_reason_and_not_the_roads_that_it_has(beside: Path) -> None:
+    town = (beside / "town.xodr").read_text()
+    (beside / "left.xodr").write_text(town.replace('rule="RHT"', 'rule="LHT"', 1))
+    place = '<LanePosition roadId="no-such" laneId="1" s="1"/>'
+    with pytest.raises(MapError, match="of left-hand traffic"):
+        read(beside, scenario(place=place, map_name="left.xodr"))
+
+
+def test_a_program_whose_map_is_of_left_hand_traffic_is_refused_by_its_road(beside: Path) -> None:
+    town = (beside / "town.xodr").read_text()
+    (beside / "left.xodr").write_text(town.replace('rule="RHT"', 'rule="LHT"', 1))
+    (beside / "own.scenic").write_text(
+        "param map = localPath('left.xodr')\nmodel scenic.domains.driving.model\nego = new Car\nnew Car\n"
+    )
+    how = ("--scenes", "1", "--out", str(beside / "run"))
+    done = CliRunner().invoke(main, ["run", "--program", str(beside / "own.scenic"), *how])
+    assert done.exit_code == 1
+    assert "of left-hand traffic: road" in done.output
+    assert "Traceback" not in done.output

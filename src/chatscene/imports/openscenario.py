@@ -22,7 +22,7 @@ from chatscene.imports.given import Given, Refused
 from chatscene.imports.player import InLane, Player
 from chatscene.imports.positions import Pose, Positions
 from chatscene.imports.stranger_xml import Element, read_xml
-from chatscene.maps.network import check_opendrive, resolve_map
+from chatscene.maps.network import check_opendrive, load_network, resolve_map
 from chatscene.maps.onward import LENGTH, route_onward
 from chatscene.terms.actors import BY_CLASS, LIMITS, Manner
 from chatscene.terms.plan import Kind, Name, Phase, Plan
@@ -79,6 +79,7 @@ def read_openscenario(path: Path, map_name: str | None = None) -> Imported:
     if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
         raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
     map_path = _map_of(root, path, map_name)
+    load_network(map_path)  # whatever is the matter with the map, is no fault of a place in the file
     given = Given()
     given.declare(root)
     reader = _Reader(root, given, map_path)

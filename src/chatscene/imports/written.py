@@ -43,7 +43,7 @@ def written(board: Storyboard, name: str) -> str:
         *(_behavior(actor, behaviors[actor.name]) for actor in acting),
         f"ego = new {ego.kind} at pointOn({EGO_ROUTE}, 0), facing directionOn({EGO_ROUTE}, 0), with route {EGO_ROUTE}"
         + _properties(ego)
-        + (f", with wantedSpeed {ego.speed:g}" if ego.speed else ""),
+        + (f", with wantedSpeed {ego.speed:g}" if ego.speed >= 1e-3 else ""),
         *(_placed(actor, behaviors.get(actor.name, ""), i) for i, actor in enumerate(others)),
     ]
     return "\n\n".join(blocks) + "\n"

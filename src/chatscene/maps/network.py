@@ -170,10 +170,7 @@ def check_opendrive(path: Path) -> Xml.Element:
         raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
     for road in root.iter("road"):
         if road.get("rule") == "LHT":
-            raise MapError(
-                f"map {path.name!r} is of left-hand traffic: road {road.get('id')!r} keeps to the left (rule LHT), and "
-                f"here everybody keeps to the right; take a map of right-hand traffic ({path})"
-            )
+            raise MapError(f"{left_hand(path.name, road.get('id', ''))} ({path})")
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
     return root
@@ -193,6 +190,14 @@ def _root(path: Path) -> Xml.Element:
             )
     assert root is not None
     return root
+
+
+def left_hand(name: str, road: str) -> str:
+    """Why a map is refused that has a road of left-hand traffic."""
+    return (
+        f"map {name!r} is of left-hand traffic: road {road[:40]!r} keeps to the left (rule LHT), and here everybody "
+        "keeps to the right; take a map of right-hand traffic"
+    )
 
 
 def _faults(road: Xml.Element) -> Iterator[str]:

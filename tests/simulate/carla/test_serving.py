@@ -13,6 +13,7 @@ from click.testing import CliRunner
 from standing_in import connected, serving, spawned, speed
 
 from chatscene.commands.main import main
+from chatscene.maps.network import PACKAGED
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
@@ -89,3 +90,19 @@ def test_a_web_page_that_posts_a_call_is_closed_and_not_obeyed(tmp_path: Path) -
         page.sendall(request)
         assert page.recv(100) == b""
     assert not made.exists()
+
+
+def test_a_map_of_left_hand_traffic_is_refused_before_anybody_calls(tmp_path: Path) -> None:
+    left = tmp_path / "left.xodr"
+    left.write_text(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"', 1))
+    done = CliRunner().invoke(main, ["serve-carla", "--map", str(left)])
+    assert done.exit_code == 1
+    assert "of left-hand traffic: road" in done.output
+    assert done.output.count("\n") == 1
+
+
+def test_a_client_that_sends_a_map_of_left_hand_traffic_is_refused() -> None:
+    with serving() as (port, _):
+        client, _ = connected(port)
+        with pytest.raises(RuntimeError, match="left-hand traffic"):
+            client.generate_opendrive_world(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"', 1))

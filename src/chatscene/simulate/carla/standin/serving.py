@@ -6,11 +6,12 @@ import asyncio
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from chatscene.errors import SettingsError
+from chatscene.errors import MapError, SettingsError
 from chatscene.maps.network import resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.server import Server
+from chatscene.simulate.carla.standin.wire import Refused
 from chatscene.simulate.carla.standin.world import World
 from chatscene.simulate.physics import PhysicsOf
 from chatscene.simulate.simulator import load_simulator
@@ -43,7 +44,10 @@ def serve(
         SettingsError: The simulator brings no bodies, or the port cannot be had.
     """
     paths = [resolve_map(name) for name in maps]
-    world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings), Files(files))
+    try:
+        world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings), Files(files))
+    except Refused as error:
+        raise MapError(str(error)) from error
     try:
         asyncio.run(Server(world, host, port, log).run(lambda: ready(world)))
     except OSError as error:
