@@ -6,6 +6,7 @@ from __future__ import annotations
 import html
 import json
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from chatscene.imports.given import Given
 from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.player import lane_beside
 from chatscene.imports.positions import Positions
+from chatscene.imports.stranger_xml import Element
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.terms.plan import Number
@@ -262,3 +264,53 @@ def test_a_program_whose_map_is_of_left_hand_traffic_is_refused_by_its_road(besi
     assert done.exit_code == 1
     assert "of left-hand traffic: road" in done.output
     assert "Traceback" not in done.output
+
+
+def a_lane(positions: Positions, against: bool) -> tuple[str, int, float]:
+    """A road, the number of a lane of it that is driven against its line, or along, and a place on it [m]."""
+    for section in positions.network.laneSections:
+        number = int(section.openDriveID)
+        if (number > 0) is against and section.lane.centerline.length > 40:
+            return str(section.road.id), number, 20.0
+    raise AssertionError("the town has streets with two ways")
+
+
+def element(tag: str, **attributes: str) -> Element:
+    return Element("Position", {}, 1, [Element(tag, attributes, 1)])
+
+
+@pytest.mark.parametrize("against", [False, True])
+@pytest.mark.parametrize("relative", ["RelativeLanePosition", "RelativeRoadPosition"])
+def test_metres_beside_a_lane_are_told_to_the_same_side_by_lane_and_beside_somebody(
+    relative: str, against: bool
+) -> None:
+    positions = Positions(given := Given(), resolve_map("town"))
+    road, lane, s = a_lane(positions, against)
+    lies = {"roadId": road, "laneId": str(lane), "s": str(s)}
+    positions.known["other"] = positions.pose(element("LanePosition", **lies, offset="0"))
+    there = positions.pose(element("LanePosition", **lies, offset="0.8"))
+    told = {"offset" if relative == "RelativeLanePosition" else "dt": "0.8"}
+    beside = positions.pose(element(relative, entityRef="other", dLane="0", ds="0", **told))
+    assert beside == pytest.approx(there, abs=0.05)
+    assert given.notes == []
+
+
+def test_so_far_along_a_lane_is_read_and_noted_where_the_lane_is_driven_against_the_line() -> None:
+    positions = Positions(given := Given(), resolve_map("town"))
+    road, lane, s = a_lane(positions, against=True)
+    positions.known["other"] = (x, y, heading) = positions.pose(
+        element("LanePosition", roadId=road, laneId=str(lane), s=str(s), offset="0")
+    )
+    ahead = positions.pose(element("RelativeLanePosition", entityRef="other", dLane="0", dsLane="5", offset="0"))
+    assert ahead[0] == pytest.approx(x + 5 * math.cos(heading), abs=0.3)
+    assert ahead[1] == pytest.approx(y + 5 * math.sin(heading), abs=0.3)
+    assert given.notes == [
+        "line 1: its lane is driven against the road's line; it lies so far on as the lane is driven"
+    ]
+
+
+def test_an_offset_and_a_line_in_a_file_of_carla_are_to_the_right_of_who_drives(beside: Path) -> None:
+    offset = '<LateralAction><LaneOffsetAction continuous="true"><LaneOffsetTarget><AbsoluteTargetLaneOffset value="0.5"/></LaneOffsetTarget></LaneOffsetAction></LateralAction>'
+    theirs = scenario(events=event(offset)).replace('description="a test"', 'description="CARLA: a test"')
+    theirs = re.sub(r'y="(-\d+\.\d)" h="1.57', r'y="\1" h="-1.57', theirs).replace('y="-', 'y="')
+    assert plan(beside, theirs).rstrip().endswith("do DrivePath(leadWay, 5.0, -0.5)")

@@ -156,7 +156,7 @@ class _Reader:
                 target = way.find("LaneOffsetTarget", "AbsoluteTargetLaneOffset")
                 if target is None or player.walks:
                     raise Refused(way, "it keeps beside somebody; write an AbsoluteTargetLaneOffset of a vehicle")
-                state.left = self._given.sum(target, "value").times(player.left)
+                state.left = self._given.sum(target, "value").times(player.left if player.side > 0 else -1)
             case _:
                 raise Refused(way, "nobody goes so here; write LaneChangeAction or an untimed FollowTrajectoryAction")
 
@@ -189,7 +189,7 @@ class _Reader:
         if relative:
             if len(relative) != 2 or len(positions) != 2 or any(self._other(one) != player.name for one in relative):
                 raise Refused(trajectory, "only a straight line from where the actor itself is may be told beside it")
-            dx, dy = self._given.number(relative[1], "dx"), self._given.number(relative[1], "dy", "0")
+            dx, dy = self._given.number(relative[1], "dx"), player.side * self._given.number(relative[1], "dy", "0")
             state.way, state.turn = AHEAD, round(math.atan2(dy, dx), 6)
             return
         if player.walks:

@@ -118,6 +118,7 @@ class _Reader:
                 "right, as ScenarioRunner reads it"
             )
         self._positions = Positions(given, map_path, mirrored=mirrored)
+        self._side = -1 if mirrored else 1
         self._entities = Entities(root, given)
         self._objects = self._entities.objects
         self._lines: dict[str, Polyline] = {}
@@ -189,10 +190,10 @@ class _Reader:
             raise Refused(one, "its trajectory lies in another file; write it here")
         if turned is not None and turned.attributes.get("type") != "relative":
             raise Refused(turned, 'on a line it is turned beside the line; write type="relative"')
-        turn = self._given.number(turned, "h", "0") if turned else 0.0
+        turn = self._side * self._given.number(turned, "h", "0") if turned else 0.0
         name, _ = self._line_of(trajectory, "")
         along = self._given.sum(one, "s") + number(ahead * math.cos(turn))
-        left = self._given.sum(one, "t", "0") + number(ahead * math.sin(turn))
+        left = self._given.sum(one, "t", "0").times(self._side) + number(ahead * math.sin(turn))
         return Start(line=name, along=along.expression, left=left.expression, turn=round(turn, 6))
 
     def _line_of(self, trajectory: Element, prefix: str) -> tuple[str, Polyline]:
@@ -356,6 +357,7 @@ class _Reader:
             lane=lane,
             lane_from=lane_from,
             left=self._positions.in_lane(section, pose).left if section is not None else 1,
+            side=self._side,
             ego_at=ego_at,
             line_of=self._line_of,
             lines=self._lines,

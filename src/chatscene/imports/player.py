@@ -51,6 +51,7 @@ class Player:
         lane: The line of a lane beside its own, by number.
         lane_from: The lane that somebody stands in at first, and how that road user faces.
         left: 1 where a lane's offset to the left of the road's line is left of who drives in it, else -1.
+        side: 1 where the file counts y to the left; -1 where it counts to the right of whoever drives, as CARLA does.
         ego_at: How far along the ego's route [m] a position is.
         lines: All lines, by name; those of its own are added.
         lanes: The lane of each line that somebody changes to.
@@ -66,6 +67,7 @@ class Player:
     lane: Callable[[Element, int], Polyline]
     lane_from: Callable[[Element, str], InLane]
     left: int
+    side: int
     ego_at: Callable[[Element], float]
     line_of: Callable[[Element, str], tuple[str, Polyline]]
     lines: dict[str, Polyline]

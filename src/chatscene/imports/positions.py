@@ -63,16 +63,16 @@ class Positions:
             case "LanePosition":
                 lane = self._lane(one)
                 x, y, heading = self._on_road(one, g.number(one, "s"), lane, self._left * g.number(one, "offset", "0"))
-                return x, y, self._turned(one, heading + (math.pi if lane > 0 else 0.0), heading)
+                return x, y, self._turned(one, heading + (math.pi if lane > 0 else 0.0))
             case "RoadPosition":
                 x, y, heading = self._on_road(one, g.number(one, "s"), 0, self._left * g.number(one, "t", "0"))
-                return x, y, self._turned(one, heading, heading)
+                return x, y, self._turned(one, heading)
             case "RelativeObjectPosition" | "RelativeWorldPosition":
                 x, y, heading = self._of(one)
                 turn = heading if one.tag == "RelativeObjectPosition" else 0.0
                 dx, dy = g.number(one, "dx"), self._left * g.number(one, "dy", "0")
                 x, y = x + dx * math.cos(turn) - dy * math.sin(turn), y + dx * math.sin(turn) + dy * math.cos(turn)
-                return x, y, self._turned(one, heading, heading)
+                return x, y, self._turned(one, heading)
             case "RelativeLanePosition" | "RelativeRoadPosition":
                 return self._relative(one)
             case _:
@@ -84,12 +84,12 @@ class Positions:
             raise Refused(one, f"where {name[:40]!r} is, is not told before")
         return self.known[name]
 
-    def _turned(self, one: Element, usual: float, road: float) -> float:
+    def _turned(self, one: Element, usual: float) -> float:
         turn = one.find("Orientation")
         if turn is None:
             return usual
         angle = self._left * self._given.number(turn, "h", "0")
-        return (usual if usual != road else road) + angle if turn.attributes.get("type") == "relative" else angle
+        return usual + angle if turn.attributes.get("type") == "relative" else angle
 
     def _lane(self, one: Element) -> int:
         try:
@@ -131,16 +131,23 @@ class Positions:
             section = self.beside(one, section, lane_beside(of.number, of.left * lanes))
         line = laneLine(section.lane)
         along, aside, _ = line.project(x, y)
+        against = int(section.openDriveID) > 0  # the lane's own line runs as it is driven, t counts left of the road's
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
-        aside = (0.0 if told == "offset" else aside) + self._left * self._given.number(one, told, "0")
-        along += self._given.number(one, "ds", "0")
+        beside = (-1 if against else 1) * self._left * self._given.number(one, told, "0")
+        aside = (0.0 if told == "offset" else aside) + beside
+        ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
+        if against and ahead:
+            self._given.notes.append(
+                f"line {one.line}: its lane is driven against the road's line; it lies so far on as the lane is driven"
+            )
+        along += ahead
         if not 0.0 <= along <= line.length:
             raise Refused(one, "so far along, or back, there is no lane that the lane there leads to")
         (px, py), heading = line.point_at(along), line.heading_at(along)
         return (
             px - aside * math.sin(heading),
             py + aside * math.cos(heading),
-            self._turned(one, heading, heading),
+            self._turned(one, heading),
         )
 
     def in_lane(self, section: Any, pose: Pose) -> InLane:
