@@ -64,7 +64,8 @@ def test_streets_on_bridges_and_what_is_left_out_are_told(here: Path, monkeypatc
 def test_a_map_that_cannot_be_read_is_not_left_there(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     done = _imported(str(EXTRACTS / "crossing.osm"), made=b"<OpenDRIVE/>", monkeypatch=monkeypatch)
     assert done.exit_code == 1
-    assert "OpenDRIVE without a single road" in done.output
+    assert f"{EXTRACTS / 'crossing.osm'} becomes a map that is OpenDRIVE without a single road;" in done.output
+    assert "crossing.xodr" not in done.output  # which is gone
     assert not list(here.iterdir())
 
 

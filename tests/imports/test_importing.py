@@ -314,3 +314,18 @@ def test_an_offset_and_a_line_in_a_file_of_carla_are_to_the_right_of_who_drives(
     theirs = scenario(events=event(offset)).replace('description="a test"', 'description="CARLA: a test"')
     theirs = re.sub(r'y="(-\d+\.\d)" h="1.57', r'y="\1" h="-1.57', theirs).replace('y="-', 'y="')
     assert plan(beside, theirs).rstrip().endswith("do DrivePath(leadWay, 5.0, -0.5)")
+
+
+def test_a_map_that_cannot_be_read_is_refused_as_map_check_refuses_it(beside: Path) -> None:
+    direct = '<junction id="9999" type="direct"><connection id="0" incomingRoad="1" linkedRoad="2"/></junction>'
+    text = (beside / "town.xodr").read_text().replace("</OpenDRIVE>", f"{direct}</OpenDRIVE>")
+    (beside / "direct.xodr").write_text(text)
+    (beside / "theirs.xosc").write_text(
+        scenario(place='<LanePosition roadId="1" laneId="1" s="1"/>', map_name="direct.xodr")
+    )
+    told = [
+        CliRunner().invoke(main, arguments, catch_exceptions=False)
+        for arguments in (["import", str(beside / "theirs.xosc")], ["map", "check", str(beside / "direct.xodr")])
+    ]
+    assert told[0].output.removeprefix("MapError: ") == told[1].output
+    assert "junction '9999' is direct: its connections name no connecting road" in told[0].output

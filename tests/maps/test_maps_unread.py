@@ -84,7 +84,7 @@ def test_a_map_that_is_too_large_is_refused_unread(tmp_path: Path, monkeypatch: 
 
 def test_a_long_lane_that_bends_is_said_to_lack_a_straight_stretch(tmp_path: Path) -> None:
     path = written(tmp_path, MAP.replace("<line/>", '<arc curvature="0.004"/>'))
-    assert any("no straight stretch of a lane is long enough" in problem for problem in check_map(path))
+    assert any("neither a lane that is straight for 85 m" in problem for problem in check_map(path))
     (query,) = BASE_SCENARIO_QUERIES[BaseScenario.STRAIGHT_OBSTACLE]
     with pytest.raises(MapError, match="85 m of straight lane without a junction"):
         find_routes(load_network(path), "theirs", query)

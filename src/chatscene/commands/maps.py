@@ -88,9 +88,10 @@ def import_map(extract: Path, out: Path | None, as_json: bool) -> None:
     write_whole(out, made.xodr)
     try:
         load_network(out)
-    except MapError:
+    except MapError as error:
         out.unlink()
-        raise
+        why = str(error).removeprefix(f"map {out.name!r} ").removesuffix(f" ({out})")
+        raise MapError(f"{extract} becomes a map that {why}; leave that part out of the extract") from error
     _show(describe_map(out), as_json=as_json)
     notes = [f"netconvert: {warning}" for warning in made.warnings[:WARNINGS]]
     if (more := len(made.warnings) - WARNINGS) > 0:

@@ -19,7 +19,7 @@ from chatscene.maps.layout import (
     weaving_sections,
 )
 from chatscene.maps.network import load_network
-from chatscene.maps.routes import BASE_SCENARIO_QUERIES, find_routes, lacking
+from chatscene.maps.routes import APPROACHES, BASE_SCENARIO_QUERIES, SHORT_ROAD, find_routes, lacking
 from chatscene.terms.route import RouteQuery
 
 ROUTES = 10  # per base scenario, as in the paper (section 4.2)
@@ -125,8 +125,10 @@ def check_map(path: Path) -> tuple[str, ...]:
         return (str(error),)
     problems = [*_dead_lanes(network), *_overlaps(network)]
     if not any(_count(network, path.stem, query) for queries in BASE_SCENARIO_QUERIES.values() for query in queries):
-        why = "no straight stretch of a lane is long enough, and none leads into a junction"
-        problems.append(f"no base scenario finds a route: {why}")
+        problems.append(
+            f"no base scenario finds a route: there is neither a lane that is straight for {SHORT_ROAD:.0f} m without "
+            f"a junction, nor one of {min(APPROACHES):.0f} m that leads to a junction where the ego turns"
+        )
     return tuple(problems)
 
 
