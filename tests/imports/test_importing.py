@@ -329,3 +329,32 @@ def test_a_map_that_cannot_be_read_is_refused_as_map_check_refuses_it(beside: Pa
     ]
     assert told[0].output.removeprefix("MapError: ") == told[1].output
     assert "junction '9999' is direct: its connections name no connecting road" in told[0].output
+
+
+@pytest.mark.parametrize("name", ["town.xodr", "./town.xodr", ".\\town.xodr", "$Road", "{folder}/town.xodr"])
+def test_a_map_that_lies_beside_the_file_is_found_however_it_is_named(name: str, beside: Path) -> None:
+    road = '<ParameterDeclaration name="Road" parameterType="string" value="./town.xodr"/>'
+    text = scenario(map_name=name.format(folder=beside))
+    text = text.replace("</ParameterDeclarations>", f"{road}</ParameterDeclarations>", 1)
+    assert read(beside, text).map_path == beside / "town.xodr"
+
+
+def test_the_way_to_a_map_in_another_folder_is_told_to_be_copied(beside: Path) -> None:
+    (beside / "deep").mkdir()
+    (beside / "deep" / "theirs.xosc").write_text(scenario(map_name="../town.xodr"))
+    with pytest.raises(ScenarioError, match=f"lies in another folder.* name it with --map {beside / 'town.xodr'}$"):
+        read_openscenario(beside / "deep" / "theirs.xosc")
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("", "names no map"),
+        ("town.osgb", "is no .xodr file"),
+        ("$Nobody", r"<LogicFile>: it speaks of \$Nobody, which the file does not declare"),
+        ("C:\\maps\\town.xodr", "name it with --map C:/maps/town.xodr"),
+    ],
+)
+def test_what_is_the_matter_with_the_name_of_a_map_is_told(name: str, why: str, beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=why):
+        read(beside, scenario(map_name=name))

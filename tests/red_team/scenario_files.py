@@ -64,9 +64,9 @@ ATTACKS = {
     "elements in elements": ("<a>" * 100 + "</a>" * 100, "deep in one another"),
     "many elements": ("<OpenSCENARIO>" + "<a/>" * 200_001 + "</OpenSCENARIO>", "more than 200000 elements"),
     "a long attribute": (f'<OpenSCENARIO name="{"a" * 20_000}"/>', "more than 10000 characters"),
-    "a map elsewhere": (scenario(map_name="/etc/passwd"), "no .xodr file beside it"),
-    "a map above": (scenario(map_name="../town.xodr"), "no .xodr file beside it"),
-    "a map behind a drive": (scenario(map_name="..\\town.xodr"), "no .xodr file beside it"),
+    "a map elsewhere": (scenario(map_name="/etc/passwd"), "is no .xodr file"),
+    "a map above": (scenario(map_name="../town.xodr"), "its map lies in another folder"),
+    "a map behind a drive": (scenario(map_name="..\\town.xodr"), "its map lies in another folder"),
     "a catalog": (
         scenario(body='<CatalogReference catalogName="../../x" entryName="y"/>'),
         "catalogs lie in other files",

@@ -7,7 +7,9 @@ are those of the road. What cannot be said is named with its line, all of it at 
 from __future__ import annotations
 
 import math
+import os
 import re
+import shlex
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -40,6 +42,7 @@ _LEFT_ALONE = {
     "ControllerAction": "controllers are not taken; everybody drives as its plan says",
     "VisibilityAction": "everybody is visible",
 }
+_ABSOLUTE = re.compile(r"/|[A-Za-z]:/")
 _GONE = re.compile(r"[^A-Za-z0-9_]")
 
 
@@ -78,10 +81,10 @@ def read_openscenario(path: Path, map_name: str | None = None) -> Imported:
         raise ScenarioError(f"{path} is of version {'.'.join(str(part) for part in version)}; known are 1.0 to 1.3")
     if root.find("Entities") is None or root.find("Storyboard", "Init", "Actions") is None:
         raise ScenarioError(f"{path} tells no scenario: it has no Entities, or no Storyboard with an Init")
-    map_path = _map_of(root, path, map_name)
-    load_network(map_path)  # whatever is the matter with the map, is no fault of a place in the file
     given = Given()
     given.declare(root)
+    map_path = _map_of(root, path, given, map_name)
+    load_network(map_path)  # whatever is the matter with the map, is no fault of a place in the file
     reader = _Reader(root, given, map_path)
     board = reader.board()
     given.raise_refusals(path)
@@ -89,16 +92,25 @@ def read_openscenario(path: Path, map_name: str | None = None) -> Imported:
     return Imported(board=board, map_path=map_path, notes=tuple(dict.fromkeys(given.notes)))
 
 
-def _map_of(root: Element, path: Path, map_name: str | None) -> Path:
+def _map_of(root: Element, path: Path, given: Given, map_name: str | None) -> Path:
     if map_name is not None:
         return resolve_map(map_name)
     logic = root.find("RoadNetwork", "LogicFile")
-    named = logic.attributes.get("filepath", "") if logic else ""
-    if not named.endswith(".xodr") or Path(named).name != named.replace("\\", "/").removeprefix("./"):
-        raise ScenarioError(
-            f"{path}: its map {named[:60]!r} is no .xodr file beside it, and no other is opened; name one with --map"
-        )
+    try:
+        named = given.text(logic, "filepath", "").replace("\\", "/") if logic else ""
+    except Refused as reason:
+        raise ScenarioError(f"{path}: {reason}; name the map with --map") from reason
+    if not named:
+        raise ScenarioError(f"{path} names no map; name one with --map")
+    if not named.endswith(".xodr"):
+        raise ScenarioError(f"{path}: its map {named[:60]!r} is no .xodr file; name one with --map")
+    where = named if _ABSOLUTE.match(named) else os.path.normpath(path.parent / named)
     beside = path.parent / Path(named).name
+    if os.path.normpath(Path.cwd() / where) != os.path.normpath(Path.cwd() / beside):
+        raise ScenarioError(
+            f"{path}: its map lies in another folder, and none but one beside it is opened unasked; name it with "
+            f"--map {shlex.quote(where[:200])}"
+        )
     if not beside.is_file():
         raise ScenarioError(
             f"{path}: its map {beside.name!r} does not lie beside it; put it there, or name one with --map"
