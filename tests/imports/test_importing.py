@@ -358,3 +358,14 @@ def test_the_way_to_a_map_in_another_folder_is_told_to_be_copied(beside: Path) -
 def test_what_is_the_matter_with_the_name_of_a_map_is_told(name: str, why: str, beside: Path) -> None:
     with pytest.raises(ScenarioError, match=why):
         read(beside, scenario(map_name=name))
+
+
+def test_a_profile_of_speeds_is_refused_as_what_it_is_and_not_as_a_distance(beside: Path) -> None:
+    profile = '<LongitudinalAction><SpeedProfileAction followingMode="follow"/></LongitudinalAction>'
+    with pytest.raises(ScenarioError, match="<SpeedProfileAction>: a profile of speeds is not read"):
+        read(beside, scenario(events=event(profile)))
+
+
+def test_where_nobody_is_called_the_ego_those_who_could_be_are_named(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match="there is 'VUT', 'lead': call one of them ego"):
+        read(beside, scenario().replace('"ego"', '"VUT"'))

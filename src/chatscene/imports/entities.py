@@ -52,7 +52,8 @@ class Entities:
                 return said[0]
             if said:
                 raise Refused(self.objects[said[1]], f"there is more than one ego: {', '.join(said)[:80]}")
-        raise Refused(self._root, "which one the ego is, is not told; call it ego")
+        there = ", ".join(map(repr, self.objects))[:80] or "nobody"
+        raise Refused(self._root, f"which one the ego is, is not told; there is {there}: call one of them ego")
 
     def _properties(self, one: Element) -> dict[str, str]:
         return {p.attributes.get("name", ""): p.attributes.get("value", "") for p in one.walk() if p.tag == "Property"}

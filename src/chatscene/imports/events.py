@@ -210,6 +210,8 @@ class _Reader:
             if way is None and before.number == 0:
                 return Phase("Halt", ())
         else:
+            if speed.tag == "SpeedProfileAction":
+                raise Refused(speed, "a profile of speeds is not read; write a SpeedAction for each of its entries")
             if speed.tag != "SpeedAction":
                 raise Refused(speed, "distances are not kept here; write SpeedActions")
             relative = speed.find("SpeedActionTarget", "RelativeTargetSpeed")
