@@ -59,10 +59,11 @@ class Browser:
         self._numbers = itertools.count(1)
         self._rest = b""
         self.errors: list[str] = []
+        self.asked: list[str] = []  # addresses, of all that pages asked for
         (page,) = [one for one in self._ask("Target.getTargets")["targetInfos"] if one["type"] == "page"]
         attached = self._ask("Target.attachToTarget", targetId=page["targetId"], flatten=True)
         self._session: str = attached["sessionId"]
-        for domain in ("Page", "Runtime", "Log"):
+        for domain in ("Page", "Runtime", "Log", "Network"):
             self._ask(f"{domain}.enable")
         self.resize(width, height)
         likes = {"prefers-color-scheme": "dark" if dark else "light", "prefers-reduced-motion": "reduce"}
@@ -142,6 +143,8 @@ class Browser:
             if told.get("id") == number:
                 assert "error" not in told, told
                 return told["result"]
+            if told.get("method") == "Network.requestWillBeSent":
+                self.asked.append(told["params"]["request"]["url"])
             if told.get("method") in ("Runtime.exceptionThrown", "Log.entryAdded"):
                 self.errors.append(json.dumps(told["params"]))
 

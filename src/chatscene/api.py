@@ -1001,7 +1001,7 @@ def _reading(
     reading: int | None = None,
     stated: Mapping[str, object] | None = None,
 ) -> RetrievalSettings:
-    own = None if library is None else str(_path(library))
+    own = str(_path(library)) if library else None
     facts = in_text(stated) if stated else None
     return _changed(
         settings,
