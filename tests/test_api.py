@@ -268,18 +268,17 @@ def test_a_folder_of_programs_is_not_one_program(tmp_path: Path) -> None:
         chatscene.run(program=tmp_path)
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda name: chatscene.run("a car ahead brakes hard", name),
-        lambda name: chatscene.run(program=name),
-        lambda name: chatscene.run("a car ahead brakes hard", library=name),
-        lambda name: chatscene.replay(name, "one"),
-        lambda name: chatscene.sql("SELECT 1", name),
-        chatscene.import_scenario,
-    ],
-    ids=["folder", "program", "library", "replay", "sql", "import"],
-)
+_NAMING: dict[str, Callable[[str], object]] = {
+    "folder": lambda name: chatscene.run("a car ahead brakes hard", name),
+    "program": lambda name: chatscene.run(program=name),
+    "library": lambda name: chatscene.run("a car ahead brakes hard", library=name),
+    "replay": lambda name: chatscene.replay(name, "one"),
+    "sql": lambda name: chatscene.sql("SELECT 1", name),
+    "import": chatscene.import_scenario,
+}
+
+
+@pytest.mark.parametrize("call", _NAMING.values(), ids=_NAMING)
 def test_a_name_with_a_nul_is_no_path(call: Callable[[str], object]) -> None:
     with pytest.raises(ChatSceneError, match="is no path: it holds a NUL character"):
         call("run\0s")

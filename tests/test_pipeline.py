@@ -148,7 +148,7 @@ def test_the_time_of_a_run_is_kept_as_it_goes_and_is_on_its_page(
     with pytest.raises(KeyboardInterrupt):
         pipeline.run(runs.asked_run(SENTENCES["bus-stop"], settings=small), tmp_path / "run", progress=cut)
     first = runs.read_record(runs.open_run(tmp_path / "run")).timings["total"]
-    assert first == 2.0 * len(told)  # two seconds from each telling to the next
+    assert first >= 2.0 * len(told) > 0.0  # two seconds at least from each telling to the next
     summary = pipeline.resume(tmp_path / "run")
     page = (tmp_path / "run" / "report.html").read_text()
     said = re.search(r"<dt>Time</dt><dd>([\d.]+) s, until this page was written</dd>", page)
@@ -196,7 +196,11 @@ def test_of_many_quick_drives_it_is_told_once_a_second(monkeypatch: pytest.Monke
 def test_a_slow_run_tells_of_each_scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chatscene.runs.progress.SLOW", 0.0)
     told: list[tuple[str, int, int]] = []
-    chatscene.run("a car ahead brakes hard", tmp_path / "run", scenes=2, progress=lambda *said: told.append(said))
+
+    def tell(what: str, done: int, total: int) -> None:
+        told.append((what, done, total))
+
+    chatscene.run("a car ahead brakes hard", tmp_path / "run", scenes=2, progress=tell)
     checking = [said[1:] for said in told if said[0] == "checking that drives show what was read"]
     assert checking[1:4] == [(1, 3), (2, 3), (3, 3)]
     assert [said[1:] for said in told if said[0] == "searching, scenes"] == [(0, 2), (1, 2), (2, 2), (2, 2)]

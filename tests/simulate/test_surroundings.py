@@ -181,7 +181,7 @@ def test_vehicles_and_cycles_have_lamps_and_nobody_else() -> None:
 
 def test_a_careful_driver_knows_of_a_risk_in_the_dark_when_it_can_be_seen(simulator: Simulator) -> None:
     program = road(act="MoveAhead(0)", kind="Pedestrian", at=40)
-    episode = driven(simulator, program, 3.0)
+    episode = driven(simulator, program, 1.0)
     assert episode.collision is not None
     line = simulator.route(program, 0).line
     by_day, by_night = (

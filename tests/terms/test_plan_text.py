@@ -389,7 +389,7 @@ def test_a_plan_is_told_in_words_a_line_a_phase() -> None:
         "at 5 m/s, until what the ego has left on the ego's route to the start of the manoeuvre is under "
         "OPT_ADV_DISTANCE and what the ego has left on the ego's route to be level with it is over 0.85 * "
         "(OPT_ADV_AHEAD + 6 * OPT_STOP_TIME)",
-        "2. brakes along its way by OPT_BRAKE, until the speed of it is under 0.05",
+        "2. brakes along its way by OPT_BRAKE, until its speed is under 0.05",
         "3. stops and stands, for OPT_STOP_TIME s",
         "4. follows its way at OPT_ADV_SPEED m/s, for 2.5 s",
         "again from 2",

@@ -9,7 +9,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from chatscene.errors import SettingsError
 from chatscene.settings import RetrievalSettings, SearchSettings, Settings, SimulationSettings
@@ -18,6 +18,13 @@ from chatscene.terms.simulator import SimulatorIdentity
 
 MOST_TEXT = 20_000  # characters of a record's sentence; what reads one takes a tenth of that
 SCHEMA_VERSION = 3
+
+
+def _short(text: str) -> str:
+    """A text, if it is not too long; by hand, as pydantic's own check refuses what is no character."""
+    if len(text) > MOST_TEXT:
+        raise ValueError(f"it has {len(text):,} characters, and at most {MOST_TEXT:,} are read")
+    return text
 
 
 class Kind(StrEnum):
@@ -235,7 +242,7 @@ class RunRecord(MapRecord):
 
     kind = Kind.RUN
     egos: Annotated[list[str], Field(min_length=1)]
-    text: Annotated[str, Field(max_length=MOST_TEXT)]
+    text: Annotated[str, AfterValidator(_short)]
     program: ProgramRecord | None
     generator: str
     edits: list[str] = []

@@ -345,7 +345,7 @@ class SteppedSession:
         )
 
     def _in_plan(self, number: int, phase: int) -> Reached:
-        return Reached(type(self.simulation.objects[number].behavior).__name__, phase)
+        return Reached(behavior=type(self.simulation.objects[number].behavior).__name__, phase=phase)
 
     def _plan_of(self, number: int) -> WrittenPlan | None:
         """The plan of the program's own that an object follows."""

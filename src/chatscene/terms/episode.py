@@ -131,7 +131,7 @@ class Stepped:
     instead: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Reached:
     """How far somebody is in a plan.
 

@@ -271,7 +271,7 @@ def test_a_missing_package_names_its_extra(monkeypatch: pytest.MonkeyPatch, name
         assert wanted == package
 
     monkeypatch.setattr(importlib.util, "find_spec", none)
-    with pytest.raises(MissingExtra, match=r"chatscene\[(llm|local-llm)\]"):
+    with pytest.raises(MissingExtra, match=r"\[(llm|local-llm)\]"):
         load_language_model(name)
 
 

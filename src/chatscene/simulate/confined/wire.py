@@ -218,7 +218,7 @@ def _in_plan(message: Message) -> Reached:
     phase = message.get("phase")
     if type(phase) is not int or not 0 <= phase <= MAX_PHASES:
         raise nonsense("how far somebody is in a plan")
-    return Reached(_text(message, "behavior", _NAME), phase)
+    return Reached(behavior=_text(message, "behavior", _NAME), phase=phase)
 
 
 def _track(message: Any, steps: int) -> Track:
