@@ -701,6 +701,30 @@ def test_in_a_browser_keys_and_buttons_do_what_they_say(tmp_path: Path) -> None:
     assert said == ["0.0", "0.2", "Replay", "false", f"route 00 · {order[1]}", f"route 00 · {order[4]}", *WORKED]
 
 
+STANDING = """
+press(" "); press("Home");
+document.getElementById("rate").value = "2"; press(" ");
+setTimeout(() => { say(clock()); say(document.getElementById("play").textContent); press("End"); say(clock()); }, 3000);
+"""
+
+
+@needs_chromium
+def test_in_a_browser_a_replay_ends_soon_after_both_stand(tmp_path: Path) -> None:
+    page = write_report(finished(tmp_path / "run", count=1).path)
+    text = page.read_text(encoding="utf-8").replace('http-equiv="Content-Security-Policy"', "")
+    packed = re.search(r'(<script[^>]* id="content"[^>]*>)(.*?)(</script>)', text, re.DOTALL)
+    assert packed
+    content = json.loads(packed[2])
+    for actor in (actor for one in content["scenes"] for actor in one["drive"]["actors"]):
+        actor["speed"] = [100, *[0] * 19, -100]  # differences: 1 m/s for 2 s, and then it stands
+    stands = text.replace(packed[2], json.dumps(content).replace("<", "\\u003c"))
+    script = PRESSES.partition("press(")[0] + STANDING
+    page.write_text(stands.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
+    ended, button, whole = re.findall(r'<p class="heard">([^<]*)</p>', _opened(page, tmp_path / "profile"))
+    assert (ended, button) == ("3.4", "Replay")
+    assert float(whole) > 3.4
+
+
 @needs_chromium
 def test_in_a_browser_nothing_a_user_wrote_runs(tmp_path: Path) -> None:
     nasty = NASTY.replace("alert(1)", "document.title='owned'").replace("alert(2)", "document.title='owned'")

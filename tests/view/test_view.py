@@ -273,7 +273,8 @@ def test_a_conversation_asks_back_changes_takes_back_and_runs(page: Page, folder
     ran = page.turn("run")
     assert ran["kind"] == "ran"
     assert ran["counts"]["ran"] == 2
-    assert "2 scenes" in ran["summary"][0]
+    assert ran["summary"][0] == "words that were not read, and may not be shown: 'cyclist'"  # a pedestrian was meant
+    assert ran["summary"][1].startswith("2 scenes")
     record = runs.read_record(runs.open_run(folder / ran["run"]))
     assert (record.status, record.edits, record.ego) == (Status.DONE, ["from the left"], "rule-based")
     assert b"<canvas" in page.ask(f"{ran['run']}/report.html", secret=page.server.of_reports)[1]

@@ -51,8 +51,8 @@ class Summary:
         but += [f"{unlike} that {'does' if unlike == 1 else 'do'} not show all that was read"] * bool(unlike)
         phases = "; ".join(f"{name} {spent:.1f} s" for name, spent in self.phases.items() if spent >= SHORTEST)
         return (
-            f"{ran} scenes in {self.seconds:.1f} s{rejected}: the ego {outcomes_in_words(self.counts)}; "
-            f"{kept} kept"
+            f"{ran} scene{'s' * (ran != 1)} in {self.seconds:.1f} s{rejected}: "
+            f"the ego {outcomes_in_words(self.counts)}; {kept} kept"
             + (f" ({', '.join(but)})" if but else "")
             + f"\n{self.ego}"
             + (f"\n{self.stepped}" if self.stepped else "")

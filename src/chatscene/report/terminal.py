@@ -41,16 +41,20 @@ def print_understanding(console: Console, understood: Any, *, show_program: bool
     """What was understood and why: slots, the triple, what else was near, the program."""
     from rich.table import Table
 
+    from chatscene.interpret.otherwise import otherwise
     from chatscene.read.accounting import words_of
 
     scenario, retrieval = understood.scenario, understood.retrieval
+    words = words_of(scenario, retrieval.unused)
+    for line in otherwise(scenario, retrieval, [one.as_dict() for one in words]):
+        console.print(f"[yellow]{_plain(line)}[/]")
     slots = Table("slot", "said", box=None, pad_edge=False, header_style="dim")
     for name, value in scenario.slots.said().items():
         slots.add_row(name, _plain(", ".join(map(str, value)) if isinstance(value, tuple) else value))
     for name, value in scenario.surroundings.said().items():
         slots.add_row(name, value.row.said)
     console.print(slots)
-    if words := words_of(scenario, retrieval.unused):
+    if words:
         parts = parts_of(scenario.text, [one.as_dict() for one in words])
         console.print(f"[dim]{_plain(in_words(parts))}[/]")
     if around := surroundings_in_words(scenario.surroundings):

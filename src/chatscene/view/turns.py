@@ -108,7 +108,11 @@ def between(before: str, after: str) -> list[dict[str, str]]:
 
 
 def _ran(run: Run) -> Turn:
-    return {"run": run.folder.name, "summary": run.summary.in_words().splitlines(), "counts": dict(run.summary.counts)}
+    return {
+        "run": run.folder.name,
+        "summary": [*run.told_first, *run.summary.in_words().splitlines()],
+        "counts": dict(run.summary.counts),
+    }
 
 
 def _parts(text: str, words: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:

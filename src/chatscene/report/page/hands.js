@@ -7,7 +7,8 @@ function seek(when) {
 
 /** A timer and not animation frames: those stop where nothing is painted, as in headless browsers. */
 function play(on) {
-  if (on && step >= drive.shown - 1) step = 0;
+  if (on && step >= lastStep()) step = 0;
+  until = lastStep();
   clearInterval(timer);
   playing = on;
   last = performance.now();
@@ -17,9 +18,9 @@ function play(on) {
 
 function tick() {
   const now = performance.now();
-  step += Math.min(now - last, 250) / 1000 * Number($("rate").value) / drive.dt;
+  step = Math.min(step + Math.min(now - last, 250) / 1000 * Number($("rate").value) / drive.dt, until);
   last = now;
-  if (step < drive.shown - 1) draw();
+  if (step < until) draw();
   else pause();
 }
 
@@ -27,6 +28,15 @@ function pause() {
   clearInterval(timer);
   playing = false;
   seek(step);
+}
+
+/** A replay ends soon after both stand: from there on it would be a still. The slider goes on to the end. */
+function lastStep() {
+  const whole = drive.shown - 1;
+  if (drive.ghost && camera.ghost) return whole;
+  let moves = 0;
+  for (const actor of [ego(), met()].filter(Boolean)) actor.speed.forEach((v, i) => { if (Math.abs(v) > STILL && i > moves) moves = i; });
+  return step > moves + AFTER / drive.dt ? whole : Math.min(Math.round(moves + AFTER / drive.dt), whole);
 }
 
 /** A replay begins shortly before the contact. */

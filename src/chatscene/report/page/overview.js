@@ -17,12 +17,14 @@ function asIf(index, work) {
   [shown, drive, step] = before;
 }
 
-/** The moment that says most: the contact, else when the two are nearest. */
+/** The moment that says most: the contact, else when the two are first as near as they come. */
 function decisive() {
   const hit = crash(), gap = drive.near.gap;
-  return hit ? hit.step : gap.reduce((best, g, i) => (g < gap[best] ? i : best), 0);
+  const nearest = gap.reduce((least, g) => Math.min(least, g), Infinity);
+  return hit ? hit.step : Math.max(gap.findIndex((g) => g <= nearest + AS_NEAR), 0);
 }
 
+const AS_NEAR = 0.3; // [m]; two that stand drift a little for ever
 const COMING = 5, GONE = 2; // [s] before and after the decisive moment that a way is drawn
 
 /** Where somebody was around the decisive moment. */

@@ -12,7 +12,7 @@ function tell() {
   $("clock").textContent = seconds + " s of " + total + " s";
   $("time").value = Math.round(step);
   $("time").setAttribute("aria-valuetext", seconds + " seconds");
-  $("play").textContent = playing ? "Pause" : step >= drive.shown - 1 ? "Replay" : "Play";
+  $("play").textContent = playing ? "Pause" : step >= lastStep() ? "Replay" : "Play";
   const gauges = [[called(ego()), at(ego().speed, step).toFixed(1) + " m/s"]];
   const other = met();
   if (other) {
