@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 import chatscene
+from chatscene.ego.policy import cut_off
 
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
@@ -29,3 +30,9 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.collect()
     gc.freeze()  # what is loaded stays
     gc.set_threshold(20_000, 20, 5)  # maps and libraries, which stay too, are looked through less often
+
+
+@pytest.fixture(autouse=True)
+def told_of_nobody() -> None:
+    """What is told once in a run is told in each test, whatever ran before it."""
+    cut_off.clear()

@@ -40,7 +40,7 @@ AHEAD = "new {kind} at pointOn(egoRoute, {at}), facing directionOn(egoRoute, {at
 class Driver:
     """Always asks for the same."""
 
-    def __init__(self, acceleration: float = 3.0, steering: float = 0.0) -> None:
+    def __init__(self, acceleration: float = 1.0, steering: float = 0.0) -> None:
         self._action = (acceleration, steering)
 
     def act(self, observation: Any) -> tuple[float, float]:
@@ -303,7 +303,7 @@ def test_the_spectator_looks_down_on_the_ego_when_asked(simulator: Any, look: Ca
     session = opened(simulator)
     try:
         for _ in range(12):
-            session.step((3.0, 0.0))
+            session.step((1.0, 0.0))
         eye = look().get_spectator().get_transform()
         ego = session.episode("road/0", "nobody").ego_track
     finally:
