@@ -32,12 +32,9 @@ A message says what happened, where, and what to do.
 from __future__ import annotations
 
 import difflib
-import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
 
 class ChatSceneError(Exception):
@@ -57,7 +54,11 @@ class MissingExtra(ChatSceneError):  # noqa: N818
 
 def _install(package: str, extra: str) -> str:
     """The command that brings an extra from where the package itself was installed: no index need have it."""
-    from importlib.metadata import PackageNotFoundError, distribution  # only who lacks something waits for it
+    # Only who lacks something waits for these.
+    import json
+    from importlib.metadata import PackageNotFoundError, distribution
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
 
     try:
         origin = json.loads(distribution(package).read_text("direct_url.json") or "{}")

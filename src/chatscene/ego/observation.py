@@ -92,7 +92,7 @@ class RouteView:
 
     Args:
         line: The route, points about 1 m apart.
-        room: For each segment the room left and right of it [m], as in `road`; None is a road without edges.
+        room: (segments, 2): the room left and right of each segment [m], as in `road`; None is a road without edges.
 
     Attributes:
         along: Arc length of the ego on the route [m], after `locate`.
@@ -101,7 +101,7 @@ class RouteView:
 
     __slots__ = ("_line", "_near", "_room", "along", "offset")
 
-    def __init__(self, line: Polyline, room: Sequence[tuple[float, float]] | None = None) -> None:
+    def __init__(self, line: Polyline, room: NDArray[np.float64] | None = None) -> None:
         self._line = line
         self._room = room
         self._near = 0

@@ -164,7 +164,7 @@ class Planner:
         speeds = np.minimum(np.maximum(speed + _GAIN, 0.0), max(wish, speed - 3.0 * DT))  # (T, ways)
         gone = speeds.cumsum(axis=0) * DT
         reach = np.minimum(c.drift, c.agility * speeds).cumsum(axis=0) * DT
-        shift = np.minimum(np.maximum(SHIFT, -_room(observation[ROAD + 1])), _room(observation[ROAD]))
+        shift = _shifts(observation)
         beside = offset + np.minimum(np.maximum(shift - offset, -reach), reach)
         cost = c.jerk * (ACCELERATION * ACCELERATION) - gone[-1] + c.resolve * np.abs(shift - offset)
         off = c.offset * (beside * beside) + c.astray * np.maximum(np.abs(beside) - 2.0, 0.0)
@@ -251,16 +251,16 @@ def carried_out(observation: Observation, way: int, at_most: float) -> tuple[flo
     if acceleration >= 0.0 and speed >= wish - 0.05:
         acceleration = max(-3.0, 2.0 * (wish - speed))
     pedal = acceleration / 3.0 if acceleration > 0.0 else acceleration / _CAR.brake
-    to = float(SHIFT[way])
-    if len(observation) > ROAD:
-        to = min(max(to, -_room(observation[ROAD + 1])), _room(observation[ROAD]))
-    shift = offset + max(-AT_ONCE, min(AT_ONCE, to - offset))
+    shift = offset + max(-AT_ONCE, min(AT_ONCE, float(_shifts(observation)[way]) - offset))
     return max(-1.0, min(1.0, pedal)), _steering(observation, speed, shift)
 
 
-def _room(lanes: float) -> float:
-    """How far the middle of the car may go to a side [m] where the driving lanes end so far from the route [m]."""
-    return max(float(lanes) - _CAR.width / 2, 0.0)
+def _shifts(observation: Observation) -> Array:
+    """(ways,) where each way leads beside the route [m]: with the whole car on the driving lanes, if they are seen."""
+    if len(observation) <= ROAD:
+        return SHIFT
+    left, right = np.maximum(observation[ROAD:] - _CAR.width / 2, 0.0)
+    return np.minimum(np.maximum(SHIFT, -right), left)
 
 
 def _along_the_route(points: list[list[float]], row: list[float]) -> tuple[float, ...]:

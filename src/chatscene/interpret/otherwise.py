@@ -36,12 +36,12 @@ def _instead(retrieval: Retrieval) -> list[str]:
     """Choices that were better, but whose drives did not show what was read."""
     chosen = {snippet.id: snippet for snippet in retrieval.snippets}
     parts = {snippet.component.value: snippet.id for snippet in retrieval.snippets}
+    gone = dict.fromkeys(name for one in retrieval.tried for name in one.snippet_ids if name not in chosen)
     told: list[str] = []
-    for one in retrieval.tried:
-        for gone in (name for name in one.snippet_ids if name not in chosen):
-            now = parts[gone.partition("/")[0]]
-            told.append(f"instead of {gone}, which no drive showed: {now}, {chosen[now].description}")
-    return list(dict.fromkeys(told))
+    for component, now in parts.items():
+        if better := [name for name in gone if name.partition("/")[0] == component]:
+            told.append(f"instead of {' and '.join(better)}, which no drive showed, {now}: {chosen[now].description}")
+    return told
 
 
 def _acts(said: Slots, retrieval: Retrieval) -> list[str]:
@@ -51,7 +51,7 @@ def _acts(said: Slots, retrieval: Retrieval) -> list[str]:
     lost = [action for action in asked if action not in _with_brought(built) and not action.row.hasty]
     if lost:
         return [f"instead of {', '.join(lost)}: {', '.join(added or built) or 'nothing'}"]
-    return [f"added: {action}" for action in added]
+    return [f"added: the adversary {action.row.meaning}" for action in added]
 
 
 def _all_acts(slots: Slots) -> list[Action]:
@@ -84,10 +84,20 @@ def _kind(scenario: Scenario, words: Sequence[Mapping[str, Any]]) -> list[str]:
     kind = scenario.slots.adversary
     if kind is None or not words:
         return []
-    named = [str(word["text"]).lower() for word in words if word.get("fact") == "adversary"]
+    named = _named(words)
     if not named:
         return [f"guessed: a {kind.noun}, which no word names"]
-    text = " ".join(named)
-    if any(name in text for name in (kind.noun.lower(), kind.value.replace("-", " "))):
+    if any(name in text for text in named for name in (kind.noun.lower(), kind.value.replace("-", " "))):
         return []
-    return [f"{' '.join(named)!r} is shown as a {kind.noun}"]
+    return [f"{', '.join(map(repr, named))} {'is' if len(named) == 1 else 'are'} shown as a {kind.noun}"]
+
+
+def _named(words: Sequence[Mapping[str, Any]]) -> list[str]:
+    """What names the adversary, in lower case; none twice. Only words that were read part one name from the next."""
+    runs: list[list[str]] = [[]]
+    for word in words:
+        if word.get("fact") == "adversary":
+            runs[-1].append(str(word["text"]).lower())
+        elif not word.get("unread"):
+            runs.append([])
+    return list(dict.fromkeys(" ".join(run) for run in runs if run))

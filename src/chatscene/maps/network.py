@@ -168,9 +168,9 @@ def check_opendrive(path: Path) -> Xml.Element:
         raise MapError(f"map {path.name!r} is XML but not OpenDRIVE: its root is <{root.tag}> ({path})")
     if root.find("road") is None:
         raise MapError(f"map {path.name!r} is OpenDRIVE without a single road ({path})")
+    if (road := left_handed(root)) is not None:
+        raise MapError(f"{left_hand(path.name, road)} ({path})")
     for road in root.iter("road"):
-        if road.get("rule") == "LHT":
-            raise MapError(f"{left_hand(path.name, road.get('id', ''))} ({path})")
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
     return root
@@ -190,6 +190,11 @@ def _root(path: Path) -> Xml.Element:
             )
     assert root is not None
     return root
+
+
+def left_handed(root: Xml.Element) -> str | None:
+    """The id of a road of left-hand traffic; None where there is none."""
+    return next((road.get("id", "") for road in root.iter("road") if road.get("rule") == "LHT"), None)
 
 
 def left_hand(name: str, road: str) -> str:

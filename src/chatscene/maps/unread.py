@@ -29,7 +29,7 @@ def why_unread(root: Xml.Element, error: Exception) -> str:
     for junction in root.iter("junction"):
         if (fault := next(_of_junction(junction), None)) is not None:
             return f"junction {junction.get('id', '')!r} {fault}"
-    said = str(error).partition("\n")[0] if len(str(error)) > 3 else ""  # less is a key or an index of the parser's own
+    said = "" if isinstance(error, LookupError) else str(error).partition("\n")[0]  # a key is the parser's own
     return f"{_where(error)}{said or 'what is drawn there does not fit together'}"
 
 

@@ -57,8 +57,8 @@ class RouteSurroundings:
         self._approach = route.line.heading_at(max(route.event_at - 1.0, 0.0))
 
     @cached_property
-    def room(self) -> list[tuple[float, float]]:
-        """For each segment of the route, the room left and right of it [m], as in the preset `road`."""
+    def room(self) -> NDArray[np.float64]:
+        """(segments, 2): the room left and right of each segment of the route [m], as in the preset `road`."""
         x, y, arcs, hx, hy = (np.array(column) for column in self._route.line.columns)
         hx, hy = np.append(hx, hx[-1]), np.append(hy, hy[-1])
         away = np.arange(_ROOM_STEP, BESIDE + _ROOM_STEP / 2, _ROOM_STEP)
@@ -69,7 +69,7 @@ class RouteSurroundings:
             room = _ROOM_STEP * np.logical_and.accumulate(~off, axis=1).sum(axis=1)
             ends = np.searchsorted(arcs, arcs[:-1] + AHEAD[-1], side="right")
             beside.append(np.array([room[i : max(end, i + 2)].min() for i, end in enumerate(ends)]))
-        return [*zip(*(side.tolist() for side in beside), strict=True)]
+        return np.stack(beside, axis=1)
 
     def _own(self, line: StopLine) -> bool:
         return line.lane in self._route.lane_ids

@@ -12,7 +12,7 @@ WIDEST = 100  # characters of a line that are shown
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SourcePlace:
     """A place in a text.
 
     Attributes:
@@ -26,7 +26,7 @@ class Place:
     width: int = 1
 
 
-def pointed(source: str, place: Place) -> str:
+def pointed(source: str, place: SourcePlace) -> str:
     """The line of a place, and below it a caret under each of its characters; empty if there is no such line.
 
     It is safe to print: what nobody can see becomes a blank.
@@ -56,32 +56,32 @@ def meant(name: str, known: Iterable[str], *, alike: float = 0.75) -> str:
     return f"; did you mean {near}?" if near else ""
 
 
-def place_in(error: BaseException, filename: str) -> Place | None:
+def place_in(error: BaseException, filename: str) -> SourcePlace | None:
     """Where in a file an exception, or what caused it, was raised; None if not there."""
     seen: BaseException | None = error
     while seen is not None:
         line = getattr(seen, "lineno", None)
         if isinstance(line, int) and getattr(seen, "filename", None) == filename:
             column = getattr(seen, "offset", None)
-            return Place(line, column if isinstance(column, int) else 0)
+            return SourcePlace(line, column if isinstance(column, int) else 0)
         if (place := _raised(seen.__traceback__, filename)) is not None:
             return place
         seen = seen.__cause__
     return None
 
 
-def _raised(trace: TracebackType | None, filename: str) -> Place | None:
+def _raised(trace: TracebackType | None, filename: str) -> SourcePlace | None:
     """The last place in a file that a traceback goes through."""
-    found: Place | None = None
+    found: SourcePlace | None = None
     while trace is not None:
         code = trace.tb_frame.f_code
         if code.co_filename == filename and trace.tb_lineno:
             where = next((p for i, p in enumerate(code.co_positions()) if i == trace.tb_lasti // 2), None)
             line, end, column, end_column = where or (None, None, None, None)
             if line is not None and line == trace.tb_lineno and column is not None and end_column is not None:
-                found = Place(line, column + 1, end_column - column if end == line else 1)
+                found = SourcePlace(line, column + 1, end_column - column if end == line else 1)
             else:
-                found = Place(trace.tb_lineno)
+                found = SourcePlace(trace.tb_lineno)
         trace = trace.tb_next
     return found
 

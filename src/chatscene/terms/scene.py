@@ -30,6 +30,7 @@ class ScenicProgram:
         digest: Hash of `source`, hexadecimal.
         model: The world model that it is written for, as its `model` line says.
         as_written: Whether its own ego drives, as the program has it, and the ego under test only rides along.
+        wanted_speed: What the ego under test is to drive at [m/s], as `with wantedSpeed` says; else None.
         own: What a user calls a program of his own, such as its file; empty for one that was made here.
     """
 
@@ -38,12 +39,15 @@ class ScenicProgram:
     parameters: tuple[ParameterRange, ...]
     snippet_ids: tuple[str, ...]
     digest: str = field(init=False)
+    wanted_speed: float | None = field(init=False, compare=False)
     model: str = OWN_MODEL
     as_written: bool = False
     own: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "digest", hashlib.blake2b(self.source.encode(), digest_size=8).hexdigest())
+        found = None if self.drawn else _WANTED.search(self.source)
+        object.__setattr__(self, "wanted_speed", float(found[1]) if found else None)
 
     @property
     def called(self) -> str:
@@ -57,12 +61,6 @@ class ScenicProgram:
     def filename(self) -> str:
         """What Scenic calls its text."""
         return f"<{self.scenario_id}>"
-
-    @property
-    def wanted_speed(self) -> float | None:
-        """What the ego under test is to drive at [m/s], as `with wantedSpeed` says; None where nothing is said."""
-        found = None if self.drawn else _WANTED.search(self.source)
-        return float(found[1]) if found else None
 
     @property
     def drawn(self) -> bool:

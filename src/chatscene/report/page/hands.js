@@ -34,9 +34,9 @@ function pause() {
 function lastStep() {
   const whole = drive.shown - 1;
   if (drive.ghost && camera.ghost) return whole;
-  let moves = 0;
-  for (const actor of [ego(), met()].filter(Boolean)) actor.speed.forEach((v, i) => { if (Math.abs(v) > STILL && i > moves) moves = i; });
-  return step > moves + AFTER / drive.dt ? whole : Math.min(Math.round(moves + AFTER / drive.dt), whole);
+  drive.moves ??= Math.max(...[ego(), met()].filter(Boolean).map((actor) => actor.speed.findLastIndex((v) => Math.abs(v) > STILL)), 0);
+  const stands = Math.round(drive.moves + AFTER / drive.dt);
+  return step > stands ? whole : Math.min(stands, whole);
 }
 
 /** A replay begins shortly before the contact. */

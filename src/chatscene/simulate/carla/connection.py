@@ -232,7 +232,8 @@ class Connection:
             if self._loaded == map_path:
                 return self.client.reload_world()
             text = map_path.read_text(encoding="utf-8")
-            world = self._own(map_path.stem, text) or self.client.generate_opendrive_world(as_served(text), _FLAT)
+            world = self._own(map_path.stem, text)
+            world = world or self.client.generate_opendrive_world(as_served(text, map_path.stem), _FLAT)
             self.ground, self._loaded = world.get_map(), map_path
             return world
         finally:

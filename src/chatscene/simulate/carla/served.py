@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from xml.etree import ElementTree as Xml
 
 from chatscene.errors import MapError
+from chatscene.maps.network import left_hand, left_handed
 
 # Those of the wheel where a map says nothing, written out so that it need not warn.
 _REFERENCE = "+proj=tmerc +lat_0=42 +lon_0=2 +k=1 +x_0=0 +y_0=0 +datum=WGS84"
@@ -19,19 +20,25 @@ _SHAPE = frozenset(
 _SAYS_NO_PLACE = frozenset({"level", "singleSide"})
 
 
-def as_served(text: str) -> str:
+def as_served(text: str, name: str) -> str:
     """The map with a place on Earth, and with junctions that are not called like roads.
 
     OpenDRIVE counts roads and junctions apart; the wheel looks for a road first and then finds no way into a junction
     of the same id.
 
+    Args:
+        text: OpenDRIVE.
+        name: What messages call the map.
+
     Raises:
-        MapError: It is no XML.
+        MapError: It is no XML, or has a road of left-hand traffic.
     """
     try:
         root = Xml.fromstring(text.encode())
     except (Xml.ParseError, ValueError, LookupError) as error:  # or an encoding that it names is none
         raise MapError(f"the map is no XML: {error}") from error
+    if (road := left_handed(root)) is not None:
+        raise MapError(left_hand(name, road))
     clashing = _clashing(root)
     header = root.find("header")
     missing = header is not None and header.find("geoReference") is None

@@ -32,7 +32,7 @@ from chatscene.simulate.confined.confinement import LAYERS, Limits, check_layers
 from chatscene.simulate.confined.plain_text import TRUST
 from chatscene.simulate.confined.wire import Message, decode, encode, nonsense, program_to_json, words
 from chatscene.simulate.watchdog import computes_for_ever, waits_for_ever
-from chatscene.terms.pointing import Place, pointed
+from chatscene.terms.pointing import SourcePlace, pointed
 from chatscene.terms.scene import ScenicProgram
 
 LAST_MOMENT = 1.0  # [s] of processor time for a process that has closed its end to die by itself
@@ -444,10 +444,10 @@ class Confined:
         return DoesNotCompile(f"{self._label} fails: {words(kind)}: {message}")
 
 
-def _place(sent: object) -> Place | None:
+def _place(sent: object) -> SourcePlace | None:
     """The place in a program that its process names."""
     match sent:
         case [int(line), int(column), int(width)]:
-            return Place(line, column, width)
+            return SourcePlace(line, column, width)
         case _:
             return None

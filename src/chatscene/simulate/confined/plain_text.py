@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from chatscene.terms.pointing import Place
+from chatscene.terms.pointing import SourcePlace
 
 MAX_CHARACTERS = 20_000  # the longest program that our library makes has 3 000
 MAX_LINES = 500
@@ -47,9 +47,9 @@ class Refusal:
     faulty: bool = False
 
     @property
-    def place(self) -> Place:
+    def place(self) -> SourcePlace:
         """Where it is."""
-        return Place(self.line, self.column, self.width)
+        return SourcePlace(self.line, self.column, self.width)
 
     def __str__(self) -> str:
         column = f", column {self.column}" if self.what == NOT_SCENIC and self.column else ""

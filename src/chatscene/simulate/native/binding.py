@@ -202,9 +202,8 @@ class _Binder:
             plan = self._plans[name]
             if isinstance(plan, str):
                 raise NotCovered("a behavior that is no plan")
-            return plan.plan, type(
-                behavior
-            ).makeGenerator.__globals__  # the program's own names, with what the scene drew
+            # The program's own names, with what the scene drew.
+            return plan.plan, type(behavior).makeGenerator.__globals__
         if name not in PRIMITIVES or behavior._kwargs:
             raise NotCovered("a behavior that is no plan")
         takes = PRIMITIVES[name].takes[: len(given)]

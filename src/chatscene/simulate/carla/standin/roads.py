@@ -6,14 +6,12 @@ All positions are CARLA's: metres, left-handed, z up; angles in degrees.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from chatscene.errors import MapError, MissingExtra
-from chatscene.maps.network import left_hand
 from chatscene.simulate.carla.served import as_served
 from chatscene.simulate.carla.standin.wire import VERSION
 
@@ -21,8 +19,6 @@ TRAFFIC_LIGHT = "1000001"
 _APART = 12.0  # [m] between places to begin at
 _LENGTH, _WIDTH = 9.0, 2.0  # [m], of the room that a place needs: lanes may part at one
 _ABOVE = 0.5  # [m] that they lie above the road, as CARLA's do
-_ROAD = re.compile(r"<road\s[^>]*>")
-_LEFT_HAND, _ID = re.compile(r"""\srule\s*=\s*(["'])LHT\1"""), re.compile(r"""\sid\s*=\s*(["'])(.*?)\1""")
 _FARTHEST_STOP = 60  # [m] back through a junction to where one waits for its light
 
 
@@ -81,10 +77,7 @@ class Roads:
         self.name = name
         self._discs: list[tuple[float, float, float]] = []
         self._found = found
-        self.text = found.text if found else as_served(text)
-        if tag := next((one for one in _ROAD.findall(self.text) if _LEFT_HAND.search(one)), ""):
-            number = _ID.search(tag)
-            raise MapError(left_hand(name, number[2] if number else ""))
+        self.text = found.text if found else as_served(text, name)
         try:
             self.map = self._carla.Map(name.rsplit("/", 1)[-1], self.text)
         except RuntimeError as error:
