@@ -153,6 +153,19 @@ def test_bad_input_ends_in_one_clear_message(case: str, tmp_path: Path, monkeypa
     assert len(answer.stderr.strip().splitlines()) == 1
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="the limit is one of Unix")
+def test_where_a_process_may_take_too_little_memory_no_command_begins(monkeypatch: pytest.MonkeyPatch) -> None:
+    import resource
+
+    def little(_: int) -> tuple[int, int]:
+        return 300 * 2**20, resource.RLIM_INFINITY
+
+    monkeypatch.setattr(resource, "getrlimit", little)
+    answer = chatscene("explain", "a car ahead brakes hard")
+    assert answer.exit_code == 1
+    assert answer.stderr.startswith("SettingsError: a process may take 300 MiB here (ulimit -v), and at least 512 are")
+
+
 def test_the_status_of_a_command_is_that_of_its_process(tmp_path: Path) -> None:
     command = started("resume", str(tmp_path))
     errors = command.communicate()[1]

@@ -51,7 +51,7 @@ from chatscene.commands.serve_carla import serve_carla
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
-from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
+from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 
@@ -92,6 +92,26 @@ def _warn(otherwise: Callable[..., None], message: Warning | str, kind: type[War
         otherwise(message, kind, file, *more)
 
 
+_LEAST = 512 * 2**20  # bytes of address space; with three fifths of it a sentence is read for minutes
+
+
+def _require_memory() -> None:
+    """Refuse to begin where the system gives a process so little that it would all but stand still.
+
+    Raises:
+        SettingsError: It does.
+    """
+    if sys.platform != "win32":
+        import resource
+
+        limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+        if limit != resource.RLIM_INFINITY and limit < _LEAST:
+            raise SettingsError(
+                f"a process may take {limit // 2**20} MiB here (ulimit -v), and at least {_LEAST // 2**20} are needed, "
+                "several times that for a run"
+            )
+
+
 class _Errors(click.Group):
     """Shows our own errors as one message and turns them into the exit status."""
 
@@ -105,6 +125,7 @@ class _Errors(click.Group):
         try:
             with warnings.catch_warnings():
                 warnings.showwarning = partial(_warn, warnings.showwarning)
+                _require_memory()
                 return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse, EditRefused) as error:
             complain(error)
