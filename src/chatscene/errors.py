@@ -8,6 +8,7 @@
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
+    ├ SituationError           a written situation has words, sides or names that there are not
     ├ SnippetError             a library file is malformed, or breaks its own contract
     ├ ProgramError
     │  ├ ForeignCodeRefused    a stranger's program uses what strangers may not use
@@ -146,6 +147,10 @@ class EditRefused(ChatSceneError):  # noqa: N818 - reads as what it says
 
 class MapError(ChatSceneError):
     """A map is missing, broken, or has not the geometry that was asked for."""
+
+
+class SituationError(ChatSceneError):
+    """A written situation has a fault; the message names the line, the path and what could stand there."""
 
 
 class SnippetError(ChatSceneError):

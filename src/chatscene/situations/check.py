@@ -1,0 +1,125 @@
+"""What cannot be in a situation, wherever it is built: names of nobody, sides of what has none, rules that exclude."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from chatscene.situations.faults import Fault, Path
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.pointing import meant
+from chatscene.terms.situation import EGO, Deed, Other, Situation
+from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind
+
+JUNCTIONS = frozenset(
+    (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING)
+)
+TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
+AMOUNTS = ("speed", "acceleration", "distance", "time")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
+_MOVING = "drives, rides or walks"
+_WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Moves.LIES: "only lies there"}
+
+
+def faults_of(situation: Situation) -> Iterator[Fault]:
+    """What is wrong in a situation, whatever could be built of it; nothing if all is well."""
+    ids = Counter(one.id for one in situation.others)
+    for i, one in enumerate(situation.others):
+        at: Path = ("others", i)
+        if not _NAME.fullmatch(one.id) or one.id == EGO:
+            yield Fault(
+                (*at, "id"), f"{one.id!r} is no name; take letters and digits, as in A or truck2, and not 'ego'"
+            )
+        elif ids[one.id] > 1:
+            yield Fault((*at, "id"), f"{one.id!r} is the name of two")
+        yield from _of_other(situation, one, at)
+    if situation.others and not situation.adversaries:
+        yield Fault(("others",), "nobody is the adversary; who meets the ego has the role 'adversary'")
+    for i, deed in enumerate(situation.ego.does):
+        if not deed.act.row.ego:
+            acts = ", ".join(act for act in Act if act.row.ego)
+            yield Fault(
+                ("ego", "does", i, "act"), f"{deed.act!s} is nothing the ego is told to do at its pedals, as are {acts}"
+            )
+        yield from _of_deed(situation, deed, ("ego", "does", i))
+    yield from _of_road(situation)
+    if (contact := situation.contact) and contact.whom is not None:
+        yield from _somebody(situation, contact.whom, ("contact", "whom"), ego=False)
+
+
+def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
+    if one.count < 0:
+        yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
+    if one.starts.side is not None and not one.starts.where.row.sided:
+        yield Fault((*at, "starts", "side"), f"{one.starts.where!s} has no side")
+    if one.hidden_by is not None:
+        yield from _somebody(situation, one.hidden_by, (*at, "hidden_by"), ego=False)
+        if one.hidden_by == one.id:
+            yield Fault((*at, "hidden_by"), "nobody hides itself")
+    for k, deed in enumerate(one.does):
+        if one.kind.moves not in deed.act.row.by:
+            yield Fault((*at, "does", k, "act"), f"{one.kind!s} {_WAYS[one.kind.moves]}, and cannot {deed.act!s}")
+        yield from _of_deed(situation, deed, (*at, "does", k))
+
+
+def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
+    row = deed.act.row
+    if deed.to is not None and not row.sided:
+        yield Fault((*at, "to"), f"{deed.act!s} goes to no side")
+    if deed.whom is not None:
+        if not row.whom:
+            yield Fault((*at, "whom"), f"{deed.act!s} is done to nobody")
+        else:
+            yield from _somebody(situation, deed.whom, (*at, "whom"), ego=True)
+    for name in AMOUNTS:
+        if getattr(deed, name) is not None and name not in row.takes:
+            has = f", but {' and '.join(sorted(row.takes))}" if row.takes else ""
+            yield Fault((*at, name), f"{deed.act!s} has no {name}{has}")
+    if deed.when is not None:
+        for name in ("after", "during"):
+            if (reference := getattr(deed.when, name)) is not None:
+                yield from _some_deed(situation, reference, deed, (*at, "when", name))
+
+
+def _some_deed(situation: Situation, reference: str, of: Deed, at: Path) -> Iterator[Fault]:
+    try:
+        if situation.deed(reference) is of:
+            yield Fault(at, "a deed cannot wait for itself")
+    except KeyError:
+        known = [f"{who}.{deed.act}" for who, deeds in situation.everybody() for deed in deeds]
+        yield Fault(
+            at, f"there is no deed {reference!r}{meant(reference, known, alike=0.5)}; name one as in A.0 or ego.stop"
+        )
+
+
+def _somebody(situation: Situation, name: str, at: Path, *, ego: bool) -> Iterator[Fault]:
+    known = [one.id for one in situation.others] + [EGO] * ego
+    if name not in known:
+        yield Fault(at, f"there is no {name!r} in it, but {', '.join(known) or 'nobody'}")
+
+
+def _of_road(situation: Situation) -> Iterator[Fault]:
+    road, route = situation.road, situation.ego.route
+    at_junction = road.kind in JUNCTIONS or road.kind is None
+    if road.kind is not None and road.kind not in JUNCTIONS and route in TURNS:
+        yield Fault(("ego", "route"), f"it cannot turn at a junction where the road is a {road.kind}")
+    for i, one in enumerate(situation.others):
+        if one.starts.where.row.junction and not at_junction:
+            yield Fault(
+                ("others", i, "starts", "where"),
+                f"{one.starts.where!s} is at a junction, and the road is a {road.kind}",
+            )
+        for k, deed in enumerate(one.does):
+            if deed.breaks is Breach.RED_LIGHT and road.control not in (None, RightOfWay.SIGNAL):
+                yield Fault(
+                    ("others", i, "does", k, "breaks"), f"there is no red light where the control is {road.control}"
+                )
+    if road.ego_light is not None and road.control not in (None, RightOfWay.SIGNAL):
+        yield Fault(("road", "ego_light"), f"there is no light where the control is {road.control}")
+    if road.lanes is not None and road.lanes < 1:
+        yield Fault(("road", "lanes"), "a road has one lane at least")
+    if road.ego_lane is not None and not 1 <= road.ego_lane <= (road.lanes or road.ego_lane):
+        yield Fault(
+            ("road", "ego_lane"), f"there is no lane {road.ego_lane} of {road.lanes}, counted from the outermost, 1"
+        )

@@ -1,0 +1,191 @@
+"""The form in which situations are written: plain values, as JSON and YAML have them, and the schema of these."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass, replace
+from functools import cache
+from typing import Any, cast
+
+from pydantic import TypeAdapter, ValidationError
+
+from chatscene.errors import SituationError
+from chatscene.situations.check import faults_of
+from chatscene.situations.faults import Fault, Malformed, Path, by_name, listed
+from chatscene.terms import situation as nouns
+from chatscene.terms.pointing import meant
+from chatscene.terms.situation import VERSION, Evidence, Situation
+
+
+def from_plain(written: object) -> Situation:
+    """A situation of plain values.
+
+    Raises:
+        SituationError: It is none; the message lists every fault with its path.
+    """
+    try:
+        return parsed(written)
+    except Malformed as error:
+        told = (f"{at}: {said}" if at else said for at, said in by_name(written, error.faults))
+        raise SituationError(listed("the situation", told)) from error
+
+
+def parsed(written: object) -> Situation:
+    """A situation of plain values.
+
+    Raises:
+        Malformed: It is none.
+    """
+    if not isinstance(written, Mapping):
+        raise Malformed([Fault((), "a situation is a mapping, with ego, road and others")])
+    version = cast("Mapping[str, Any]", written).get("version", VERSION)
+    if isinstance(version, int) and version > VERSION:
+        raise Malformed([Fault(("version",), f"{version} is of a later chatscene; this one reads up to {VERSION}")])
+    try:
+        situation = _form().validate_python(written)
+    except ValidationError as error:
+        raise Malformed(_faults(error)) from error
+    if faults := tuple(faults_of(situation)):
+        raise Malformed(faults)
+    return situation
+
+
+def to_plain(situation: Situation) -> dict[str, Any]:
+    """The plain values of a situation; what was not said is left out."""
+    return {"version": situation.version, **_form().dump_python(situation, mode="json", exclude_defaults=True)}
+
+
+def schema() -> dict[str, Any]:
+    """The JSON schema (2020-12) of written situations, each word and field with what it means."""
+    made = _form().json_schema()
+    described = {name: noun for name, noun in vars(nouns).items() if inspect.isclass(noun) and is_dataclass(noun)}
+    for name, part in ((Situation.__name__, made), *made["$defs"].items()):
+        if name not in described:
+            continue  # a table of words, which says itself what they mean
+        part["description"], meanings = _documented(described[name])
+        for field, property_ in part["properties"].items():
+            property_.pop("title", None)
+            property_["description"] = meanings[field]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **made}
+
+
+@cache
+def _form() -> TypeAdapter[Situation]:
+    return TypeAdapter(Situation)
+
+
+def _faults(error: ValidationError) -> Iterator[Fault]:
+    told: set[Path] = set()
+    for one in error.errors(include_url=False):
+        path = tuple(step for step in one["loc"] if not (isinstance(step, str) and "[" in step))
+        if path in told and one["type"] == "value_error":
+            continue  # of each kind of amount that it might have been
+        told.add(path)
+        given, context = one["input"], one.get("ctx", {})
+        match one["type"]:
+            case "unexpected_keyword_argument" | "extra_forbidden":
+                yield Fault(
+                    path, f"there is no {path[-1]!r} here{meant(str(path[-1]), _fields_at(path[:-1]), alike=0.6)}"
+                )
+            case "missing" | "missing_argument" | "missing_keyword_only_argument":
+                yield Fault(path, "is missing")
+            case "enum":
+                words = re.findall(r"'([^']*)'", str(context["expected"]))
+                yield Fault(path, f"{given!r} is none of {', '.join(words)}{meant(str(given), words, alike=0.6)}")
+            case "value_error":
+                yield Fault(path, str(context["error"]))
+            case "dataclass_type":
+                yield Fault(path, f"{given!r} stands where {', '.join(_fields_at(path))} are to stand")
+            case _:
+                yield Fault(path, f"{given!r}: {one['msg'][0].lower()}{one['msg'][1:]}")
+
+
+def _fields_at(path: Path) -> tuple[str, ...]:
+    """The fields of the noun at a path."""
+    noun: Any = Situation
+    for step in path:
+        if isinstance(step, str) and is_dataclass(noun):
+            hint = str({one.name: one.type for one in fields(noun)}.get(step, ""))
+            names = [name for name in re.findall(r"\w+", hint) if is_dataclass(getattr(nouns, name, None))]
+            noun = getattr(nouns, names[0]) if names else None
+    return tuple(one.name for one in fields(noun)) if noun is not None else ()
+
+
+@cache
+def _documented(noun: type[Any]) -> tuple[str, Mapping[str, str]]:
+    """What a noun's docstring says of it, and of each of its fields."""
+    said = inspect.getdoc(noun) or ""
+    head, _, attributes = said.partition("Attributes:\n")
+    meanings: dict[str, str] = {}
+    for name, meaning in re.findall(r"^    (\w+): (.*(?:\n {8}.*)*)", attributes, re.MULTILINE):
+        meanings[name] = " ".join(meaning.split()).replace("``", "`")
+    return " ".join(head.split()), meanings
+
+
+def with_fact(situation: Situation, path: str, value: object) -> Situation:
+    """A situation with one fact another than it was.
+
+    Args:
+        situation: What it was.
+        path: Where the fact stands, as in ``others.A.does.0.speed`` or ``ego.route``.
+        value: As it stands in a file; None for what is not said.
+
+    Raises:
+        SituationError: There is no such place, or it takes no such value.
+    """
+    plain = to_plain(situation)
+    steps = path.split(".")
+    here: Any = plain
+    for i, step in enumerate(steps[:-1]):
+        here = _into(here, step, ".".join(steps[: i + 1]))
+    _put(here, steps[-1], value, path)
+    made = from_plain(plain)
+    return replace(made, evidence=_without(situation.evidence, path))
+
+
+def _without(evidence: Evidence, path: str) -> Evidence:
+    """Evidence without what it says of a fact and of all in it: whoever sets a fact states it."""
+
+    def other(at: str) -> bool:
+        return at != path and not at.startswith(f"{path}.")
+
+    quoted = {at: words for at, words in evidence.quoted.items() if other(at)}
+    return Evidence(quoted=quoted, assumed=tuple(filter(other, evidence.assumed)))
+
+
+def _into(here: Any, step: str, path: str) -> Any:
+    if isinstance(here, dict):
+        return here.setdefault(step, [] if step in ("does", "others", "has") else {})
+    return here[_index(here, step, path)]
+
+
+def _index(here: Any, step: str, path: str) -> int:
+    if isinstance(here, list):
+        several = cast("list[Any]", here)
+        for i, one in enumerate(several):
+            if isinstance(one, dict) and cast("dict[str, Any]", one).get("id") == step:
+                return i
+        if step.isdecimal() and int(step) < len(several):
+            return int(step)
+        named = [
+            str(cast("dict[str, Any]", one).get("id", i)) for i, one in enumerate(several) if isinstance(one, dict)
+        ]
+        raise SituationError(f"{path}: there is no {step!r} here, but {', '.join(named) or 'nothing'}")
+    raise SituationError(f"{path}: there is nothing in {here!r}")
+
+
+def _put(here: Any, step: str, value: object, path: str) -> None:
+    if isinstance(here, dict):
+        place = cast("dict[str, Any]", here)
+        if value is None:
+            place.pop(step, None)
+        else:
+            place[step] = value
+        return
+    at = _index(here, step, path)
+    if value is None:
+        del here[at]
+    else:
+        here[at] = value

@@ -1,0 +1,287 @@
+"""What is to happen, as typed facts: independent of text, library, map and simulator.
+
+Readers make a situation, people and agents write one, programs are built from it, scenes are judged against it, edits
+change it, and words are made of it. Its words are those of `chatscene.terms.vocabulary`. A fact that is None, or an
+empty list, was not said. Sides are the ego's own at its start; traffic keeps to the right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from chatscene.terms.amount import Acceleration, Duration, Length, Speed
+from chatscene.terms.surroundings import Light, Surface, Weather
+from chatscene.terms.vocabulary import (
+    Act,
+    Breach,
+    EgoLight,
+    EgoRoute,
+    Facing,
+    Feature,
+    Manner,
+    Part,
+    RightOfWay,
+    RoadKind,
+    Role,
+    Setting,
+    Side,
+    Striker,
+    UserKind,
+    Where,
+)
+
+VERSION = 1
+EGO = "ego"
+SEVERAL = 0
+"""The count of a group whose size was not said."""
+
+
+class _Closed:
+    """A noun that takes no other fields, from whatever file."""
+
+    __slots__ = ()
+    __pydantic_config__: ClassVar[Mapping[str, Any]] = {"extra": "forbid"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class When(_Closed):
+    """When a deed begins, where that is said.
+
+    Attributes:
+        after: The deed after which it begins: who does it, a point, and its number from 0 or its act, as in ``A.0`` or
+            ``ego.set-off``.
+        during: The deed while which it begins, written in the same way.
+        ego_within: How near the ego then is, as a length or as the time it still needs.
+    """
+
+    after: str | None = None
+    during: str | None = None
+    ego_within: Length | Duration | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Deed(_Closed):
+    """One thing that somebody does.
+
+    Attributes:
+        act: What.
+        to: To which side, of an act that goes to one.
+        whom: The id of whom it is done to; the ego where none is named.
+        manner: How, where that is said without a number.
+        breaks: The rule that is broken by it.
+        speed: The speed at which it is done, or that is reached by it.
+        acceleration: How hard speed changes, without a sign.
+        distance: The gap that is kept or left, or the way that is covered.
+        time: How long it takes or lasts.
+        when: When it begins; else after the deed before it, or when it is time to meet the ego.
+    """
+
+    act: Act
+    to: Side | None = None
+    whom: str | None = None
+    manner: Manner | None = None
+    breaks: Breach | None = None
+    speed: Speed | None = None
+    acceleration: Acceleration | None = None
+    distance: Length | None = None
+    time: Duration | None = None
+    when: When | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Start(_Closed):
+    """Where somebody is when it begins.
+
+    Attributes:
+        where: The place, seen from the ego.
+        side: Its side, of a place that has one; None leaves it open.
+        distance: From the ego, along the road.
+        speed: How fast it then is.
+        facing: Which way it faces, where the place leaves that open.
+    """
+
+    where: Where
+    side: Side | None = None
+    distance: Length | None = None
+    speed: Speed | None = None
+    facing: Facing | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Other(_Closed):
+    """A road user or a thing beside the ego; or several that do the same.
+
+    Attributes:
+        id: A short name, by which others speak of it.
+        kind: What it is.
+        count: How many; 0 for several, if their number was not said.
+        role: What it is there for.
+        starts: Where it is when it begins.
+        hidden_by: The id of whom or what hides it from the ego at first.
+        does: What it does, in order.
+    """
+
+    id: str
+    kind: UserKind
+    count: int = 1
+    role: Role = Role.ADVERSARY
+    starts: Start
+    hidden_by: str | None = None
+    does: tuple[Deed, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ego(_Closed):
+    """The vehicle that is tested.
+
+    Attributes:
+        route: The way it goes.
+        speed: How fast it drives where nothing holds it.
+        does: What it does at the pedals before the danger, in order; never how it answers to the adversary.
+    """
+
+    route: EgoRoute | None = None
+    speed: Speed | None = None
+    does: tuple[Deed, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Road(_Closed):
+    """The road where it happens.
+
+    Attributes:
+        kind: What kind of road.
+        setting: What lies about it.
+        control: What rules the junction.
+        ego_light: The traffic light that the ego has.
+        lanes: How many lanes go the ego's way.
+        ego_lane: Which of them the ego is in, from the outermost, which is 1.
+        two_way: Whether a lane the other way lies beside them.
+        speed_limit: The speed limit.
+        has: What else is there.
+    """
+
+    kind: RoadKind | None = None
+    setting: Setting | None = None
+    control: RightOfWay | None = None
+    ego_light: EgoLight | None = None
+    lanes: int | None = None
+    ego_lane: int | None = None
+    two_way: bool | None = None
+    speed_limit: Speed | None = None
+    has: tuple[Feature, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contact(_Closed):
+    """How the ego and another touch.
+
+    Attributes:
+        whom: The id of the other; the adversary where none is named.
+        ego: The part of the ego that is touched.
+        other: The part of the other that is touched.
+        striker: Who runs into whom.
+        happens: Whether a contact is said to happen; false where it is said that there is none, as in a near miss.
+    """
+
+    whom: str | None = None
+    ego: Part | None = None
+    other: Part | None = None
+    striker: Striker | None = None
+    happens: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Around(_Closed):
+    """Light, weather and the state of the road.
+
+    Attributes:
+        light: How light it is.
+        weather: What falls or hangs in the air.
+        surface: The state of the road; what follows from the weather where it was not said.
+    """
+
+    light: Light | None = None
+    weather: Weather | None = None
+    surface: Surface | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Evidence(_Closed):
+    """Where the facts of a situation come from; a fact of which nothing is said here was stated by whoever wrote it.
+
+    Attributes:
+        quoted: For the path of a fact, such as ``others.A.starts.side``, the words of the text that give it. The path
+            of a whole, such as ``others.A``, stands for all in it that has no words of its own.
+        assumed: The paths of facts that no words give.
+    """
+
+    quoted: Mapping[str, str] = field(default_factory=dict[str, str])
+    assumed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Situation(_Closed):
+    """What is to happen.
+
+    Attributes:
+        version: Of the form in which situations are written.
+        ego: The vehicle that is tested.
+        road: The road where it happens.
+        others: Everybody else who matters; those who meet the ego first.
+        contact: How they touch.
+        around: Light, weather and the state of the road.
+        evidence: Where the facts come from.
+    """
+
+    version: int = VERSION
+    ego: Ego = field(default_factory=Ego)
+    road: Road = field(default_factory=Road)
+    others: tuple[Other, ...] = ()
+    contact: Contact | None = None
+    around: Around = field(default_factory=Around)
+    evidence: Evidence = field(default_factory=Evidence, compare=False)
+
+    def __getitem__(self, name: str) -> Other:
+        """Somebody by the id.
+
+        Raises:
+            KeyError: There is nobody of that id.
+        """
+        for other in self.others:
+            if other.id == name:
+                return other
+        raise KeyError(name)
+
+    @property
+    def adversaries(self) -> tuple[Other, ...]:
+        """Those who meet the ego."""
+        return tuple(one for one in self.others if one.role is Role.ADVERSARY)
+
+    def does(self, who: str) -> tuple[Deed, ...]:
+        """What the ego, or another of an id, does.
+
+        Raises:
+            KeyError: There is nobody of that id.
+        """
+        return self.ego.does if who == EGO else self[who].does
+
+    def deed(self, reference: str) -> Deed:
+        """The deed that a reference such as ``A.0`` or ``ego.set-off`` means; of several of that act, the first.
+
+        Raises:
+            KeyError: There is none.
+        """
+        who, _, what = reference.partition(".")
+        for i, deed in enumerate(self.does(who)):
+            if what in (str(i), deed.act.value):
+                return deed
+        raise KeyError(reference)
+
+    def everybody(self) -> Iterator[tuple[str, tuple[Deed, ...]]]:
+        """The ego and all others, with what they do."""
+        yield EGO, self.ego.does
+        for one in self.others:
+            yield one.id, one.does

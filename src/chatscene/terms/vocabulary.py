@@ -1,0 +1,400 @@
+"""The words of a situation, each with its meaning: the tables from which schema, prompt and page are made.
+
+A new word is a row here. What can be built of the words is a matter of `chatscene.build`; a word that cannot be built
+yet is refused there by name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any, Self
+
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import Manner as Moves
+
+if TYPE_CHECKING:
+    from pydantic import GetJsonSchemaHandler
+    from pydantic.json_schema import JsonSchemaValue
+    from pydantic_core import CoreSchema
+
+
+class Word(StrEnum):
+    """A word with its meaning.
+
+    Attributes:
+        meaning: What it says, in plain English, seen from the ego.
+    """
+
+    _value_: str
+    meaning: str
+
+    def __new__(cls, value: str, meaning: str = "") -> Self:
+        """A member of a name, with its meaning."""
+        word = str.__new__(cls, value)
+        word._value_, word.meaning = value, meaning
+        return word
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """The words, and below them what they mean."""
+        made = handler(schema)
+        made["description"] = "\n".join((*cls._head(), *(f"{word}: {word.meaning}" for word in cls if word.meaning)))
+        return made
+
+    @classmethod
+    def _head(cls) -> tuple[str, ...]:
+        return ((cls.__doc__ or "").split("\n", 1)[0],)
+
+
+class Side(Word):
+    """A side, as the ego sees it at its start."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+
+# The ego and the road
+
+
+class EgoRoute(Word):
+    """The way the ego goes."""
+
+    STRAIGHT = ("straight", "keeps its lane, and goes straight on at a junction")
+    LEFT_TURN = ("left-turn", "turns left at a junction")
+    RIGHT_TURN = ("right-turn", "turns right at a junction")
+    TURN = ("turn", "turns at a junction, to a side that is not said")
+    U_TURN = ("u-turn", "turns round")
+    LANE_CHANGE_LEFT = ("lane-change-left", "changes to the lane on its left")
+    LANE_CHANGE_RIGHT = ("lane-change-right", "changes to the lane on its right")
+    LANE_CHANGE = ("lane-change", "changes lanes, to a side that is not said")
+    BYPASS = ("bypass", "swings out round what stands in its lane, and comes back")
+    OVERTAKE = ("overtake", "swings out, passes somebody who moves, and comes back")
+    MERGE = ("merge", "comes onto a road from a ramp or from a lane that ends")
+    EXIT = ("exit", "leaves a road by a ramp")
+    ROUNDABOUT = ("roundabout", "enters a roundabout, goes round in it and leaves it")
+    REVERSE = ("reverse", "drives backwards")
+    LEAVE_PARKING = ("leave-parking", "leaves a parking place")
+    PARK = ("park", "drives into a parking place")
+    ENTER_DRIVEWAY = ("enter-driveway", "turns off the road into a driveway")
+    LEAVE_DRIVEWAY = ("leave-driveway", "comes out of a driveway onto the road")
+
+
+class RoadKind(Word):
+    """What kind of road it is where the danger is."""
+
+    ROAD = ("road", "a road between junctions, straight or nearly so")
+    CURVE = ("curve", "a bend to a side that is not said")
+    LEFT_CURVE = ("left-curve", "a bend to the left")
+    RIGHT_CURVE = ("right-curve", "a bend to the right")
+    JUNCTION = ("junction", "a junction with any number of arms")
+    THREE_WAY = ("three-way", "a junction with three arms")
+    FOUR_WAY = ("four-way", "a junction with four arms")
+    ROUNDABOUT = ("roundabout", "a roundabout")
+    MOTORWAY = ("motorway", "a motorway or a road like one: several lanes, no oncoming traffic, no junctions")
+    RAMP = ("ramp", "a road that leads onto a motorway or off it")
+    PARKING_LOT = ("parking-lot", "ways between parking places")
+    RAIL_CROSSING = ("rail-crossing", "where rails cross the road")
+
+
+class Setting(Word):
+    """What lies about the road."""
+
+    TOWN = ("town", "houses; a speed limit of about 50 km/h")
+    RESIDENTIAL = ("residential", "a quiet street between houses; about 30 km/h")
+    RURAL = ("rural", "fields or woods; a lane each way, no sidewalk, up to about 100 km/h")
+
+
+class RightOfWay(Word):
+    """What rules a junction."""
+
+    SIGNAL = ("signal", "traffic lights")
+    STOP_SIGN = ("stop-sign", "a stop sign")
+    YIELD_SIGN = ("yield-sign", "a sign to give way")
+    NONE = ("none", "neither lights nor signs")
+
+
+class EgoLight(Word):
+    """The traffic light that the ego has, as it comes near."""
+
+    GREEN = ("green", "green")
+    RED = ("red", "red")
+    YELLOW = ("yellow", "yellow")
+    TURNS_GREEN = ("turns-green", "red, and green while it happens")
+    TURNS_RED = ("turns-red", "green, and red while it happens")
+
+
+class Feature(Word):
+    """Something that the road has there."""
+
+    CROSSWALK = ("crosswalk", "a marked crossing for people on foot")
+    BUS_STOP = ("bus-stop", "a bus stop at the edge of the lane")
+    BUS_BAY = ("bus-bay", "a bus stop in a bay beside the lane")
+    PARKED_CARS = ("parked-cars", "a row of parked cars along the kerb")
+    PARKING_PLACES = ("parking-places", "places to park in, beside the lane")
+    CYCLE_LANE = ("cycle-lane", "a lane for bicycles")
+    TRAM_TRACK = ("tram-track", "rails in the road")
+    ROADWORKS = ("roadworks", "a work zone that narrows the road")
+    LANE_DROP = ("lane-drop", "a lane that ends")
+    ON_RAMP = ("on-ramp", "a ramp that joins the road")
+    OFF_RAMP = ("off-ramp", "a ramp that leaves the road")
+    HILL = ("hill", "a slope or a crest")
+    SCHOOL = ("school", "a school, or a sign for one")
+
+
+# Those others
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KindRow:
+    """What a kind of road user is built as.
+
+    Attributes:
+        body: The kind of the world that is built.
+        stands_in: Whether that is another than was said, which is told.
+        general: Whether the word leaves open what it is.
+    """
+
+    body: AdversaryKind
+    stands_in: bool = False
+    general: bool = False
+
+
+def _is(kind: AdversaryKind) -> KindRow:
+    return KindRow(body=kind)
+
+
+class UserKind(Word):
+    """What kind of road user it is."""
+
+    row: KindRow
+
+    def __new__(cls, value: str, meaning: str, row: KindRow) -> Self:
+        """A member of a name, with its meaning and what it is built as."""
+        word = str.__new__(cls, value)
+        word._value_, word.meaning, word.row = value, meaning, row
+        return word
+
+    CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
+    VAN = ("van", "a van, a minibus, a pickup truck", KindRow(body=AdversaryKind.CAR, stands_in=True))
+    TRUCK = ("truck", "a lorry of any size, with or without a trailer", _is(AdversaryKind.TRUCK))
+    BUS = ("bus", "a bus or a coach", _is(AdversaryKind.BUS))
+    TRAM = ("tram", "a tram", KindRow(body=AdversaryKind.BUS, stands_in=True))
+    MOTORCYCLE = ("motorcycle", "a motorcycle, a moped, a motor scooter", _is(AdversaryKind.MOTORCYCLE))
+    BICYCLE = ("bicycle", "somebody on a bicycle, electric or not", _is(AdversaryKind.BICYCLE))
+    E_SCOOTER = ("e-scooter", "somebody who stands on an electric scooter", _is(AdversaryKind.E_SCOOTER))
+    EMERGENCY_VEHICLE = (
+        "emergency-vehicle",
+        "an ambulance, a fire engine, a police car",
+        _is(AdversaryKind.EMERGENCY_VEHICLE),
+    )
+    VEHICLE = ("vehicle", "a motor vehicle, not said of which kind", KindRow(body=AdversaryKind.CAR, general=True))
+    PEDESTRIAN = ("pedestrian", "a grown-up on foot", _is(AdversaryKind.PEDESTRIAN))
+    CHILD = ("child", "a child on foot", KindRow(body=AdversaryKind.PEDESTRIAN, stands_in=True))
+    WHEELCHAIR = ("wheelchair", "somebody in a wheelchair", _is(AdversaryKind.WHEELCHAIR))
+    DOG = ("dog", "a dog", _is(AdversaryKind.DOG))
+    DEER = ("deer", "a deer or another large wild animal", _is(AdversaryKind.DEER))
+    ANIMAL = ("animal", "an animal, not said of which kind", KindRow(body=AdversaryKind.DEER, general=True))
+    OBJECT = ("object", "a thing on the road, not said which", KindRow(body=AdversaryKind.BOX, general=True))
+    DEBRIS = ("debris", "a lost load, a branch, rubble", _is(AdversaryKind.DEBRIS))
+    CONE = ("cone", "a traffic cone or a barrier", _is(AdversaryKind.CONE))
+    ROAD_USER = ("road-user", "somebody, not said on what", KindRow(body=AdversaryKind.CAR, general=True))
+
+    @property
+    def moves(self) -> Moves:
+        """How it moves."""
+        return self.row.body.row.manner
+
+
+class Role(Word):
+    """What somebody is there for."""
+
+    ADVERSARY = ("adversary", "who meets the ego, or would; one at least")
+    SUPPORTING = ("supporting", "who is needed for it, but is not met: a leader, traffic that closes the way")
+    HIDES = ("hides", "who or what only hides somebody else at first")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WhereRow:
+    """What holds of a start.
+
+    Attributes:
+        sided: Whether it has a side, said or not.
+        junction: Whether it is one of a junction.
+    """
+
+    sided: bool = False
+    junction: bool = False
+
+
+class Where(Word):
+    """Where somebody is when it begins, seen from the ego."""
+
+    row: WhereRow
+
+    def __new__(cls, value: str, meaning: str, row: WhereRow | None = None) -> Self:
+        """A member of a name, with its meaning and what holds of it."""
+        word = str.__new__(cls, value)
+        word._value_, word.meaning, word.row = value, meaning, row or WhereRow()
+        return word
+
+    AHEAD = ("ahead", "in the ego's own lane, in front of it")
+    AHEAD_BESIDE = ("ahead-beside", "in the next lane of the same direction, in front", WhereRow(sided=True))
+    BESIDE = ("beside", "level with the ego, in the next lane or at the edge of its own", WhereRow(sided=True))
+    BEHIND = ("behind", "in the ego's own lane, behind it")
+    BEHIND_BESIDE = ("behind-beside", "in the next lane of the same direction, behind", WhereRow(sided=True))
+    ONCOMING = ("oncoming", "comes the other way, in its own lane or, at a junction, from the arm opposite")
+    ONCOMING_IN_OUR_LANE = ("oncoming-in-our-lane", "comes the other way in the ego's own lane")
+    ARM = ("arm", "on an arm to the side of the junction", WhereRow(sided=True, junction=True))
+    ROADSIDE = ("roadside", "beside the road in front, on foot, on two wheels or an animal", WhereRow(sided=True))
+    KERB = ("kerb", "a vehicle that stands at the edge of the road, in front", WhereRow(sided=True))
+    DRIVEWAY = ("driveway", "a vehicle in a driveway or at a gate, in front", WhereRow(sided=True))
+    CROSSING = ("crossing", "at a crosswalk over the ego's own road, in front", WhereRow(sided=True))
+    EXIT = ("exit", "in the lane that the ego turns into, behind the junction", WhereRow(junction=True))
+    EXIT_CROSSING = (
+        "exit-crossing",
+        "at the crosswalk of the road that the ego turns into; the side as the ego comes to it",
+        WhereRow(sided=True, junction=True),
+    )
+    MEDIAN = ("median", "between the two directions, in front")
+    ON_RAMP = ("on-ramp", "on a ramp that joins the ego's road")
+    OFF_RAMP = ("off-ramp", "on a ramp that leaves the ego's road")
+    IN_ROUNDABOUT = ("in-roundabout", "goes round in the roundabout", WhereRow(junction=True))
+    ROUNDABOUT_ENTRY = ("roundabout-entry", "at another entry of the roundabout", WhereRow(junction=True))
+    BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front")
+
+
+class Facing(Word):
+    """Which way somebody faces who is beside or on the road."""
+
+    ALONG = ("along", "the way the ego goes")
+    AGAINST = ("against", "the other way, toward the ego")
+    ACROSS = ("across", "toward the ego's lane")
+
+
+class Breach(Word):
+    """A rule that somebody breaks by what is done."""
+
+    RED_LIGHT = ("red-light", "goes on red")
+    STOP_SIGN = ("stop-sign", "does not stop at a stop sign")
+    RIGHT_OF_WAY = ("right-of-way", "does not give way")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActRow:
+    """What holds of an act.
+
+    Attributes:
+        by: How those move who may do it.
+        ego: Whether the ego may be told to.
+        sided: Whether it may be to a side.
+        whom: Whether it is done to somebody, who is the ego unless another is named.
+        takes: The amounts that it may have, by their names in `Deed`.
+        lasting: Whether it goes on until something else begins, so that nothing shows when it is done.
+    """
+
+    by: frozenset[Moves]
+    ego: bool = False
+    sided: bool = False
+    whom: bool = False
+    takes: frozenset[str] = frozenset()
+    lasting: bool = False
+
+
+_WHEELS = frozenset((Moves.DRIVES, Moves.RIDES))
+_FEET = frozenset((Moves.WALKS,))
+_ALL = _WHEELS | _FEET
+_THINGS = _ALL | {Moves.LIES}
+
+
+def _act(by: frozenset[Moves], takes: str = "", **flags: Any) -> ActRow:
+    return ActRow(by=by, takes=frozenset(takes.split()), **flags)
+
+
+class Act(Word):
+    """What somebody does."""
+
+    row: ActRow
+
+    def __new__(cls, value: str, meaning: str, row: ActRow) -> Self:
+        """A member of a name, with its meaning and what holds of it."""
+        word = str.__new__(cls, value)
+        word._value_, word.meaning, word.row = value, meaning, row
+        return word
+
+    STAND = ("stand", "stands from the beginning", _act(_THINGS, "time", ego=True, lasting=True))
+    GO_ALONG = (
+        "go-along",
+        "goes along the road: in its lane, at its edge, on foot as well",
+        _act(_ALL, "speed time distance", ego=True, lasting=True),
+    )
+    GO_STRAIGHT = ("go-straight", "goes straight on through a junction", _act(_WHEELS, "speed", lasting=True))
+    TURN_LEFT = ("turn-left", "turns to its own left at a junction or off the road", _act(_WHEELS, "speed"))
+    TURN_RIGHT = ("turn-right", "turns to its own right at a junction or off the road", _act(_WHEELS, "speed"))
+    U_TURN = ("u-turn", "turns round on the road", _act(_WHEELS, "speed"))
+    CROSS = ("cross", "crosses the ego's way from beside the road to the other side", _act(_ALL, "speed"))
+    ENTER = ("enter", "comes into the ego's lane from beside the road, and stays in it", _act(_ALL, "speed"))
+    SET_OFF = ("set-off", "starts to move after it stood", _act(_ALL, "speed acceleration", ego=True))
+    ACCELERATE = ("accelerate", "gains speed", _act(_ALL, "speed acceleration time", ego=True))
+    SLOW_DOWN = ("slow-down", "loses speed gently", _act(_ALL, "speed acceleration time", ego=True))
+    BRAKE = ("brake", "loses speed hard", _act(_ALL, "speed acceleration time", ego=True))
+    STOP = ("stop", "was moving, and comes to a standstill", _act(_ALL, "acceleration time distance", ego=True))
+    HESITATE = ("hesitate", "pauses, and goes on", _act(_ALL, "time"))
+    REVERSE = ("reverse", "moves backwards", _act(_ALL, "speed time distance", ego=True))
+    PULL_OUT = ("pull-out", "leaves where it stood at the edge for the ego's lane", _act(_WHEELS, "speed"))
+    CUT_IN = (
+        "cut-in",
+        "comes from the next lane into the ego's, close in front",
+        _act(_WHEELS, "speed distance time", whom=True),
+    )
+    LANE_CHANGE = ("lane-change", "changes lanes in any other way", _act(_WHEELS, "speed time", sided=True))
+    CUT_OUT = ("cut-out", "leaves the ego's lane, and so shows what is ahead", _act(_WHEELS, "speed time", sided=True))
+    MERGE = ("merge", "comes from a ramp or a lane that ends into the ego's lane", _act(_WHEELS, "speed"))
+    OVERTAKE = ("overtake", "passes somebody and is ahead then", _act(_WHEELS, "speed distance", whom=True))
+    DRIFT = ("drift", "leaves its line gradually, not meaning to", _act(_WHEELS, "speed time", sided=True))
+    SWERVE = ("swerve", "leaves its line abruptly", _act(_WHEELS, "speed time", sided=True))
+    WEAVE = ("weave", "swings from side to side", _act(_ALL, "speed time"))
+    KEEP_LEVEL = ("keep-level", "stays level with somebody", _act(_WHEELS, "time", whom=True, lasting=True))
+    FOLLOW = (
+        "follow",
+        "drives behind somebody at a distance",
+        _act(_WHEELS, "speed distance time", ego=True, whom=True, lasting=True),
+    )
+    TAILGATE = ("tailgate", "drives close behind somebody", _act(_WHEELS, "distance time", whom=True, lasting=True))
+    TURN_BACK = ("turn-back", "goes back to where it came from", _act(_ALL, "speed"))
+    PARK = ("park", "comes to a stand at the edge of the road or in a parking place", _act(_WHEELS, "speed"))
+    EXIT = ("exit", "leaves the road by a ramp, or a roundabout", _act(_WHEELS, "speed"))
+    YIELD = ("yield", "waits until somebody has gone by", _act(_ALL, "", ego=True, whom=True))
+    OPEN_DOOR = ("open-door", "opens a door into somebody's way", _act(frozenset((Moves.DRIVES,)), "", sided=True))
+    DROP_LOAD = ("drop-load", "loses something onto the road", _act(frozenset((Moves.DRIVES,))))
+    FALL = ("fall", "falls down", _act(_ALL))
+
+
+class Manner(Word):
+    """How a deed is done, where that is said without a number."""
+
+    SUDDEN = ("sudden", "without warning")
+    SLOW = ("slow", "slowly")
+    FAST = ("fast", "fast")
+    HARD = ("hard", "with force")
+    SLIGHT = ("slight", "a little")
+
+
+class Part(Word):
+    """A part of a road user, seen from its own seat."""
+
+    FRONT = "front"
+    LEFT_FRONT = "left-front"
+    RIGHT_FRONT = "right-front"
+    LEFT = "left"
+    RIGHT = "right"
+    REAR = "rear"
+    LEFT_REAR = "left-rear"
+    RIGHT_REAR = "right-rear"
+
+
+class Striker(Word):
+    """Who runs into whom."""
+
+    EGO = ("ego", "the ego runs into the other")
+    OTHER = ("other", "the other runs into the ego")

@@ -1,0 +1,142 @@
+"""Situations at random, from all the words there are; each is well formed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from hypothesis import strategies as st
+
+from chatscene.situations.check import AMOUNTS, JUNCTIONS, TURNS
+from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
+from chatscene.terms.situation import (
+    Around,
+    Contact,
+    Deed,
+    Ego,
+    Other,
+    Road,
+    Situation,
+    Start,
+    When,
+)
+from chatscene.terms.surroundings import Light, Surface, Weather
+from chatscene.terms.vocabulary import (
+    Act,
+    EgoLight,
+    EgoRoute,
+    Facing,
+    Feature,
+    Manner,
+    Part,
+    RightOfWay,
+    RoadKind,
+    Role,
+    Setting,
+    Side,
+    Striker,
+    UserKind,
+    Where,
+)
+
+_KINDS_OF_AMOUNT: dict[str, type[Amount]] = dict(zip(AMOUNTS, (Speed, Acceleration, Length, Duration), strict=True))
+
+
+def maybe(what: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
+    """It, or what was not said."""
+    return st.none() | what
+
+
+@st.composite
+def amounts(draw: st.DrawFn, kind: type[Amount]) -> Amount:
+    """One as people say it."""
+    unit = draw(st.sampled_from([unit for unit in kind.UNITS if unit]))
+    low, more = draw(st.integers(1, 90)), draw(st.sampled_from((0, 0, 5)))
+    number = f"{low} to {low + more}" if more else str(low)
+    bound = "" if more else draw(st.sampled_from(("", "", "at most ", "at least ")))
+    than = draw(st.sampled_from(("", "", " more than the ego", " less than the ego"))) if not bound else ""
+    return kind.of(f"{bound}{number} {unit}{than}")
+
+
+@st.composite
+def deeds(draw: st.DrawFn, acts: list[Act], earlier: list[str]) -> Deed:
+    """What somebody does who can do some acts, perhaps after or while something that was done earlier."""
+    act = draw(st.sampled_from(acts))
+    said = {name: draw(maybe(amounts(_KINDS_OF_AMOUNT[name]))) for name in sorted(act.row.takes)}
+    when = None
+    if draw(st.booleans()):
+        names = maybe(st.sampled_from(earlier)) if earlier else st.none()
+        when = When(after=draw(names), ego_within=draw(maybe(amounts(Length) | amounts(Duration))))
+    return Deed(
+        act=act,
+        to=draw(maybe(st.sampled_from(Side))) if act.row.sided else None,
+        manner=draw(maybe(st.sampled_from(Manner))),
+        when=when,
+        **said,
+    )
+
+
+@st.composite
+def situations(draw: st.DrawFn) -> Situation:
+    """One with up to three others, each with up to four deeds."""
+    road = draw(
+        st.builds(
+            Road,
+            kind=maybe(st.sampled_from(RoadKind)),
+            setting=maybe(st.sampled_from(Setting)),
+            control=maybe(st.sampled_from(RightOfWay)),
+            lanes=maybe(st.integers(1, 4)),
+            two_way=maybe(st.booleans()),
+            speed_limit=maybe(amounts(Speed)),
+            has=st.lists(st.sampled_from(Feature), unique=True, max_size=2).map(tuple),
+        )
+    )
+    light = draw(maybe(st.sampled_from(EgoLight))) if road.control in (None, RightOfWay.SIGNAL) else None
+    lane = draw(maybe(st.integers(1, road.lanes))) if road.lanes else None
+    road = replace(road, ego_light=light, ego_lane=lane)
+    at_junction = road.kind is None or road.kind in JUNCTIONS
+    routes = [route for route in EgoRoute if at_junction or route not in TURNS]
+    earlier: list[str] = []
+    own = draw(st.lists(deeds([act for act in Act if act.row.ego], []), max_size=2))
+    earlier += [f"ego.{i}" for i in range(len(own))]
+    others: list[Other] = []
+    for name in "ABC"[: draw(st.integers(0, 3))]:
+        kind = draw(st.sampled_from(UserKind))
+        where = draw(st.sampled_from([one for one in Where if at_junction or not one.row.junction]))
+        acts = [act for act in Act if kind.moves in act.row.by]
+        does = draw(st.lists(deeds(acts, list(earlier)), max_size=4))
+        earlier += [f"{name}.{i}" for i in range(len(does))]
+        start = Start(
+            where=where,
+            side=draw(maybe(st.sampled_from(Side))) if where.row.sided else None,
+            distance=draw(maybe(amounts(Length))),
+            speed=draw(maybe(amounts(Speed))),
+            facing=draw(maybe(st.sampled_from(Facing))),
+        )
+        role = Role.ADVERSARY if not others else draw(st.sampled_from(Role))
+        hidden = draw(maybe(st.sampled_from([one.id for one in others]))) if others else None
+        count = draw(st.sampled_from((1, 1, 1, 2, 0)))
+        others.append(
+            Other(id=name, kind=kind, count=count, role=role, starts=start, hidden_by=hidden, does=tuple(does))
+        )
+    contact = st.builds(
+        Contact,
+        whom=maybe(st.sampled_from([one.id for one in others])) if others else st.none(),
+        ego=maybe(st.sampled_from(Part)),
+        other=maybe(st.sampled_from(Part)),
+        striker=maybe(st.sampled_from(Striker)),
+        happens=st.booleans(),
+    )
+    around = st.builds(
+        Around,
+        light=maybe(st.sampled_from(Light)),
+        weather=maybe(st.sampled_from(Weather)),
+        surface=maybe(st.sampled_from(Surface)),
+    )
+    return Situation(
+        ego=Ego(route=draw(maybe(st.sampled_from(routes))), speed=draw(maybe(amounts(Speed))), does=tuple(own)),
+        road=road,
+        others=tuple(others),
+        contact=draw(maybe(contact)),
+        around=draw(around),
+    )
