@@ -5,6 +5,7 @@
     ChatSceneError
     ├ SettingsError            a setting or argument is out of range, or names nothing
     ├ MissingExtra             something needs an optional package that is not installed
+    ├ NotBuilt                 a situation says something that nothing here builds, or that no map has
     ├ NothingFits              the sentence was understood; no triple of snippets serves it
     ├ EditRefused              an edit has words that nobody understands, or contradicts what stays
     ├ MapError                 a map is missing, broken, or lacks the geometry asked for
@@ -151,6 +152,10 @@ class MapError(ChatSceneError):
 
 class SituationError(ChatSceneError):
     """A written situation has a fault; the message names the line, the path and what could stand there."""
+
+
+class NotBuilt(ChatSceneError):  # noqa: N818
+    """A situation has a fact that cannot be built; the message names the fact and what it lacks."""
 
 
 class SnippetError(ChatSceneError):

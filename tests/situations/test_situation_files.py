@@ -7,7 +7,6 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from drawn import situations
 from hypothesis import given, settings
 
 from chatscene.errors import SituationError
@@ -18,6 +17,7 @@ from chatscene.terms import vocabulary
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import Evidence, Situation
 from chatscene.terms.vocabulary import Act, Side, Word
+from drawn import situations
 
 WRITTEN = """\
 ego: {route: right-turn, speed: 50 km/h, does: [{act: stand}, {act: set-off}]}

@@ -62,6 +62,7 @@ _ASKED = {
     "gap": "the distance between {0} and {1}",
     "offsetFrom": "how far left of {0} {1} is",
     "restsWithin": "{1}, braking now, would stop within {2} m of {0}",
+    "secondsTo": "the time that {1} needs on {0} to {2}",
     "speed": "the speed of {0}",
     "heading": "the heading of {0}",
     "progress": "how far along {0} {1} is",

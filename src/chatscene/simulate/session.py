@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from chatscene.ego.observation import SIGHT, Observation, RouteView, check_preset
 from chatscene.ego.policy import controls
-from chatscene.errors import ChatSceneError, EgoError, ProgramError
+from chatscene.errors import ChatSceneError, EgoError, ProgramError, no_such
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.contact import approach_speed, contact_side, touch
 from chatscene.simulate.obedience import obeyed
@@ -429,8 +429,13 @@ def _orders(ego: Any, label: str) -> tuple[Order, ...]:
     return orders
 
 
+TOLD_ROLES = (Role.ADVERSARY, Role.BACKGROUND, Role.OCCLUDER)
+
+
 def _names(objects: list[Any], drawn: bool) -> list[tuple[str, Role]]:
     """A unique name and the role of each object: the ego comes first, whoever runs `AdvBehavior` is the adversary.
+
+    Who has a `role` is what that says, under its own label.
 
     In a program that was not written for our world model, that is whoever acts; where nobody does, whatever there is.
     """
@@ -444,6 +449,10 @@ def _names(objects: list[Any], drawn: bool) -> list[tuple[str, Role]]:
             name, role = "ego", Role.EGO
         elif drawn and obj in adversaries:
             name, role = own, Role.ADVERSARY
+        elif told := getattr(obj, "role", ""):
+            if told not in TOLD_ROLES:
+                raise ProgramError(no_such("role", str(told), TOLD_ROLES))
+            name, role = own, Role(told)
         elif type(obj.behavior).__name__ == "AdvBehavior":
             name, role = "adversary", Role.ADVERSARY
         elif obj.behavior is not None:

@@ -207,6 +207,7 @@ FUNCTIONS = {function.name: function for function in (
     Function(name="speed", form="{}.pose[3]", takes=(_A,), gives=_N, unit="m/s", live=True),
     Function(name="heading", form="{}.pose[2]", takes=(_A,), gives=_N, unit="rad", live=True),
     Function(name="progress", form="progressOn({}, {})[0]", takes=(_P, _A), gives=_N, unit="m", live=True),
+    Function(name="secondsTo", form="secondsTo({}, {}, {})", takes=(_P, _A, _N), gives=_N, unit="s", live=True),
     Function(name="brakingDistance", form="brakingDistance({})", takes=(_A,), gives=_N, unit="m", live=True),
     # What stays as it is
     Function(name="length", form="{}.length", takes=(_A,), gives=_N, unit="m"),

@@ -20,7 +20,7 @@ from chatscene.world.behaviors import *
 from chatscene.world.places import (adjacentPath, against, besideRoad, brakingDistance, choose_route as _choose_route,
     crossingDirection, directionOn, distanceLeft, extended, gap, headway, lanesBeside, leftAt, levelOn, lineThrough,
     maximum, neighbourPath, offsetFrom, ownLane, ownWay, pointOn, progressOn, restsWithin, route_along as _route_along,
-    shortOfJunction, straightOn, trafficFrom,
+    secondsTo, shortOfJunction, straightOn, trafficFrom,
     unplaced as _unplaced, waitingTraffic, wayOf, wheelbase_of as _wheelbase_of)
 from chatscene.terms.actors import LIMITS as _LIMITS
 from chatscene.terms.order import Order
@@ -77,6 +77,7 @@ class Car(Driven, Car):
     wheelAngle: _LIMITS['Car'].wheel_angle
     isWalker: False
     label: ''
+    role: ''
     route: None
     orders: ()
     wantedSpeed: None
@@ -119,6 +120,7 @@ class Pedestrian(Walking, Pedestrian):
     width: _LIMITS['Pedestrian'].width
     isWalker: True
     label: ''
+    role: ''
 
 class EScooter(Car):
     length: _LIMITS['EScooter'].length
@@ -145,6 +147,7 @@ class Box(Lying, DrivingObject):
     width: _LIMITS['Box'].width
     isWalker: False
     label: ''
+    role: ''
 
 class Cone(Box):
     length: _LIMITS['Cone'].length
@@ -161,6 +164,7 @@ class Prop(Placed, DrivingObject):
     position: _unplaced()
     isWalker: False
     label: ''
+    role: ''
 
 class BusStop(Prop):
     length: 3.6

@@ -174,7 +174,7 @@ METHODS = frozenset(("offset", "project"))
 """What may be called on a thing: a line beside a line, and where on a line a point lies."""
 
 PROPERTIES = _set(
-    "allowCollisions behavior heading label length orders roadDeviation route speed velocity wantedSpeed width"
+    "allowCollisions behavior heading label length orders roadDeviation role route speed velocity wantedSpeed width"
 )
 """What may follow ``with``."""
 

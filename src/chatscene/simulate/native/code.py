@@ -9,6 +9,7 @@ from typing import Any
 
 from chatscene.simulate.native.engine import STACK, Code, Instruction
 from chatscene.terms.actors import LIMITS, kind_of
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.plan import (
     FUNCTIONS,
     AnyOf,
@@ -322,7 +323,7 @@ class Compiler:
             self._add(name)
         return depth
 
-    def _call(self, function: str, arguments: tuple[Expression, ...]) -> int:  # noqa: C901
+    def _call(self, function: str, arguments: tuple[Expression, ...]) -> int:  # noqa: C901, PLR0911
         match function:
             case "abs":
                 return self._of("ABS", *arguments)
@@ -346,6 +347,8 @@ class Compiler:
                 self._place("ALONG", arguments[0], arguments[1])
                 self._add("SUB")
                 return 2
+            case "secondsTo":
+                return self._seconds(*arguments)
             case "brakingDistance":
                 self._braked(arguments[0])
             case "restsWithin":
@@ -364,6 +367,14 @@ class Compiler:
         if self.is_live(path):
             raise NotCovered("a path that changes")
         self._add(name, self.line(self.value(path)), self.actor(actor))
+
+    def _seconds(self, path: Expression, actor: Expression, to: Expression) -> int:
+        """As `chatscene.world.places.secondsTo` computes it, operation by operation."""
+        left = Call("distanceLeft", (path, actor, to))
+        missing = Call("max", (Number(0.0), Arithmetic("-", Number(NOMINAL.speed), Call("speed", (actor,)))))
+        square = Arithmetic("*", missing, missing)
+        late = Arithmetic("*", square, Number(NOMINAL.loss))
+        return self._emit(Arithmetic("+", Arithmetic("/", left, Number(NOMINAL.speed)), late))
 
     def _braked(self, actor: Expression) -> None:
         index = self.actor(actor)

@@ -1,0 +1,402 @@
+"""One road user in a program: where it stands, and its plan, deed after deed, timed to meet the ego."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from chatscene.build.deeds import ALONG, GO, MOVE, Steps, steps_for
+from chatscene.build.facts import Ledger
+from chatscene.build.numbers import FIRM, RANGES, Numbers
+from chatscene.build.place import NEXT_LANE, Found, at_junction
+from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
+from chatscene.terms.vocabulary import Act, Breach, Manner, Role, Side, Striker, UserKind, Where
+
+SOME = 3  # of a group whose size was not said
+_STEP = 0.1  # [s], in which setting off is computed
+_GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
+_QUIET = frozenset((Act.STAND, Act.STOP))
+_SEEN = {
+    Act.STOP: "{who}.pose[3] < 0.1",
+    Act.STAND: "{who}.pose[3] < 0.1",
+    Act.BRAKE: "{who}.pose[3] < 3",
+    Act.SET_OFF: "{who}.pose[3] > 0.5",
+}
+"""Deeds of somebody else that a plan can wait for, by what is seen of them."""
+
+
+@dataclass(slots=True)
+class Actor:
+    """A road user that is being built.
+
+    Attributes:
+        ledger: What was said, and what became of it.
+        found: Where it happens.
+        one: Who.
+        ego_speed: What the ego drives at [m/s].
+        room: How far [m] beyond the first of its place it stands.
+        first: In whose row it stands, whose place it shares; None if it is the first.
+    """
+
+    ledger: Ledger
+    found: Found
+    one: Other
+    ego_speed: float
+    room: float = 0.0
+    first: Actor | None = None
+    numbers: Numbers = field(init=False)
+    stand: Stand = field(init=False)
+    deeds: tuple[Deed, ...] = field(init=False)
+    named: dict[str, str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        row = self.one.kind.row.body.row
+        self.numbers = Numbers(self.one.id, row)
+        asked = Asked(
+            situation=self.ledger.situation, found=self.found, one=self.one, numbers=self.numbers, room=self.room
+        )
+        self.stand = start_of(asked)
+        self.deeds = self.one.does
+        self.named = {}
+        at = f"others.{self.one.id}"
+        self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts", f"{at}.hidden_by")
+        if self.one.kind.row.stands_in:
+            self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
+        if self.one.count == SEVERAL:
+            self.ledger.assume(f"of {self.one.id} there are {SOME}, since their number was not said")
+        self._bind()
+
+    @property
+    def path(self) -> str:
+        """Of its facts."""
+        return f"others.{self.one.id}"
+
+    @property
+    def limits(self) -> Limits:
+        """What its body can do."""
+        return LIMITS[self.one.kind.row.body.row.scenic]
+
+    @property
+    def walks(self) -> bool:
+        """Whether it is on foot."""
+        return self.one.kind.moves is Moves.WALKS
+
+    @property
+    def lies(self) -> bool:
+        """Whether it is a thing."""
+        return self.one.kind.moves is Moves.LIES
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return self.one.count or SOME
+
+    # Numbers
+
+    def _bind(self) -> None:
+        numbers, situation = self.numbers, self.ledger.situation
+        manners = {deed.manner for deed in self.deeds}
+        for manner, name in ((Manner.SLOW, "SLOW"), (Manner.FAST, "FAST")):
+            if manner in manners:
+                low, high, *_ = numbers.ranges[name]
+                numbers.narrow("SPEED", low, high)
+        if self.one.starts.speed is not None and not stands_first(self.one):
+            numbers.bind("SPEED", self.one.starts.speed, self.ego_speed)
+        striker = situation.contact.striker if situation.contact else None
+        if striker is not None and self.stand.meets in (Meets.THROUGH, Meets.ACROSS):
+            low, high, *_ = RANGES["OFFSET"]  # whoever comes later strikes
+            numbers.narrow("OFFSET", *((0.0, high) if striker is Striker.EGO else (low, 0.2)))
+        if striker is not None:
+            self.ledger.take("contact.striker")
+
+    def _of_deed(self, k: int, text: str, steps: Steps) -> str:
+        """A phase of a deed, with the numbers that were said of that deed and of no other."""
+        deed = self.deeds[k]
+        for amount, name in steps.binds.items():
+            if (said := getattr(deed, amount)) is not None:
+                own = name if name == "SPEED" and self._one_speed() else f"{name}_{k}"
+                self.numbers.bind(own, said, self.ego_speed)
+                text = text.replace(f"${name}", f"${own}")
+                self.ledger.take(f"{self.path}.does.{k}.{amount}")
+        firm = FIRM.get(deed.manner) if deed.manner and deed.act in (Act.BRAKE, Act.STOP) else None
+        if firm is not None and deed.acceleration is None:
+            self.numbers.narrow("BRAKE", firm, 1.0)
+        if firm is not None or deed.manner in (Manner.SLOW, Manner.FAST):
+            self.ledger.take(f"{self.path}.does.{k}.manner")
+        return text
+
+    def _one_speed(self) -> bool:
+        """Whether one speed at most was said of it, which then is its speed all the time."""
+        return sum(deed.speed is not None for deed in self.deeds) + (self.one.starts.speed is not None) <= 1
+
+    # Its plan
+
+    def phases(self) -> tuple[str, ...]:
+        """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
+        for k, deed in enumerate(self.deeds):
+            self.ledger.take(
+                f"{self.path}.does.{k}.act", *([f"{self.path}.does.{k}.breaks"] if self._breaks(deed) else [])
+            )
+        if self.lies or (self.one.role is Role.HIDES and all(deed.act is Act.STAND for deed in self.deeds)):
+            return ("Halt()",) if self.one.role is Role.ADVERSARY else ()
+        phases = tuple(self._phases())  # all of them first: a later one may bind a number that an earlier one reads
+        return tuple(self.filled(text) for text in phases)
+
+    def _breaks(self, deed: Deed) -> bool:
+        """Whether the rule that is broken is: who comes through a junction heeds neither light nor sign."""
+        red = deed.breaks is Breach.RED_LIGHT and self.found.query.get("control") != "signal"
+        return deed.breaks is not None and self.stand.meets in (Meets.THROUGH, Meets.ACROSS) and not red
+
+    def _steps(self, deed: Deed) -> Steps:
+        table = steps_for(self.stand.meets, walks=self.walks, beside=self.one.starts.where in NEXT_LANE)
+        if deed.act is Act.LANE_CHANGE and deed.to is not None and deed.to != self.one.starts.side:
+            table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
+        if deed.act is Act.LANE_CHANGE and self.one.starts.where not in NEXT_LANE and self.stand.meets is Meets.ALONG:
+            table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
+        if self.one.starts.where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
+            table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
+        if deed.act not in table:
+            raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {self.one.starts.where}")
+        return table[deed.act]
+
+    def _phases(self) -> Iterator[str]:
+        go = MOVE if self.stand.meets is Meets.ACROSS else GO
+        if not self.deeds:
+            yield "Park()" if self.stand.meets is Meets.KERB else go
+            return
+        steps = [self._steps(deed) for deed in self.deeds]
+        lasting = all(one.lasting for one in steps)
+        first = 0
+        if self.deeds[0].act is Act.STAND and len(self.deeds) > 1 and self.deeds[0].time is None:
+            first = 1  # it stands until what comes then is due
+        if all(deed.act is Act.STAND for deed in self.deeds):
+            yield from self._of(0, steps[0], None, last=True)
+            return
+        yield from self._opening(first, steps[first], lasting)
+        way, meanwhile = None, go
+        for k in range(first, len(self.deeds)):
+            last = k == len(self.deeds) - 1
+            if k > first and (when := self.deeds[k].when) is not None:
+                yield from self._when(k, when, meanwhile)
+            yield from self._of(k, steps[k], way, last=last, go=meanwhile)
+            way = steps[k].way or way
+            if self.stand.meets is not Meets.ACROSS and way:
+                meanwhile = GO.replace("{p}", way)
+
+    def _of(self, k: int, steps: Steps, way: str | None, *, last: bool, go: str = "") -> Iterator[str]:
+        phases = steps.last if last and steps.last else steps.does
+        if last and not steps.last and go:
+            own = steps.way or way
+            phases = (*phases, GO.replace("{p}", own) if own and self.stand.meets is not Meets.ACROSS else go)
+        deed = self.deeds[k]
+        for text in phases:
+            said = self._of_deed(k, text, steps)
+            yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
+        if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
+            self.named["side"] = str(deed.to)
+            self.ledger.take(f"{self.path}.does.{k}.to")
+        if deed.whom == EGO:
+            self.ledger.take(f"{self.path}.does.{k}.whom")
+
+    def _aside(self, deed: Deed, k: int) -> str:
+        """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
+        if deed.to is not None:
+            self.ledger.take(f"{self.path}.does.{k}.to")
+            sign = 1 if deed.to is Side.LEFT else -1
+            return str(-sign if self.stand.meets is Meets.TOWARD else sign)
+        toward = "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
+        return "(1 if offsetFrom(egoRoute, self) > 0 else -1)" if self.stand.meets is Meets.TOWARD else toward
+
+    def _contact(self) -> bool:
+        contact = self.ledger.situation.contact
+        return contact is not None and contact.happens
+
+    # When it is due
+
+    def _opening(self, first: int, steps: Steps, lasting: bool) -> Iterator[str]:
+        """What is done until the first deed is due."""
+        deed, when = self.deeds[first], self.deeds[first].when
+        if when is not None:
+            yield from self._when(first, when, self._waits())
+            if when.ego_within is not None or self.stand.ego_meets == "egoRoute.eventAt":
+                return
+        if self.stand.meets is Meets.ALONG and lasting:
+            return
+        yield f"{self._waits()} until {self._due()}"
+        go = GO if self.stand.meets is not Meets.ACROSS else MOVE
+        if self.stand.meets is Meets.TOWARD and not steps.lasting:  # it comes first, and does it when the ego is near
+            yield f"{go} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * $LEAD_TIME"
+        if self.stand.meets is Meets.THROUGH and not steps.lasting and deed.act is not Act.SET_OFF:
+            yield f"{go} until {self.stand.left} < brakingDistance(self) + 3"
+
+    def _waits(self) -> str:
+        stands = stands_first(self.one)
+        match self.stand.meets:
+            case Meets.ALONG if stands:
+                return "Park()"
+            case Meets.ALONG:
+                ahead = "-$Y" if self.stand.behind else "$Y"
+                if self.one.kind.row.body.row.manner is Moves.RIDES and not self.one.kind.row.body.row.motorised:
+                    return f"PaceOnPath({{p}}, ego, {ahead}, $SPEED, 2)"
+                return f"PaceOnPath({{p}}, ego, {ahead}, 30)"
+            case Meets.KERB:
+                return "Park()"
+            case _:
+                return "Halt()"
+
+    def _due(self) -> str:
+        """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""
+        stand = self.stand
+        match stand.meets:
+            case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
+                own = f"{stand.left} / $SPEED + {self._lost():.2f}"
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
+            case Meets.KERB:
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < 2.2 + $OFFSET"
+            case Meets.ALONG if stands_first(self.one) and not stand.behind:
+                return "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < 3.6 + $OFFSET"
+            case _:
+                ahead = 2.0 if at_junction(self.ledger.situation) else 1.0
+                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {ahead:g} + $OFFSET"
+
+    def _lost(self) -> float:
+        """How much later [s] than at its speed from the first it is there after a halt, by its own pedals."""
+        wish, metres = self.numbers.middle("SPEED"), 4.0 if self.walks else 25.0
+        limits, speed, at, time = self.limits, 0.0, 0.0, 0.0
+        while at < metres and time < 60.0:
+            if self.walks:
+                speed = min(wish, speed + limits.throttle * _STEP)
+            else:
+                pedal = min(1.0, 0.06 + 0.5 * (wish - speed)) if wish - speed >= -0.1 else 0.0
+                gain = pedal * limits.throttle * (1 - speed / limits.top_speed)
+                speed += _STEP * (gain - (limits.drag if speed > 0 else 0.0))
+            at, time = at + _STEP * speed, time + _STEP
+        return max(0.0, time - metres / wish)
+
+    def _when(self, k: int, when: When, meanwhile: str) -> Iterator[str]:
+        at = f"{self.path}.does.{k}.when"
+        for name, reference in (("after", when.after), ("during", when.during)):
+            if reference is None:
+                continue
+            if condition := self._seen(reference, during=name == "during"):
+                yield f"{meanwhile} until {condition}"
+            self.ledger.take(f"{at}.{name}")
+        if when.ego_within is not None:
+            low, high = when.ego_within.low, when.ego_within.high
+            unit = when.ego_within.QUANTITY
+            near = f"NEAR_{k}"
+            least = low if low > 0 else high
+            self.numbers.ranges[near] = (
+                max(least, 0.0),
+                high if high < float("inf") else least,
+                "s" if unit == "duration" else "m",
+                "how near the ego is when it acts",
+            )
+            there = (
+                "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])" if unit == "duration" else "gap(self, ego)"
+            )
+            yield f"{meanwhile} until {there} < ${near}"
+            self.ledger.take(f"{at}.ego_within")
+
+    def _seen(self, reference: str, *, during: bool) -> str:
+        """What shows that a deed of somebody has begun, or is done; empty where it goes without a condition."""
+        who, _, _ = reference.partition(".")
+        if who == self.one.id:
+            return ""  # its own deeds come one after the other
+        deed = self.ledger.situation.deed(reference)
+        if deed.act not in _SEEN:
+            if during:
+                return ""
+            raise NotBuilt(f"nothing builds yet: a deed that begins after {who} did {deed.act}")
+        seen = _SEEN[deed.act].format(who=who if who == EGO else name_of(who))
+        return f"{seen} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else seen
+
+    # Its text
+
+    def filled(self, text: str) -> str:
+        """A text with names and parameters in the place of marks."""
+        one = name_of(self.one.id)
+        first = one if self.count > 1 else "self"
+        text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
+        text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first)
+        if self.first is not None:
+            text = text.replace("$Y", f"<{self.first.one.id}>")
+            return self.numbers.filled(text).replace(f"<{self.first.one.id}>", self.first.numbers.value("Y"))
+        return self.numbers.filled(text)
+
+    def code(self, hidden: Actor | None) -> list[str]:
+        """Its part of the program; of who hides somebody, beside whom it hides."""
+        one, stand, row = name_of(self.one.id), self.stand, self.one.kind.row.body.row
+        phases = self.phases()
+        named: list[str] = []
+        if hidden is None:
+            named = [self.filled(text) for text in (f"way{one} = {stand.way}", *stand.lines)]
+        body = "\n".join(phases)
+        if f"beside{one}" in body:
+            side = self.named.get("side", str(Side.LEFT))
+            named.append(f'beside{one} = extended(neighbourPath(egoRoute, "{side}"), 60)')
+        if f"ours{one}" in body:
+            named.append(f"ours{one} = against(ownLane(egoRoute))")
+        if phases:
+            named += [f"behavior Does{one}():", *(f"    do {text}" for text in phases)]
+        cls = "VendingMachine" if self.one.role is Role.HIDES and self.one.kind is UserKind.OBJECT else row.scenic
+        lines = list(named)
+        for n in range(self.count):
+            place, facing = self._hides(hidden) if hidden is not None else self._place(n)
+            said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
+            said += f", with label '{self.one.id}'" + self._role()
+            lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+        return [f"## {self.one.id}: {self.said()}", *lines]
+
+    def _moving(self, phases: Sequence[str]) -> str:
+        """Its speed at first: who goes the ego's way is under way as the ego is."""
+        if not phases or self.stand.meets is not Meets.ALONG or stands_first(self.one) or self.lies:
+            return ""
+        own = (
+            self.one.starts.speed is not None
+            or phases[0].startswith("DrivePath")
+            or not self.one.kind.row.body.row.motorised
+        )
+        return self.filled(", with speed $SPEED") if own else f", with speed {self.ego_speed:g}"
+
+    def _role(self) -> str:
+        role = {Role.ADVERSARY: "adversary", Role.SUPPORTING: "background", Role.HIDES: "occluder"}[self.one.role]
+        return f", with role '{role}'"
+
+    def _place(self, n: int) -> tuple[str, str]:
+        """Where the n-th of it stands, and which way it faces."""
+        stand, one = self.stand, name_of(self.one.id)
+        length = self.limits.length if self.limits.length else 1.5
+        if stand.point:
+            aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
+            point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
+            return self.filled(point), self.filled(facing)
+        sign = "+" if stand.meets is Meets.ALONG and stands_first(self.one) else "-"
+        at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
+        aside = f", {stand.aside:g}" if stand.aside else ""
+        return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at})"
+
+    def _hides(self, hidden: Actor) -> tuple[str, str]:
+        """Where it stands between the ego and whom it hides."""
+        if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
+            raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
+        back = 2.6 + 0.5 * (self.limits.length or 1.2)
+        one = name_of(hidden.one.id)
+        side = str(hidden.one.starts.side)
+        at = f"level{one} - {back:g}"
+        return f'besideRoad(egoRoute, {at}, "{side}", 1.2)', f"directionOn(egoRoute, {at})"
+
+    def said(self) -> str:
+        """What it is and does, for a comment."""
+        side = f" {self.one.starts.side}" if self.one.starts.side else ""
+        does = ", then ".join(deed.act for deed in self.deeds) or "nothing said"
+        return f"{self.one.kind} {self.one.starts.where}{side}: {does}"
+
+
+def name_of(one: str) -> str:
+    """What somebody of an id is called in a program."""
+    return one.replace("-", "_") if one[0].isupper() else f"A_{one.replace('-', '_')}"

@@ -1,0 +1,119 @@
+"""A situation to a program: the place, then everybody in it, then what could not be built."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+
+from chatscene.build.actor import Actor, name_of
+from chatscene.build.ego import BuiltEgo, ego_of
+from chatscene.build.facts import Ledger
+from chatscene.build.place import Found, find, started
+from chatscene.build.starts import Meets
+from chatscene.errors import NotBuilt
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.surroundings import FOLLOWS
+from chatscene.terms.vocabulary import Role
+
+ROOM = 3.0  # [m] between who stand in a row
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Built:
+    """A program that was built, and what is otherwise than was said.
+
+    Attributes:
+        program: The program.
+        map: The map that it was built for.
+        assumed: What was not said and had to be something, in words.
+        left_out: Facts that it lacks, as ``path: value``.
+    """
+
+    program: ScenicProgram
+    map: str
+    assumed: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+
+
+def build(situation: Situation, map_name: str | None = None, *, name: str = "situation") -> Built:
+    """The program of a situation.
+
+    Args:
+        situation: What is to happen.
+        map_name: The map; None for whichever of the packaged ones has such a place.
+        name: What the scenario is called.
+
+    Raises:
+        NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
+        MapError: There is no such map.
+    """
+    if not situation.adversaries:
+        raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+    ledger = Ledger(situation)
+    found = find(ledger, map_name)
+    ego = ego_of(ledger, found)
+    everybody = _everybody(ledger, found, ego)
+    body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
+    numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
+    around = _around(ledger)
+    ledger.take("contact.whom")  # whom the ego meets is the adversary, and only that is asked
+    declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
+    query = ", ".join(f"{key}={value!r}" for key, value in found.query.items())
+    source = "\n".join(
+        (
+            *textwrap.wrap(_title(situation), 100, initial_indent="# ", subsequent_indent="# "),
+            "",
+            "model chatscene.world.model",
+            *around,
+            *declared,
+            *ego.params,
+            "",
+            f"egoRoute = selectRoute({query})",
+            f"ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute{ego.properties}",
+            "",
+            body,
+        )
+    )
+    program = ScenicProgram(scenario_id=name, source=source, parameters=tuple(numbers), snippet_ids=())
+    return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
+
+
+def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor, Actor | None]]:
+    """All others in an order in which each can speak of those before it, with whom each hides."""
+    situation = ledger.situation
+    built: dict[str, Actor] = {}
+    rows: dict[tuple[str, str], tuple[Actor, float]] = {}
+    order: list[tuple[Actor, Actor | None]] = []
+    for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
+        hidden = _hides(situation, one)
+        place = (str(one.starts.where), str(one.starts.side))
+        first, room = rows.get(place, (None, 0.0)) if hidden is None else (None, 0.0)
+        actor = Actor(ledger, found, started(one, found.sides), ego.speed, room, first)
+        built[one.id] = actor
+        if hidden is None:
+            long = 2.5 if actor.stand.meets is Meets.ACROSS else actor.count * (actor.limits.length + ROOM)
+            rows[place] = (first or actor, room + long)
+        order.append((actor, built[hidden] if hidden is not None else None))
+    return order
+
+
+def _hides(situation: Situation, one: Other) -> str | None:
+    """The id of whom somebody hides, who only hides."""
+    hidden = next((other.id for other in situation.others if other.hidden_by == one.id), None)
+    return hidden if one.role is Role.HIDES else None
+
+
+def _title(situation: Situation) -> str:
+    """What it is about, for a comment."""
+    who = "; ".join(f"{name_of(one.id)} is a {one.kind} {one.starts.where}" for one in situation.others)
+    return f"the ego: {situation.ego.route or 'straight'}; {who}"
+
+
+def _around(ledger: Ledger) -> list[str]:
+    around = ledger.situation.around
+    ledger.take("around")
+    surface = around.surface or (FOLLOWS.get(around.weather) if around.weather else None)
+    said = {"light": around.light, "weather": around.weather, "surface": surface}
+    named = ", ".join(f"{name} = '{value}'" for name, value in said.items() if value is not None)
+    return [f"param {named}"] if named else []

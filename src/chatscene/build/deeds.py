@@ -1,0 +1,234 @@
+"""What is done for each act, by how somebody comes to meet the ego: the tables of steps, a row for each act."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+
+from chatscene.build.starts import Meets
+from chatscene.terms.vocabulary import Act
+
+STILL = "self.pose[3] < 0.05"
+OWN = "ownLane(egoRoute)"
+
+
+def _none() -> dict[str, str]:
+    return {}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Steps:
+    """How an act is done. In texts ``{p}`` is the line it goes along, ``$NAME`` a parameter.
+
+    Attributes:
+        does: The phases, where something else follows.
+        last: The phases where nothing does; empty for the same, and going on then.
+        way: The line it goes along from then on; empty for the same.
+        binds: For each amount that a deed may have, the parameter it binds.
+        lasting: Whether it is what somebody does who only goes on.
+        still: Whether it stands then.
+    """
+
+    does: tuple[str, ...]
+    last: tuple[str, ...] = ()
+    way: str = ""
+    binds: Mapping[str, str] = field(default_factory=_none)
+    lasting: bool = False
+    still: bool = False
+
+
+def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
+    return dict.fromkeys(acts, steps)
+
+
+GO = "DrivePath({p}, $SPEED)"
+BRAKES = f"BrakeOnPath({{p}}, $BRAKE) until {STILL}"
+_TURNS = (Act.TURN_LEFT, Act.TURN_RIGHT)
+_GOES = Steps(
+    does=(GO + " for $GO_TIME seconds",), last=(GO,), binds={"speed": "SPEED", "time": "GO_TIME"}, lasting=True
+)
+_STANDS = Steps(
+    does=("BrakeOnPath({p}, 1) for $STOP_TIME seconds",),
+    last=("BrakeOnPath({p}, 1)",),
+    binds={"time": "STOP_TIME"},
+    lasting=True,
+    still=True,
+)
+_INTO_OWN = Steps(
+    does=(f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 0.8",), way=OWN, binds={"speed": "SPEED"}
+)
+ALONG: dict[Act, Steps] = {
+    **_each((Act.GO_ALONG, Act.GO_STRAIGHT, Act.FOLLOW, Act.EXIT, *_TURNS), _GOES),
+    Act.STAND: _STANDS,
+    Act.BRAKE: Steps(
+        does=("BrakeOnPath({p}, $BRAKE) for $BRAKE_TIME seconds",),
+        last=("BrakeOnPath({p}, $BRAKE)",),
+        binds={"acceleration": "BRAKE", "time": "BRAKE_TIME"},
+    ),
+    Act.STOP: Steps(
+        does=(BRAKES, "Halt() for $STOP_TIME seconds"),
+        last=(BRAKES, "Halt()"),
+        binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
+        still=True,
+    ),
+    Act.SLOW_DOWN: Steps(
+        does=("DrivePath({p}, $SLOW) for 3 seconds",), last=("DrivePath({p}, $SLOW)",), binds={"speed": "SLOW"}
+    ),
+    Act.ACCELERATE: Steps(
+        does=("ThrottleOnPath({p}, $THROTTLE) for 1.8 seconds",),
+        last=("ThrottleOnPath({p}, $THROTTLE)",),
+        binds={"acceleration": "THROTTLE"},
+    ),
+    Act.SET_OFF: Steps(does=(GO + " for 3 seconds",), last=(GO,), binds={"speed": "SPEED"}),
+    Act.REVERSE: Steps(
+        does=(BRAKES, "ReverseStraight($BACK) for $BACK_TIME seconds"),
+        last=(BRAKES, "ReverseStraight($BACK) for $BACK_TIME seconds", "Halt()"),
+        binds={"speed": "BACK", "time": "BACK_TIME"},
+        still=True,
+    ),
+    Act.HESITATE: Steps(
+        does=(BRAKES, "Halt() for $STOP_TIME seconds", GO + " for 1.5 seconds"), binds={"time": "STOP_TIME"}
+    ),
+    **_each(
+        (Act.TURN_BACK, Act.U_TURN),
+        Steps(
+            does=("TurnOff(3, $SLOW, 5)",), last=("TurnOff(3, $SLOW, 5)", "MoveAhead($SPEED)"), binds={"speed": "SLOW"}
+        ),
+    ),
+    Act.WEAVE: Steps(
+        does=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, 3) for 4.5 seconds",),
+        last=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, 3)",),
+        binds={"speed": "SPEED"},
+    ),
+    Act.SWERVE: Steps(
+        does=("SwerveOnPath({p}, $SPEED, {aside} * $SWERVE) for $SWERVE_TIME seconds",),
+        binds={"speed": "SPEED", "time": "SWERVE_TIME"},
+    ),
+    Act.DRIFT: Steps(
+        does=tuple(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for 0.9 seconds" for k in (0.3, 0.6, 0.9)),
+        last=(
+            *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for 0.9 seconds" for k in (0.3, 0.6, 0.9)),
+            "DrivePath({p}, $SPEED, {aside} * $DRIFT)",
+        ),
+        binds={"speed": "SPEED"},
+    ),
+    Act.KEEP_LEVEL: Steps(
+        does=("PaceOnPath({p}, ego, $LEVEL, 25, 2) for $PACE_TIME seconds",),
+        last=("PaceOnPath({p}, ego, $LEVEL, 25, 2)",),
+        binds={"time": "PACE_TIME"},
+        lasting=True,
+    ),
+    Act.TAILGATE: Steps(
+        does=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $GAP, 25) for $PACE_TIME seconds",),
+        last=("PaceOnPath({p}, ego, -(ego.length + self.length) / 2 - $GAP, 25)",),
+        binds={"distance": "GAP", "time": "PACE_TIME"},
+        lasting=True,
+    ),
+    **_each((Act.CUT_IN, Act.MERGE, Act.ENTER), _INTO_OWN),
+    Act.LANE_CHANGE: _INTO_OWN,
+    Act.CUT_OUT: Steps(
+        does=("DrivePath({beside}, $SPEED) until abs(offsetFrom({beside}, self)) < 0.8",),
+        way="{beside}",
+        binds={"speed": "SPEED"},
+    ),
+    Act.OVERTAKE: Steps(
+        does=(
+            "DrivePath({beside}, $FAST) until headway(egoRoute, ego, self) > $AHEAD",
+            f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1",
+        ),
+        way=OWN,
+        binds={"speed": "FAST", "distance": "AHEAD"},
+    ),
+    Act.PULL_OUT: Steps(
+        does=(
+            "DrivePath({p}, 3) for 0.3 seconds",
+            f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 1.1",
+        ),
+        way=OWN,
+        binds={"speed": "SPEED"},
+    ),
+    Act.CROSS: replace(_GOES, lasting=False),
+}
+"""Of somebody who goes the ego's way, comes through a junction, or leaves the kerb."""
+_INTO_OURS = Steps(
+    does=("DrivePath({ours}, $SPEED) until abs(offsetFrom(egoRoute, self)) < 1",),
+    way="{ours}",
+    binds={"speed": "SPEED"},
+)
+_OFF_LEFT = "TurnOff(1.3, $SLOW, 7)"
+TOWARD: dict[Act, Steps] = {
+    **ALONG,
+    **_each((Act.OVERTAKE, Act.ENTER, Act.LANE_CHANGE, Act.CUT_IN), _INTO_OURS),
+    Act.TURN_LEFT: Steps(does=(_OFF_LEFT,), last=(_OFF_LEFT, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}),
+}
+"""Of somebody who comes against the ego."""
+OFF = {Act.TURN_LEFT: "TurnOff(1.4, $SLOW, 7)", Act.TURN_RIGHT: "TurnOff(-1.4, $SLOW, 7)"}
+"""Of somebody who goes along beside the ego and turns off across its way."""
+BESIDE: dict[Act, Steps] = {
+    **ALONG,
+    **{act: Steps(does=(off,), last=(off, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}) for act, off in OFF.items()},
+}
+"""Of somebody who goes along, but not through a junction."""
+MOVE = "MoveAhead($SPEED)"
+_RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
+_OVER = Steps(does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 2",), last=(MOVE,), binds={"speed": "SPEED"})
+_ROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SPEED, 2)"
+_ON_FOOT_BACK = Steps(
+    does=("MoveAhead($SPEED, 3.14159) for 1.5 seconds",), last=("MoveAhead($SPEED, 3.14159)",), binds={"speed": "SPEED"}
+)
+ACROSS: dict[Act, Steps] = {
+    **_each((Act.CROSS, Act.GO_STRAIGHT, Act.SET_OFF), _OVER),
+    Act.ENTER: Steps(does=_OVER.does, last=(_RESTS, "Halt()"), binds={"speed": "SPEED"}, still=True),
+    Act.STAND: Steps(
+        does=("Halt() for $STOP_TIME seconds",), last=("Halt()",), binds={"time": "STOP_TIME"}, lasting=True, still=True
+    ),
+    **_each(
+        (Act.STOP, Act.BRAKE),
+        Steps(
+            does=(_RESTS, "Halt() for $STOP_TIME seconds"),
+            last=(_RESTS, "Halt()"),
+            binds={"time": "STOP_TIME"},
+            still=True,
+        ),
+    ),
+    Act.HESITATE: Steps(
+        does=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", MOVE + " for 1 seconds"),
+        last=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", MOVE),
+        binds={"time": "STOP_TIME"},
+    ),
+    Act.ACCELERATE: Steps(
+        does=("MoveAhead($FAST) for 1 seconds",), last=("MoveAhead($FAST)",), binds={"speed": "FAST"}
+    ),
+    Act.SLOW_DOWN: Steps(does=("MoveAhead($SLOW) for 2 seconds",), last=("MoveAhead($SLOW)",), binds={"speed": "SLOW"}),
+    Act.TURN_BACK: _ON_FOOT_BACK,
+    Act.GO_ALONG: Steps(
+        does=(MOVE + " for $GO_TIME seconds",),
+        last=(MOVE,),
+        binds={"speed": "SPEED", "time": "GO_TIME"},
+        lasting=True,
+    ),
+}
+"""Of somebody who heads over the road."""
+ACROSS_RIDING = {
+    **ACROSS,
+    Act.TURN_BACK: Steps(does=(_ROUND, MOVE + " for 1.5 seconds"), last=(_ROUND, MOVE), binds={"speed": "SPEED"}),
+}
+
+
+def steps_for(meets: Meets, *, walks: bool, beside: bool) -> Mapping[Act, Steps]:
+    """How acts are done by somebody.
+
+    Args:
+        meets: How it comes to meet the ego.
+        walks: Whether it is on foot.
+        beside: Whether it is in the lane beside the ego's.
+    """
+    match meets:
+        case Meets.ACROSS:
+            return ACROSS if walks else ACROSS_RIDING
+        case Meets.TOWARD:
+            return TOWARD
+        case Meets.ALONG if beside:
+            return BESIDE
+        case _:
+            return ALONG

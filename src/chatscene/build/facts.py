@@ -1,0 +1,74 @@
+"""What was said and what became of it: each fact is built, or told as left out, or refused by its path."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import cast
+
+from chatscene.errors import NotBuilt
+from chatscene.situations.form import to_plain
+from chatscene.terms.situation import Situation
+
+_NAMES = re.compile(r"(?:^version|^evidence.*|\.id|\.role)$")  # what is no fact, or is one wherever somebody is built
+LEFT_OUT = re.compile(r"^(?:road\.(?:has\.\d+|setting|speed_limit)|contact\.(?:ego|other|happens|striker)|.*\.manner)$")
+"""Facts that a scene may lack and still show the conflict: they are told as left out, not refused."""
+
+
+@dataclass(slots=True)
+class Ledger:
+    """What was said of a situation, and what became of it while it is built.
+
+    Attributes:
+        situation: What was said.
+        built: The paths of facts that the program has.
+        assumed: What was not said and had to be something, in words.
+    """
+
+    situation: Situation
+    built: set[str] = field(default_factory=set[str])
+    assumed: list[str] = field(default_factory=list[str])
+
+    def take(self, *paths: str) -> None:
+        """Facts that the program has: of each path, all in it."""
+        self.built.update(paths)
+
+    def assume(self, said: str) -> None:
+        """Something that had to be chosen."""
+        if said not in self.assumed:
+            self.assumed.append(said)
+
+    def close(self) -> tuple[str, ...]:
+        """What is left out, as ``path: value``.
+
+        Raises:
+            NotBuilt: There is a fact without which the scene would be another.
+        """
+        left = {path: value for path, value in said_in(self.situation) if not self._is_built(path)}
+        if refused := [f"{path}: {value}" for path, value in left.items() if not LEFT_OUT.match(path)]:
+            raise NotBuilt("nothing builds yet: " + "; ".join(refused))
+        return tuple(f"{path}: {value}" for path, value in left.items())
+
+    def _is_built(self, path: str) -> bool:
+        steps = path.split(".")
+        return any(".".join(steps[: i + 1]) in self.built for i in range(len(steps)))
+
+
+def said_in(situation: Situation) -> Iterator[tuple[str, object]]:
+    """Each fact of a situation by its path, others by their ids."""
+    for path, value in _leaves(to_plain(situation), ()):
+        if not _NAMES.search(path):
+            yield path, value
+
+
+def _leaves(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, object]]:
+    if isinstance(value, Mapping):
+        for name, part in cast("Mapping[str, object]", value).items():
+            yield from _leaves(part, (*path, name))
+    elif isinstance(value, Sequence) and not isinstance(value, str):
+        for i, part in enumerate(cast("Sequence[object]", value)):
+            named = cast("Mapping[str, object]", part).get("id", i) if isinstance(part, Mapping) else i
+            yield from _leaves(part, (*path, str(named)))
+    else:
+        yield ".".join(path), value

@@ -1,0 +1,140 @@
+"""Numbers of somebody's plan: what was said binds a parameter, what was not has a range that is searched."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import RoadUser
+from chatscene.terms.amount import Amount
+from chatscene.terms.snippet import ParameterRange
+from chatscene.terms.vocabulary import Manner
+
+_NAME = re.compile(r"\$([A-Z][A-Z0-9_]*)")
+_OF_DEED = re.compile(r"_\d+$")
+MOST = 0.95  # of a body's top speed, which nobody quite reaches
+
+RANGES: dict[str, tuple[float, float, str, str]] = {
+    "OFFSET": (-1.5, 1.0, "s", "how much sooner than the ego it is where their ways meet"),
+    "BRAKE": (0.5, 1, "1", "how hard it brakes"),
+    "BRAKE_TIME": (0.7, 1.4, "s", "for how long it brakes"),
+    "STOP_TIME": (1, 2.5, "s", "how long it stands"),
+    "GO_TIME": (1, 2, "s", "for how long it goes on so"),
+    "THROTTLE": (0.6, 1, "1", "how far the pedal is pressed"),
+    "BACK": (1, 3, "m/s", "how fast it backs up"),
+    "BACK_TIME": (1.5, 3, "s", "for how long it backs up"),
+    "AMPLITUDE": (0.7, 1.2, "m", "how far it swings to either side"),
+    "SWERVE": (1.6, 2.6, "m", "how far it swerves"),
+    "SWERVE_TIME": (1, 1.6, "s", "for how long it swerves"),
+    "DRIFT": (1.4, 2, "m", "how far it drifts"),
+    "PACE_TIME": (2, 3.5, "s", "for how long it keeps so"),
+    "LEVEL": (-2, 2, "m", "how far ahead of the ego it keeps"),
+    "GAP": (0.5, 2.5, "m", "how much room it leaves"),
+    "AHEAD": (3, 8, "m", "how far ahead it is before it comes back"),
+    "NEAR": (12, 30, "m", "how near the ego is when it acts"),
+    "LEAD_TIME": (1.2, 2.6, "s", "how long before they would meet it acts"),
+    "X": (1.0, 2.5, "m", "how far outside the lanes it stands"),
+}
+"""The parameters of plans but for places and speeds: range, unit, meaning."""
+
+_SHARES: dict[str, Callable[[RoadUser], float]] = {
+    "BRAKE": lambda row: row.limits.brake,
+    "THROTTLE": lambda row: row.limits.throttle,
+}
+"""Parameters that are a share of what a body can do: of how much [m/s²]."""
+FIRM = {Manner.HARD: 0.8, Manner.SUDDEN: 0.8}
+"""From which share of its brakes on somebody brakes hard, or suddenly."""
+
+
+@dataclass(slots=True)
+class Numbers:
+    """The parameters of one road user.
+
+    Attributes:
+        name: Whose; stands in the name of each.
+        row: What holds of its kind.
+        ranges: For each that is used, from where to where, its unit and meaning.
+    """
+
+    name: str
+    row: RoadUser
+    ranges: dict[str, tuple[float, float, str, str]] = field(default_factory=dict[str, tuple[float, float, str, str]])
+
+    def __post_init__(self) -> None:
+        # A watcher calls it slow below one speed and fast from another on: what is neither lies between.
+        slow, fast, top = self.row.slow, self.row.fast, MOST * self.row.limits.top_speed
+        meaning = "how fast it goes"
+        self.ranges["SPEED"] = (0.55 * fast, min(0.82 * fast, top), "m/s", meaning)
+        self.ranges["SLOW"] = (0.5 * slow, 0.9 * slow, "m/s", "how slow it then is")
+        self.ranges["FAST"] = (min(fast, top), min(1.25 * fast, top), "m/s", "how fast it then is")
+
+    def bind(self, name: str, amount: Amount, ego: float) -> None:
+        """Let a parameter be what was said.
+
+        Args:
+            name: The parameter.
+            amount: What was said of it.
+            ego: What the ego has of it, where an amount is measured against that.
+
+        Raises:
+            NotBuilt: No body of its kind can do that.
+        """
+        low, high, unit, meaning = self._range(name)
+        share = _SHARES.get(_OF_DEED.sub("", name))
+        scale = share(self.row) if share else 1.0
+        least, most = (amount.low + ego * amount.than_ego) / scale, (amount.high + ego * amount.than_ego) / scale
+        top = 1.0 if share else MOST * self.row.limits.top_speed if unit == "m/s" else most
+        least, most = max(least, min(low, most)), min(most, max(high, least))
+        if least > top + 1e-9:
+            most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
+            raise NotBuilt(f"{amount} is more than a {self.row.scenic.lower()} can: {most_told}")
+        self.ranges[name] = (least, min(most, top), unit, meaning)
+
+    def narrow(self, name: str, low: float, high: float) -> None:
+        """Give a parameter another range, where no number was said of it."""
+        _, _, unit, meaning = self._range(name)
+        self.ranges[name] = (low, high, unit, meaning)
+
+    def place(self, name: str, low: float, high: float, meaning: str) -> None:
+        """A parameter that says where it is [m]."""
+        self.ranges[name] = (low, high, "m", meaning)
+
+    def middle(self, name: str) -> float:
+        """The middle of the range of a parameter."""
+        low, high, *_ = self._range(name)
+        return (low + high) / 2
+
+    def _range(self, name: str) -> tuple[float, float, str, str]:
+        """Of a parameter, or of that which it is for one deed alone, as ``BRAKE_1`` is of ``BRAKE``."""
+        if name in self.ranges:
+            return self.ranges[name]
+        general = _OF_DEED.sub("", name)
+        return self.ranges.get(general) or RANGES[general]
+
+    def filled(self, text: str) -> str:
+        """A text of Scenic with parameters, or the number where one was said, in the place of ``$NAME``."""
+        return _NAME.sub(lambda found: self.value(found[1]), text)
+
+    def value(self, name: str) -> str:
+        """What stands for a parameter in a program."""
+        low, high, *_ = self.ranges.setdefault(name, self._range(name))
+        return f"globalParameters.{self.called(name)}" if high > low else f"{low:.6g}"
+
+    def called(self, name: str) -> str:
+        """The name of a parameter in the program."""
+        return f"OPT_{self.name.upper().replace('-', '_')}_{name}"
+
+    def declared(self, source: str) -> tuple[ParameterRange, ...]:
+        """The parameters that a text reads."""
+        read = set(re.findall(r"globalParameters\.(\w+)", source))
+        return tuple(
+            ParameterRange(name=self.called(name), low=_rounded(low), high=_rounded(high), unit=unit, meaning=meaning)
+            for name, (low, high, unit, meaning) in self.ranges.items()
+            if self.called(name) in read
+        )
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.6g}")

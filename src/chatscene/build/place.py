@@ -1,0 +1,311 @@
+"""Where it happens: a query for the ego's route, and a route of the map that has all the ways that others need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from chatscene.build.facts import Ledger
+from chatscene.errors import MapError, NotBuilt
+from chatscene.maps.crossings import conflicting_paths
+from chatscene.maps.network import load_network, resolve_map
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.world.places import EgoRoute as Route
+from chatscene.world.places import choose_route
+
+MANEUVERS: dict[EgoRoute | None, Maneuver] = {
+    None: Maneuver.STRAIGHT,
+    EgoRoute.STRAIGHT: Maneuver.STRAIGHT,
+    EgoRoute.LEFT_TURN: Maneuver.LEFT_TURN,
+    EgoRoute.RIGHT_TURN: Maneuver.RIGHT_TURN,
+    EgoRoute.TURN: Maneuver.LEFT_TURN,
+    EgoRoute.LANE_CHANGE_LEFT: Maneuver.LANE_CHANGE_LEFT,
+    EgoRoute.LANE_CHANGE_RIGHT: Maneuver.LANE_CHANGE_RIGHT,
+    EgoRoute.LANE_CHANGE: Maneuver.LANE_CHANGE_LEFT,
+    EgoRoute.BYPASS: Maneuver.BYPASS,
+    EgoRoute.OVERTAKE: Maneuver.BYPASS,
+    EgoRoute.ROUNDABOUT: Maneuver.STRAIGHT,
+    EgoRoute.MERGE: Maneuver.LANE_CHANGE_LEFT,
+    EgoRoute.EXIT: Maneuver.LANE_CHANGE_RIGHT,
+}
+"""What a route finder is asked for; for the ways of an ego that are not here, no map is asked."""
+
+CONTROLS = {
+    RightOfWay.SIGNAL: Control.SIGNAL,
+    RightOfWay.STOP_SIGN: Control.STOP_SIGN,
+    RightOfWay.NONE: Control.NONE,
+}
+PLACES = {
+    RoadKind.JUNCTION: Place.JUNCTION,
+    RoadKind.THREE_WAY: Place.THREE_WAY,
+    RoadKind.FOUR_WAY: Place.FOUR_WAY,
+    RoadKind.CURVE: Place.CURVE,
+    RoadKind.LEFT_CURVE: Place.LEFT_CURVE,
+    RoadKind.RIGHT_CURVE: Place.RIGHT_CURVE,
+    RoadKind.ROAD: Place.ROAD,
+}
+SITES = {
+    Feature.CROSSWALK: Site.CROSSWALK,
+    Feature.PARKING_PLACES: Site.PARKING,
+    Feature.BUS_BAY: Site.BUS_BAY,
+    Feature.LANE_DROP: Site.LANE_DROP,
+    Feature.OFF_RAMP: Site.PAST_OFF_RAMP,
+    Feature.ON_RAMP: Site.PAST_ON_RAMP,
+}
+NEXT_LANE = (Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE)
+TURNING = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
+WAYS = {Act.TURN_LEFT: Maneuver.LEFT_TURN, Act.TURN_RIGHT: Maneuver.RIGHT_TURN}
+PACKAGED = ("town", "outskirts")
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Where it happens.
+
+    Attributes:
+        map: The map's name or file.
+        query: What the program asks the map for, as `selectRoute` takes it.
+        route: The first route that the map answers with.
+        sides: For each of others whose side was left open, the one that was chosen.
+    """
+
+    map: str
+    query: dict[str, Any]
+    route: Route
+    sides: dict[str, Side]
+
+
+def at_junction(situation: Situation) -> bool:
+    """Whether it happens at a junction."""
+    road, others = situation.road, situation.others
+    return (
+        road.kind in (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY)
+        or situation.ego.route in TURNING
+        or road.control in CONTROLS
+        or any(one.starts.where.row.junction for one in others if one.starts.where not in _ROUND)
+        or any(deed.act is Act.GO_STRAIGHT for one in others for deed in one.does)
+    )
+
+
+_CURVES = (RoadKind.CURVE, RoadKind.LEFT_CURVE, RoadKind.RIGHT_CURVE)
+_MOTORWAYS = (
+    Site.MOTORWAY,
+    Site.ON_RAMP,
+    Site.OFF_RAMP,
+    Site.PAST_ON_RAMP,
+    Site.PAST_OFF_RAMP,
+    Site.WEAVING,
+    Site.LANE_DROP,
+)
+_OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
+    RoadKind.ROUNDABOUT: (Site.ROUNDABOUT,),
+    RoadKind.MOTORWAY: _MOTORWAYS,
+    RoadKind.RAMP: _MOTORWAYS,
+}
+_ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+
+
+def rides_at_edge(one: Other) -> bool:
+    """Whether it is on two wheels without a motor: then beside the ego is at the edge of the ego's own lane."""
+    return (
+        one.kind.moves is Moves.RIDES
+        and not one.kind.row.body.row.motorised
+        and one.kind.row.body.acts_as.value == "bicycle"
+    )
+
+
+def arm_of(situation: Situation, one: Other, sides: dict[str, Side]) -> str:
+    """From where traffic through the ego's junction comes; empty for who comes from none of its arms."""
+    if one.starts.where is Where.ARM:
+        return str(one.starts.side or sides[one.id])
+    return "oncoming" if one.starts.where is Where.ONCOMING and at_junction(situation) else ""
+
+
+def way_of(one: Other) -> Maneuver:
+    """What somebody who comes through a junction does there."""
+    return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
+
+
+def find(ledger: Ledger, map_name: str | None) -> Found:
+    """The first query that a map answers with a route on which all ways are that others need.
+
+    Args:
+        ledger: What was said.
+        map_name: The only map to ask; None for the packaged ones.
+
+    Raises:
+        NotBuilt: No map has such a place; the message says what each lacks.
+    """
+    situation = ledger.situation
+    if situation.ego.route not in MANEUVERS:
+        raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
+    lacking: list[str] = []
+    for sides in _open_sides(situation.others):
+        for name in (map_name,) if map_name else PACKAGED:
+            for query in _queries(situation, sides):
+                if found := _answered(situation, name, query, sides, lacking):
+                    _take(ledger, found)
+                    return found
+    said = "; ".join(dict.fromkeys(lacking))
+    raise NotBuilt(f"no map has such a place: {said}")
+
+
+def _open_sides(others: Sequence[Other]) -> Iterator[dict[str, Side]]:
+    """Ways to choose the sides that were left open: where two lanes have one side, all are tried on that first."""
+    open_ones = [one.id for one in others if one.starts.where.row.sided and one.starts.side is None]
+    orders = ((Side.RIGHT, Side.LEFT), (Side.LEFT, Side.RIGHT)) if open_ones else ((Side.RIGHT,),)
+    for order in orders:
+        yield dict.fromkeys(open_ones, order[0])
+
+
+def _answered(
+    situation: Situation, name: str, query: dict[str, Any], sides: dict[str, Side], lacking: list[str]
+) -> Found | None:
+    path = str(resolve_map(name))
+    network = load_network(path)
+    try:
+        route = choose_route(network, path, 0, **query)
+    except MapError as error:
+        lacking.append(str(error))
+        return None
+    there = {(way.from_side, way.turn.value) for way in conflicting_paths(network, route.route)}
+    needs = {(arm, str(way_of(one))) for one in situation.others if (arm := arm_of(situation, one, sides))}
+    if missing := needs - there:
+        who = ", ".join(f"from the {arm} in a {turn}" for arm, turn in sorted(missing))
+        lacking.append(f"on map {Path(path).stem!r} nobody who comes {who} meets the ego's way there")
+        return None
+    return Found(name, query, route, sides)
+
+
+def _queries(situation: Situation, sides: dict[str, Side]) -> Iterator[dict[str, Any]]:
+    """Arguments of `selectRoute`, the narrower first where a map cannot be asked for all that is needed."""
+    road, others = situation.road, situation.others
+    base: dict[str, Any] = {"maneuver": MANEUVERS[situation.ego.route].value}
+    lanes = [
+        str(one.starts.side or sides[one.id])
+        for one in others
+        if one.starts.where in NEXT_LANE and not rides_at_edge(one)
+    ]
+    if road.lanes is not None:
+        base["lanes"] = road.lanes
+    if road.ego_lane is not None:
+        base["lane"] = road.ego_lane
+    if road.two_way is not None and not at_junction(situation):
+        base["opposite"] = road.two_way
+    sites = [SITES[one].value for one in road.has if one in SITES and not at_junction(situation)]
+    for here in (*(base | {"site": site} for site in sites), base):
+        yield from _on_road(situation, sides, here, lanes)
+
+
+def _on_road(
+    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
+) -> Iterator[dict[str, Any]]:
+    """Queries for the kind of road."""
+    road, route, others = situation.road, situation.ego.route, situation.others
+    if at_junction(situation):
+        yield from _at_junction(situation, sides, base, lanes)
+    elif road.kind is RoadKind.ROUNDABOUT or route is EgoRoute.ROUNDABOUT:
+        yield base | {"site": Site.ROUNDABOUT.value}
+    elif any(one.starts.where is Where.ON_RAMP for one in others):
+        yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
+    elif route is EgoRoute.EXIT:
+        yield base | {"site": Site.OFF_RAMP.value}
+    elif route is EgoRoute.MERGE or road.kind is RoadKind.RAMP:
+        yield base | {"site": Site.ON_RAMP.value} | ({"lanes": max(2, road.lanes or 2)} if lanes else {})
+    elif road.kind is RoadKind.MOTORWAY:
+        yield from _along(situation, base | {"site": base.get("site", Site.MOTORWAY.value)}, lanes)
+    else:
+        if road.setting is Setting.RURAL and "site" not in base and not lanes:
+            yield from _along(situation, base | {"site": Site.RURAL.value}, lanes)
+        yield from _along(situation, base, lanes)
+
+
+def _at_junction(
+    situation: Situation, sides: dict[str, Side], base: dict[str, Any], lanes: list[str]
+) -> Iterator[dict[str, Any]]:
+    road, others = situation.road, situation.others
+    arms = [arm for one in others if (arm := arm_of(situation, one, sides))]
+    if any(rides_at_edge(one) and one.starts.where in NEXT_LANE for one in others):
+        arms.append("oncoming")  # an arm opposite, or there is no straight on
+    query = base | {"place": PLACES.get(road.kind or RoadKind.JUNCTION, Place.JUNCTION).value}
+    if road.control is not None and road.control in CONTROLS:
+        query["control"] = CONTROLS[road.control].value
+    if arms:
+        query["crossed"] = tuple(dict.fromkeys(arms))
+    if lanes:
+        query |= {"lanes": max(2, query.get("lanes", 1)), "beside": lanes[0]}
+    four = query | {"place": Place.FOUR_WAY.value} if query["place"] == Place.JUNCTION else query
+    yield query
+    yield four  # no query asks for what crossing traffic does there
+    yield four | {"crossed": tuple(dict.fromkeys((*arms, "left", "right", "oncoming")))}
+
+
+def _along(situation: Situation, base: dict[str, Any], lanes: list[str]) -> Iterator[dict[str, Any]]:
+    """Queries for a way between junctions."""
+    road, others = situation.road, situation.others
+    straight = base["maneuver"] == Maneuver.STRAIGHT
+    query = dict(base)
+    if straight and "site" not in query:
+        query["place"] = PLACES.get(road.kind or RoadKind.ROAD, Place.ROAD).value
+    elif straight and road.kind is not None and road.kind in _CURVES:
+        query["place"] = PLACES[road.kind].value
+    against = any(one.starts.where in (Where.ONCOMING, Where.ONCOMING_IN_OUR_LANE) for one in others)
+    if query["maneuver"] == Maneuver.BYPASS:
+        several = (road.lanes or 1) > 1 or (bool(lanes) and not against)
+        query |= {"lanes": max(2, road.lanes or 2), "opposite": False} if several else {"opposite": True}
+    elif lanes:
+        query |= {"beside": lanes[0]} if straight else {"lanes": max(2, road.lanes or 2)}
+        if len(set(lanes)) > 1:
+            query["lanes"] = max(3, road.lanes or 3)
+    elif against:
+        query |= {"opposite": True} | ({"beside": "none"} if straight and road.lanes in (None, 1) else {})
+    elif straight and road.lanes in (None, 1) and any(_at_kerb(one) for one in others):
+        yield query | {"beside": "none"}  # the outermost lane, or there is no kerb beside it
+    yield query
+
+
+def _at_kerb(one: Other) -> bool:
+    return one.starts.where in (Where.KERB, Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.BUS_BAY)
+
+
+def _take(ledger: Ledger, found: Found) -> None:
+    """What of the road is as it was said, once a route is found; and what was chosen."""
+    situation, query = ledger.situation, found.query
+    road = situation.road
+    ledger.take("ego.route", "road.lanes", "road.ego_lane")
+    if _is_kind(road.kind, found):
+        ledger.take("road.kind")
+    if road.control in CONTROLS and "control" in query:
+        ledger.take("road.control")
+    if road.two_way is None or "opposite" in query or found.route.route.junction is not None:
+        ledger.take("road.two_way")
+    if road.setting is Setting.TOWN or (road.setting is Setting.RURAL and query.get("site") == Site.RURAL):
+        ledger.take("road.setting")
+    for i, one in enumerate(road.has):
+        if one in SITES and query.get("site") == SITES[one]:
+            ledger.take(f"road.has.{i}")
+    for name, side in found.sides.items():
+        ledger.assume(f"{name} is on the {side}, which was not said")
+    if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
+        ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
+
+
+def _is_kind(kind: RoadKind | None, found: Found) -> bool:
+    """Whether the route lies on a road of a kind."""
+    if kind is RoadKind.ROAD:
+        return found.route.route.junction is None
+    if kind in _OF_KIND:
+        return found.query.get("site") in _OF_KIND[kind]
+    return kind in PLACES and "place" in found.query
+
+
+def started(one: Other, sides: dict[str, Side]) -> Other:
+    """Somebody with the side that was chosen where none was said."""
+    if one.id not in sides:
+        return one
+    return replace(one, starts=replace(one.starts, side=sides[one.id]))

@@ -1,0 +1,308 @@
+"""Where somebody stands at first, by where it was said to be: a row for each place, and one of five ways to meet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.build.numbers import Numbers
+from chatscene.build.place import Found, arm_of, at_junction, rides_at_edge, way_of
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.scenario import Maneuver
+from chatscene.terms.situation import Other, Situation
+from chatscene.terms.vocabulary import Act, Facing, Side, Where
+
+
+class Meets(StrEnum):
+    """How somebody comes to meet the ego: what its deeds are made of, and when the first is due."""
+
+    ALONG = "along"  # goes the ego's way
+    TOWARD = "toward"  # comes against it
+    THROUGH = "through"  # comes through a junction
+    ACROSS = "across"  # heads over the road
+    KERB = "kerb"  # stands at the kerb
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stand:
+    """Where somebody stands at first. In texts ``{i}`` is its name, ``$NAME`` a parameter of it.
+
+    Attributes:
+        meets: How it comes to meet the ego.
+        way: The line it goes along.
+        at: Arc length [m] on that.
+        aside: How far [m] to the left of it.
+        point: Where it is instead of on its way.
+        facing: Which way it faces there.
+        lines: What is named before.
+        ego_meets: Arc length [m] on the ego's route where they would meet.
+        left: How far [m] it has to there.
+        behind: Whether it is behind the ego.
+    """
+
+    meets: Meets
+    way: str = "egoRoute"
+    at: str = ""
+    aside: float = 0.0
+    point: str = ""
+    facing: str = ""
+    lines: tuple[str, ...] = ()
+    ego_meets: str = "egoRoute.eventAt"
+    left: str = "0"
+    behind: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """Of whom a start is asked.
+
+    Attributes:
+        situation: What was said.
+        found: Where it happens.
+        one: Who.
+        numbers: Its parameters.
+        room: How far [m] beyond the first of its place it stands, where others stand there already.
+    """
+
+    situation: Situation
+    found: Found
+    one: Other
+    numbers: Numbers
+    room: float = 0.0
+
+    @property
+    def walks(self) -> bool:
+        """Whether it is on foot."""
+        return self.one.kind.moves is Moves.WALKS
+
+    @property
+    def rides(self) -> bool:
+        """Whether it is on a bicycle or the like, which keeps to the edge."""
+        return rides_at_edge(self.one)
+
+    @property
+    def stands(self) -> bool:
+        """Whether it stands at first."""
+        return stands_first(self.one)
+
+    @property
+    def side(self) -> str:
+        """Its side of the ego."""
+        return str(self.one.starts.side)
+
+    @property
+    def swings_out(self) -> bool:
+        """Whether the ego's way swings out round something."""
+        return self.found.query["maneuver"] == Maneuver.BYPASS
+
+    def reach(self, low: float, high: float, meaning: str = "how far ahead of the ego it is") -> None:
+        """From where to where [m] it may be, if that was not said."""
+        if (said := self.one.starts.distance) is not None:
+            low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
+        self.numbers.place("Y", low, max(low, high), meaning)
+
+    @property
+    def more(self) -> str:
+        """The room that is added to a place ahead."""
+        return f" + {self.room:g}" if self.room else ""
+
+    @property
+    def less(self) -> str:
+        """The room that is taken off a place behind."""
+        return f" - {self.room:g}" if self.room else ""
+
+
+def stands_first(one: Other) -> bool:
+    """Whether somebody stands when it begins."""
+    first = one.does[0].act if one.does else None
+    still = one.starts.speed is not None and one.starts.speed.high <= 0.0
+    return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
+
+
+def _ahead(asked: Asked) -> Stand:
+    if asked.walks:
+        asked.reach(30, 50)
+        facing = {Facing.ALONG: "0", Facing.AGAINST: "3.14159"}.get(asked.one.starts.facing or Facing.ALONG)
+        turned = f", {facing}" if facing else ""
+        return Stand(
+            meets=Meets.ACROSS,
+            point=f"pointOn(egoRoute, $Y{asked.more})",
+            facing=f"directionOn(egoRoute, $Y{asked.more}{turned})"
+            if facing
+            else f'crossingDirection(egoRoute, $Y{asked.more}, "right")',
+            ego_meets="progressOn(egoRoute, self)[0]",
+        )
+    aside = -0.9 if asked.rides else 0.0
+    if asked.swings_out and asked.stands:
+        asked.reach(-2, 2, "how far beyond where the ego swings out it stands")
+        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"egoRoute.eventAt + $Y{asked.more}", aside=aside)
+    if asked.swings_out:  # who is passed while it goes: it is there when the ego is
+        asked.reach(22, 30)
+        return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
+    asked.reach(*((38, 56) if asked.stands else (11, 19)))
+    return Stand(meets=Meets.ALONG, way="ownWay(egoRoute)", at=f"$Y{asked.more}", aside=aside)
+
+
+def _behind(asked: Asked) -> Stand:
+    asked.reach(9, 17, "how far behind the ego it is")
+    return Stand(meets=Meets.ALONG, way="extended(egoRoute, 80)", at=f"80 - $Y{asked.less}", behind=True)
+
+
+def _next_lane(asked: Asked) -> Stand:
+    where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
+    low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
+    if asked.stands and where is Where.AHEAD_BESIDE:
+        low, high = 28.0, 40.0
+    asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
+    at = f"60 {'-' if back else '+'} $Y{asked.more}"
+    if asked.rides:
+        sign = "-" if asked.side == Side.RIGHT else ""
+        return Stand(meets=Meets.ALONG, way=f"extended(straightOn(egoRoute), 60).offset({sign}2.3)", at=at, behind=back)
+    return Stand(meets=Meets.ALONG, way=f'extended(neighbourPath(egoRoute, "{asked.side}"), 60)', at=at, behind=back)
+
+
+def _through(asked: Asked) -> Stand:
+    arm = arm_of(asked.situation, asked.one, asked.found.sides)
+    asked.reach(10, 25, "how far before the junction it is")
+    return Stand(
+        meets=Meets.THROUGH,
+        way=f'wayOf(trafficFrom(egoRoute, "{arm}"), "{way_of(asked.one)}")',
+        at=f"maximum(2, way{{i}}.entry - $Y{asked.less})",
+        lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
+        ego_meets="egoMeet{i}",
+        left="distanceLeft(way{i}, {first}, meet{i})",
+    )
+
+
+def _oncoming(asked: Asked) -> Stand:
+    if asked.one.starts.where is Where.ONCOMING and at_junction(asked.situation):
+        return _through(asked)
+    ours = asked.one.starts.where is Where.ONCOMING_IN_OUR_LANE
+    way = "against(egoRoute)" if ours else 'neighbourPath(egoRoute, "left")'
+    if asked.stands:
+        asked.reach(38, 56)
+        return Stand(meets=Meets.TOWARD, way=way, at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})")
+    asked.reach(75, 95)
+    return Stand(
+        meets=Meets.TOWARD,
+        way=way,
+        at=f"levelOn(way{{i}}, egoRoute, $Y{asked.more})",
+        lines=("meet{i} = levelOn(way{i}, egoRoute, egoRoute.eventAt)",),
+        left="distanceLeft(way{i}, {first}, meet{i})",
+    )
+
+
+def _beside_road(asked: Asked) -> Stand:
+    """On foot or on two wheels beside the road, or in a driveway: it faces the road."""
+    where = asked.one.starts.where
+    if where is Where.EXIT_CROSSING:
+        asked.reach(2, 6, "how far behind the junction it is")
+        level = "egoRoute.exitAt + $Y"
+    elif where is Where.CROSSING and at_junction(asked.situation):
+        asked.reach(1, 4, "how far before the junction it is")
+        level = "egoRoute.eventAt - $Y"
+    elif where is Where.CROSSING:
+        asked.reach(-2, 2, "how far beyond the crosswalk it is")
+        level = "egoRoute.eventAt + $Y"
+    else:
+        asked.reach(34, 50)
+        level = "shortOfJunction(egoRoute, $Y)"
+    there = f"level{{i}}{asked.more}"
+    facing = {
+        Facing.ALONG: f"directionOn(egoRoute, {there})",
+        Facing.AGAINST: f"directionOn(egoRoute, {there}, 3.14159)",
+    }.get(asked.one.starts.facing or Facing.ACROSS, f'crossingDirection(egoRoute, {there}, "{asked.side}")')
+    return Stand(
+        meets=Meets.ACROSS,
+        point=f'besideRoad(egoRoute, {there}, "{asked.side}", $X)',
+        facing=facing,
+        lines=(f"level{{i}} = {level}",),
+        ego_meets="progressOn(egoRoute, self)[0]",
+        left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+    )
+
+
+def _kerb(asked: Asked) -> Stand:
+    if asked.walks or asked.rides:
+        return _beside_road(asked)
+    asked.reach(*((-2, 2) if asked.swings_out else (30, 44)))
+    level = f"{'egoRoute.eventAt + ' if asked.swings_out else ''}$Y{asked.more}"
+    if asked.side == Side.RIGHT:
+        edge = 'besideRoad(egoRoute, 20, "right", 1.3)'
+    else:
+        beside = 'neighbourPath(egoRoute, "left")'
+        edge = f"pointOn({beside}, levelOn({beside}, egoRoute, 20), -2.1)"
+    return Stand(
+        meets=Meets.KERB,
+        way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
+        at=level,
+        ego_meets="progressOn(egoRoute, self)[0]",
+    )
+
+
+def _exit(asked: Asked) -> Stand:
+    asked.reach(6, 14, "how far behind the junction it is")
+    return Stand(meets=Meets.ALONG, at=f"egoRoute.exitAt + $Y{asked.more}")
+
+
+def _median(asked: Asked) -> Stand:
+    asked.reach(34, 50)
+    return Stand(
+        meets=Meets.ACROSS,
+        point=f"pointOn(egoRoute, $Y{asked.more}, 1.9)",
+        facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
+        ego_meets="progressOn(egoRoute, self)[0]",
+        left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+    )
+
+
+def _on_ramp(asked: Asked) -> Stand:
+    asked.reach(-2, 8)
+    return Stand(meets=Meets.ALONG, way='extended(neighbourPath(egoRoute, "right"), 60)', at=f"60 + $Y{asked.more}")
+
+
+def _roundabout(asked: Asked) -> Stand:  # noqa: ARG001 - as all of them
+    return Stand(
+        meets=Meets.THROUGH,
+        way='trafficFrom(egoRoute, "left")[0]',
+        at="way{i}.entry - 2",
+        lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
+        ego_meets="egoMeet{i}",
+        left="distanceLeft(way{i}, self, meet{i})",
+    )
+
+
+STARTS: dict[Where, Callable[[Asked], Stand]] = {
+    Where.AHEAD: _ahead,
+    Where.AHEAD_BESIDE: _next_lane,
+    Where.BESIDE: _next_lane,
+    Where.BEHIND: _behind,
+    Where.BEHIND_BESIDE: _next_lane,
+    Where.ONCOMING: _oncoming,
+    Where.ONCOMING_IN_OUR_LANE: _oncoming,
+    Where.ARM: _through,
+    Where.ROADSIDE: _beside_road,
+    Where.KERB: _kerb,
+    Where.DRIVEWAY: _beside_road,
+    Where.CROSSING: _beside_road,
+    Where.EXIT: _exit,
+    Where.EXIT_CROSSING: _beside_road,
+    Where.MEDIAN: _median,
+    Where.ON_RAMP: _on_ramp,
+    Where.IN_ROUNDABOUT: _roundabout,
+    Where.ROUNDABOUT_ENTRY: _roundabout,
+}
+
+
+def start_of(asked: Asked) -> Stand:
+    """Where somebody stands at first.
+
+    Raises:
+        NotBuilt: Nobody is placed there yet.
+    """
+    where = asked.one.starts.where
+    if where not in STARTS:
+        raise NotBuilt(f"nothing builds yet: others.{asked.one.id}.starts.where: {where}")
+    return STARTS[where](asked)

@@ -1,0 +1,188 @@
+"""Situations become programs that stand, drive, and have every fact that was said, or say what they lack."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Any
+
+import pytest
+import yaml
+from hypothesis import given, settings
+
+from chatscene.build.build import Built, build
+from chatscene.build.deeds import ACROSS, ALONG, TOWARD
+from chatscene.build.facts import LEFT_OUT, said_in
+from chatscene.build.numbers import RANGES, Numbers
+from chatscene.build.starts import STARTS
+from chatscene.ego.policy import load_ego, wanting
+from chatscene.errors import MapError, NotBuilt
+from chatscene.maps.network import resolve_map
+from chatscene.program.sample import draw
+from chatscene.settings import SimulationSettings
+from chatscene.simulate.simulator import Simulator, load_simulator, simulate
+from chatscene.situations.check import AMOUNTS
+from chatscene.situations.form import from_plain
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.amount import Acceleration, Speed
+from chatscene.terms.episode import Episode, Role
+from chatscene.terms.scene import Rejected, Scene
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Where
+from chatscene.terms.written_plans import WrittenPlan, written_plans
+from chatscene.testing.simulators import differences
+from drawn import situations
+from places import TESTS
+
+WRITTEN: dict[str, Any] = {
+    one.pop("name"): one for one in yaml.safe_load((TESTS / "build" / "written.yaml").read_text(encoding="utf-8"))
+}
+
+
+def situation(name: str) -> Situation:
+    return from_plain(WRITTEN[name])
+
+
+@cache
+def built(name: str) -> Built:
+    return build(situation(name))
+
+
+@cache
+def simulator(map_name: str, by: str) -> Simulator:
+    return load_simulator(resolve_map(map_name), SimulationSettings(simulator=by))
+
+
+def drive(one: Built, by: str = "native", seed: int = 1, ego: str = "idm") -> Episode | Rejected:
+    scene = Scene(
+        id=f"{one.program.scenario_id}/route-00/scene-{seed}",
+        scenario_id=one.program.scenario_id,
+        route=0,
+        block=0,
+        seed=seed,
+        values=draw(one.program.parameters, seed=seed),
+    )
+    driver = wanting(load_ego(ego), one.program.wanted_speed)
+    return simulate(simulator(one.map, by), one.program, scene, driver)
+
+
+def ahead(deed: dict[str, Any]) -> dict[str, Any]:
+    """A car ahead that does something."""
+    return {"others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [deed]}]}
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_what_is_built_drives_in_the_engine_and_the_same_in_the_reference(name: str) -> None:
+    mine, theirs = drive(built(name)), drive(built(name), "embedded")
+    assert isinstance(mine, Episode), mine
+    assert isinstance(theirs, Episode)
+    assert mine.stepped.by == "native", mine.stepped.instead
+    assert differences(mine, theirs) == []
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_every_plan_is_data(name: str) -> None:
+    for behavior, plan in written_plans(built(name).program.source).items():
+        assert isinstance(plan, WrittenPlan), (behavior, plan)
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_everybody_who_was_said_is_there_in_the_number_and_part_that_was_said(name: str) -> None:
+    said, episode = situation(name), drive(built(name))
+    assert isinstance(episode, Episode)
+    parts = {"adversary": Role.ADVERSARY, "supporting": Role.BACKGROUND, "hides": Role.OCCLUDER}
+    for one in said.others:
+        there = [track for track in episode.tracks if re.fullmatch(rf"{one.id}(-\d+)?", track.actor)]
+        assert len(there) == (one.count or 3)
+        assert {track.role for track in there} == {parts[one.role]}
+    assert len(episode.tracks) == 1 + sum(one.count or 3 for one in said.others)
+
+
+def test_every_place_of_these_tables_is_tried_here() -> None:
+    there = {one.starts.where for name in WRITTEN for one in situation(name).others}
+    assert set(STARTS) - there <= {Where.MEDIAN, Where.CROSSING, Where.IN_ROUNDABOUT}
+    assert set(Where) - set(STARTS) == {Where.OFF_RAMP, Where.BUS_BAY}
+
+
+def test_steps_read_no_parameter_that_has_no_range() -> None:
+    speeds = Numbers("A", AdversaryKind.CAR.row).ranges
+    for table in (ALONG, TOWARD, ACROSS):
+        for act, steps in table.items():
+            read = {name for text in (*steps.does, *steps.last) for name in re.findall(r"\$([A-Z_]+)", text)}
+            assert read <= {*RANGES, *speeds}, act
+            assert set(steps.binds) <= set(AMOUNTS), act
+            assert set(steps.binds.values()) <= read, act
+
+
+def test_a_number_that_was_said_is_a_number_of_the_program() -> None:
+    braking = built("the car ahead brakes with 4 m/s²").program
+    assert "BrakeOnPath(wayA, 0.5)" in braking.source  # of 8 m/s²
+    assert "pointOn(wayA, 15)" in braking.source
+    assert "OPT_A_BRAKE" not in braking.source
+    assert "wantedSpeed 8.333" in built("a truck runs a red light from the left, we want 30 km/h").program.source
+
+
+def test_a_number_that_no_body_can_do_is_refused_with_what_it_can() -> None:
+    numbers = Numbers("A", AdversaryKind.BICYCLE.row)
+    with pytest.raises(NotBuilt, match=r"80 km/h is more than a bicycle can: 11\.4 m/s at most"):
+        numbers.bind("SPEED", Speed.of("80 km/h"), 8.0)
+    with pytest.raises(NotBuilt, match=r"9 m/s² is more than a bicycle can: 4\.5 m/s² at most"):
+        numbers.bind("BRAKE", Acceleration.of(9), 0.0)
+
+
+def test_bounds_and_differences_to_the_ego_narrow_what_is_searched() -> None:
+    numbers = Numbers("A", AdversaryKind.CAR.row)
+    numbers.bind("SPEED", Speed.of("at most 25 km/h"), 8.0)
+    low, high, *_ = numbers.ranges["SPEED"]
+    assert low < high == pytest.approx(25 / 3.6)
+    numbers.bind("SPEED", Speed.of("2 m/s more than the ego"), 8.0)
+    assert numbers.ranges["SPEED"][:2] == (10.0, 10.0)
+
+
+@pytest.mark.parametrize(
+    ("changed", "told"),
+    [
+        ({"ego": {"route": "reverse"}}, "ego.route: reverse"),
+        (ahead({"act": "drop-load"}), "drop-load of somebody who is ahead"),
+        ({"others": [{"id": "A", "kind": "car", "starts": {"where": "bus-bay"}}]}, "others.A.starts.where: bus-bay"),
+        ({"road": {"kind": "rail-crossing"}}, "road.kind: rail-crossing"),
+        ({"road": {"lanes": 7}}, "no map has such a place"),
+        ({"others": []}, "nobody meets the ego"),
+        (ahead({"act": "brake", "speed": "5 km/h"}), "others.A.does.0.speed: 5 km/h"),
+    ],
+)  # fmt: skip
+def test_a_fact_that_cannot_be_built_is_refused_by_its_path(changed: dict[str, Any], told: str) -> None:
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain(ahead({"act": "brake"}) | changed))
+    assert told in str(refused.value)
+
+
+def test_what_was_not_said_and_had_to_be_something_is_told() -> None:
+    assert built("a van ahead in the next lane, side unsaid, cuts in").assumed == (
+        "A is on the right, which was not said",
+        "A is a car, since nothing is built as a van",
+    )
+    several = built("we turn left, people cross the road we turn into").assumed
+    assert several == ("of A there are 3, since their number was not said",)
+
+
+def test_the_same_situation_is_the_same_program() -> None:
+    name = "a child runs out from behind a parked car"
+    assert build(situation(name)).program == build(situation(name)).program
+
+
+@given(situations())
+@settings(max_examples=150, deadline=None)
+def test_of_whatever_can_be_said_each_fact_is_built_or_left_out_with_a_word_or_refused(said: Situation) -> None:
+    try:
+        one = build(said)
+    except (NotBuilt, MapError) as refusal:
+        assert str(refusal)
+        return
+    left = {line.partition(": ")[0] for line in one.left_out}
+    assert left <= {path for path, _ in said_in(said)}
+    assert all(LEFT_OUT.match(path) for path in left)
+    for behavior, plan in written_plans(one.program.source).items():
+        assert isinstance(plan, WrittenPlan), (behavior, plan)
+    read = set(re.findall(r"globalParameters\.(\w+)", one.program.source))
+    assert read == {parameter.name for parameter in one.program.parameters}
