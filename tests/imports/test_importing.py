@@ -223,10 +223,14 @@ def test_an_event_that_never_begins_is_told_on_the_terminal_in_the_head_of_the_p
     how = ("--map", "town", "--scenes", "1", "--simulator", "native", "--trust", "--out", str(beside / "run"))
     said = CliRunner().invoke(main, ["run", "--program", str(program), "--json", *how])
     assert said.exit_code == 0, said.output
-    (told,) = json.loads(said.stdout)["told_first"]
-    assert told.startswith("in 1 of 1 scenes: this never began: adversary brakes along leadWay")
+    unread, told = json.loads(said.stdout)["told_first"]
+    assert unread == "param OPT_NEAR = Range(10.0, 30.0) has no effect here: nothing reads it"
+    assert told == (
+        "in 1 of 1 scenes: this never began: adversary brakes along leadWay by 0.5; it waits until "
+        "the distance along the ego's route between the ego and it is under 1.0"
+    )
     done = chatscene.Run(beside / "run")
-    assert str(done).splitlines()[0] == told
+    assert str(done).splitlines()[:2] == [unread, told]
     page = html.unescape((beside / "run" / "report.html").read_text())
     assert page.index(told) < page.index("collided in")
 

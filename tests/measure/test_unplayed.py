@@ -92,3 +92,20 @@ def test_who_drives_on_where_the_followed_line_ends_is_told(simulator: Simulator
 def test_of_a_program_of_snippets_nothing_is_told_here(simulator: Simulator) -> None:
     program, episode = driven(simulator, WAITS)
     assert unplayed(replace(program, snippet_ids=("a", "b", "c")), episode) == ()
+
+
+def test_who_only_waits_for_the_next_event_has_not_left_out_what_it_is_doing(simulator: Simulator) -> None:
+    brakes = "do BrakeOnPath(egoRoute, 0.5) until self.pose[3] < 0.1\n    do BrakeOnPath(egoRoute, 0.5) for 60 seconds"
+    assert unplayed(*driven(simulator, f"{brakes}\n    do DrivePath(egoRoute, 5)")) == (
+        "this never began: adversary follows the ego's route at 5 m/s; it waits 60 s",
+    )
+    waits = brakes.replace("< 0.1", "> 60")
+    assert unplayed(*driven(simulator, f"{waits}\n    do DrivePath(egoRoute, 5)")) == (
+        "this never began: adversary follows the ego's route at 5 m/s; it waits until its speed is over 60",
+    )
+
+
+def test_how_far_somebody_is_from_a_line_is_told_in_a_sentence(simulator: Simulator) -> None:
+    waits = "do DrivePath(egoRoute, 7) until abs(offsetFrom(leadWay, self)) < 0.3\n    do BrakeOnPath(egoRoute)"
+    (told,) = unplayed(*driven(simulator, waits))
+    assert told.endswith("it waits until its distance from leadWay is under 0.3")

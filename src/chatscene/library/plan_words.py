@@ -12,6 +12,7 @@ from chatscene.terms.plan import (
     Comparison,
     Conditional,
     Expression,
+    Kind,
     Name,
     Negation,
     Not,
@@ -148,7 +149,10 @@ def _say(expression: Expression, *, inner: bool = False) -> str:  # noqa: C901, 
         case AnyOf(actor, actors, condition):
             return f"{_say(condition)} for any {actor} of {_say(actors)}"
         case Call("abs", (Call("offsetFrom", (path, actor)),)):
-            return f"how far beside {_say(path)} {_say(actor)} is"
+            whose = "its distance" if actor == Name("self", Kind.ACTOR) else f"the distance of {_say(actor)}"
+            return f"{whose} from {_say(path)}"
+        case Call("abs", (Call("headway", (path, actor, other)),)):
+            return f"the distance along {_say(path)} between {_say(actor)} and {_say(other)}"
         case Call("speed", (Name("self"),)):
             return "its speed"
         case Call("gap", (Name("self"), other)) | Call("gap", (other, Name("self"))):

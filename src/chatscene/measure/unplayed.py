@@ -37,8 +37,14 @@ def unplayed(program: ScenicProgram, episode: Episode) -> tuple[str, ...]:
 
 def _never_began(actor: str, plan: Plan, reached: int) -> list[str]:
     """Phases after the last that began; in a loop, they may have begun in a round before."""
-    left = [phase for number, phase in enumerate(plan.phases) if number > reached]
-    if not left or (plan.loop is not None and reached >= plan.loop):
+    if plan.loop is not None and reached >= plan.loop:
+        return []
+    left = [
+        phase
+        for number, phase in enumerate(plan.phases)
+        if number > reached and not _goes_on(phase, plan.phases[number - 1])
+    ]
+    if not left:
         return []
     match plan.phases[reached].end:
         case Until(condition):
@@ -49,6 +55,12 @@ def _never_began(actor: str, plan: Plan, reached: int) -> list[str]:
             waits = "comes to no end of what it does before"
     more = f" (and {len(left) - 1} more after that)" if len(left) > 1 else ""
     return [f"this never began: {actor} {phase_in_words(left[0])}{more}; it {waits}"]
+
+
+def _goes_on(phase: Phase, before: Phase) -> bool:
+    """Whether a phase only goes on with what was done before, as one does who waits for the next."""
+    did = before.primitive, before.arguments
+    return before.end is not None and (phase.primitive, phase.arguments) == did
 
 
 def _off_its_line(track: Track, phase: Phase, source: str) -> list[str]:

@@ -35,7 +35,10 @@ def explain(text: str, understood: Sequence[tuple[Scenario, Retrieval | None]]) 
 def write_choice(run: Workspace, scenario: Scenario, written: Written | None = None) -> None:
     """Keep what was read and, if it came that far, what was chosen and the program it makes."""
     retrieval = written.retrieval if written else None
-    write_json(run.file("explanation.json"), explain(read_record(run).text, [(scenario, retrieval)]))
+    explained = explain(read_record(run).text, [(scenario, retrieval)])
+    if written:
+        explained["scenarios"][0]["otherwise"] += written.left_out
+    write_json(run.file("explanation.json"), explained)
     if written:
         write_program(run, scenario.id, written.program.source)
 

@@ -32,10 +32,12 @@ class Written:
     Attributes:
         program: The program.
         retrieval: Why it consists of these snippets; None for a generator that does not retrieve.
+        left_out: What was written and has no effect on its drives, in lines for a person.
     """
 
     program: ScenicProgram
     retrieval: Retrieval | None
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -54,7 +54,10 @@ class OwnProgram:
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
         """The program itself."""
-        return Written(program=self._program(scenario.id, scenario.text), retrieval=None)
+        from chatscene.search.generators.left_out import left_out
+
+        program = self._program(scenario.id, scenario.text)
+        return Written(program=program, retrieval=None, left_out=left_out(program))
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The program itself."""
