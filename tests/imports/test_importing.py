@@ -20,13 +20,14 @@ from chatscene.imports.openscenario import Imported, read_openscenario
 from chatscene.imports.player import lane_beside
 from chatscene.imports.positions import Positions
 from chatscene.imports.stranger_xml import Element
+from chatscene.imports.written import written
 from chatscene.maps.network import resolve_map
 from chatscene.search.generators.foreign import read_foreign
 from chatscene.terms.plan import Number
 from chatscene.terms.plan_text import print_plan
 from chatscene.world.places import laneLine
 from places import SHARED
-from red_team.scenario_files import ATTACKS, NEAR, SLOWS, WALKER, event, scenario
+from red_team.scenario_files import AT, ATTACKS, CAR, NEAR, SLOWS, WALKER, event, scenario
 
 AFTER = '<ByValueCondition><StoryboardElementStateCondition storyboardElementType="event" storyboardElementRef="brakes" state="completeState"/></ByValueCondition>'
 
@@ -373,3 +374,157 @@ def test_a_profile_of_speeds_is_refused_as_what_it_is_and_not_as_a_distance(besi
 def test_where_nobody_is_called_the_ego_those_who_could_be_are_named(beside: Path) -> None:
     with pytest.raises(ScenarioError, match="there is 'VUT', 'lead': call one of them ego"):
         read(beside, scenario().replace('"ego"', '"VUT"'))
+
+
+def test_who_is_to_get_slower_by_a_rate_brakes_as_a_driver_and_does_not_only_coast(beside: Path) -> None:
+    text = scenario(events=event(speeds_to("3")))
+    assert plan(beside, text).rstrip().endswith("do DrivePath(leadWay, 3.0)")
+    assert any("slows down as a driver does" in note for note in read(beside, text).notes)
+
+
+def test_that_drag_takes_of_the_pace_at_which_somebody_gets_faster_is_noted(beside: Path) -> None:
+    told = "the pedal is held that gives this pace at rest; drag makes it less at speed"
+    assert any(told in note for note in read(beside, scenario(events=event(speeds_to("9")))).notes)
+    assert not any(told in note for note in read(beside, scenario(events=event(speeds_to("3")))).notes)
+    assert not any(told in note for note in read(beside, scenario()).notes)
+
+
+def test_who_may_get_slower_or_faster_by_a_parameter_drives_to_either_speed(beside: Path) -> None:
+    either = plan(beside, scenario(events=event(speeds_to("${$near / 5}"))))
+    assert "do DrivePath(leadWay, 0.2 * globalParameters.OPT_NEAR)" in either
+    faster = plan(beside, scenario(events=event(speeds_to("${$near / 2}"))))
+    assert "do ThrottleOnPath(leadWay, 0.444444, 0, 0.5 * globalParameters.OPT_NEAR)" in faster
+
+
+def placed(ego: str) -> str:
+    return scenario().replace(AT.format(y=-374.0), ego)
+
+
+@pytest.mark.parametrize(("offset", "h"), [(0.5, 0.0), (-0.75, 0.0), (0.0, 0.2), (0.4, -0.3)])
+def test_the_ego_begins_as_far_beside_its_lane_and_turned_as_much_as_is_written(
+    offset: float, h: float, beside: Path
+) -> None:
+    ego = f'<LanePosition roadId="10" laneId="-1" s="11" offset="{offset}"><Orientation type="relative" h="{h}"/></LanePosition>'
+    board = read(beside, placed(ego)).board
+    start = board.actors[0].start
+    ahead = 1.4  # from its origin to its centre
+    assert isinstance(start.left, Number)
+    assert start.left.value == pytest.approx(offset + ahead * math.sin(h), abs=0.01)
+    assert start.turn == pytest.approx(h, abs=0.01)
+    left = f", {start.left.value}" if start.left.value else ""
+    turn = f", {start.turn:g}" if start.turn else ""
+    placed_there = f"at pointOn(egoRoute, 0{left}), facing directionOn(egoRoute, 0{turn}), with route"
+    assert placed_there in written(board, "theirs.xosc")
+
+
+def test_an_ego_that_faces_against_its_lane_is_refused_and_not_turned_round(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"faces 180 degrees away from its way"):
+        read(beside, placed('<WorldPosition x="136.75" y="-374" h="-1.570796"/>'))
+
+
+def test_an_ego_whose_direction_is_not_told_faces_along_its_lane_and_that_is_noted(beside: Path) -> None:
+    found = read(beside, placed('<WorldPosition x="136.75" y="-374"/>'))
+    assert found.board.actors[0].start.turn == 0.0
+    assert any("how the ego is turned is not told" in note for note in found.notes)
+
+
+def test_who_begins_beside_the_middle_of_a_lane_stays_there(beside: Path) -> None:
+    there = '<LanePosition roadId="10" laneId="-1" s="40" offset="0.6"/>'
+    said = plan(beside, scenario(place=there))
+    assert "do DrivePath(leadWay, 5.0, 0.6) until" in said
+    assert said.rstrip().endswith("do BrakeOnPath(leadWay, 0.5, 0.6)")
+    (nobody,) = [
+        a.plan for a in read(beside, without_events(there)).board.actors if a.plan is not None and a.name == "lead"
+    ]
+    assert print_plan(nobody).rstrip().endswith("do DrivePath(leadWay, 5.0, 0.6)")
+
+
+def without_events(place: str) -> str:
+    text = scenario(place=place)
+    second = text[text.index('<ScenarioObject name="lead">') : text.index("</Entities>")]
+    text = text.replace("</Entities>", second.replace('"lead"', '"other"') + "</Entities>")
+    start = text.index('<Private entityRef="lead">')
+    init = text[start : text.index("</Actions></Init>")]
+    text = text.replace(
+        "</Actions></Init>", init.replace('"lead"', '"other"').replace('s="40"', 's="80"') + "</Actions></Init>"
+    )
+    story = text.index("<Story ")
+    return text[:story] + text[story:].replace('entityRef="lead"', 'entityRef="other"')
+
+
+def weather(inner: str) -> str:
+    action = f"<GlobalAction><EnvironmentAction>{inner}</EnvironmentAction></GlobalAction>"
+    return scenario().replace("<Init><Actions>", f"<Init><Actions>{action}")
+
+
+def under(sky: str = "", road: str = "") -> str:
+    return weather(f'<Environment name="e"><Weather>{sky}</Weather>{road}</Environment>')
+
+
+RAIN = '<Precipitation precipitationType="rain" precipitationIntensity="2"/>'
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (under(f'<Fog visualRange="60"/>{RAIN}'), "rain is shown, and its fog is left away"),
+        (under('<Fog visualRange="90"/>'), "there is one fog, in which others are seen from 40 m, where it says 90 m"),
+        (under('<Wind direction="0" speed="9"/>'), "there is no wind here"),
+        (under('<Precipitation precipitationType="hail" intensity="1"/>'), "'hail' falls in no scene"),
+        (
+            under(road='<RoadCondition frictionScaleFactor="0.62"/>'),
+            "a friction of 0.62 is shown as a wet road, of 0.5",
+        ),
+        (under(road='<RoadCondition frictionScaleFactor="0.8"/>'), "a friction of 0.8 is shown as a dry road, of 1"),
+    ],
+)
+def test_what_of_a_weather_no_scene_has_is_noted(text: str, told: str, beside: Path) -> None:
+    notes = read(beside, text).notes
+    assert any(told in note and note.startswith("line ") for note in notes), notes
+
+
+def test_of_a_weather_that_is_shown_as_it_is_written_nothing_is_noted(beside: Path) -> None:
+    plain = read(beside, scenario()).notes
+    text = under(f'<Fog visualRange="100000"/>{RAIN}', '<RoadCondition frictionScaleFactor="0.5" wetness="moist"/>')
+    found = read(beside, text)
+    assert str(found.board.surroundings.weather) == "rain"
+    assert len(found.notes) == len(plain)
+
+
+def test_rain_of_no_strength_does_not_fall(beside: Path) -> None:
+    assert str(read(beside, under(RAIN.replace('"2"', '"0"'))).board.surroundings.weather) == "clear"
+
+
+def test_a_weather_in_another_file_and_a_second_one_are_refused(beside: Path) -> None:
+    with pytest.raises(ScenarioError, match="catalogs lie in other files"):
+        read(beside, weather('<CatalogReference catalogName="e" entryName="rain"/>'))
+    twice = under(RAIN)
+    one = twice[twice.index("<GlobalAction>") : twice.index("</GlobalAction>") + len("</GlobalAction>")]
+    with pytest.raises(ScenarioError, match="there is one weather"):
+        read(beside, twice.replace(one, one + one))
+
+
+def test_a_category_that_nobody_here_has_is_noted_with_what_is_shown(beside: Path) -> None:
+    van = read(beside, scenario(body=CAR.replace('vehicleCategory="car"', 'vehicleCategory="van"')))
+    assert any("a van is shown as a car of its size" in note for note in van.notes)
+    assert not any("is shown as" in note for note in read(beside, scenario()).notes)
+
+
+def test_a_speed_in_init_that_is_no_number_is_refused_and_not_read_as_standing(beside: Path) -> None:
+    relative = '<RelativeTargetSpeed entityRef="ego" value="2" speedTargetValueType="delta" continuous="false"/>'
+    with pytest.raises(ScenarioError, match="in Init, a speed is one number"):
+        read(beside, scenario().replace('<AbsoluteTargetSpeed value="5"/>', relative))
+
+
+def test_a_speed_in_init_that_is_reached_in_some_time_is_there_at_once_and_that_is_noted(beside: Path) -> None:
+    slowly = scenario().replace(
+        'dynamicsShape="step" dynamicsDimension="time" value="0"',
+        'dynamicsShape="linear" dynamicsDimension="time" value="4"',
+    )
+    assert any("in Init a speed is there at once" in note for note in read(beside, slowly).notes)
+
+
+def test_what_the_ego_is_to_do_in_init_is_noted(beside: Path) -> None:
+    aside = '<PrivateAction><LateralAction><LaneOffsetAction continuous="true"/></LateralAction></PrivateAction>'
+    text = scenario().replace('<Private entityRef="ego">', f'<Private entityRef="ego">{aside}')
+    assert any("what the ego does is left to the ego under test" in note for note in read(beside, text).notes)

@@ -9,6 +9,8 @@ from chatscene.imports.stranger_xml import Element
 from chatscene.terms.actors import BY_CLASS, LIMITS
 from chatscene.terms.storyboard import THING
 
+_ALIKE = {"van": "Car", "semitrailer": "Truck", "trailer": "Truck"}
+_ONE_OF = frozenset(("animal",))  # categories that say less than which of those here it is
 _EGOS = re.compile(r"(?i)(ego|hero)")
 
 
@@ -77,10 +79,12 @@ class Entities:
             kind = THING
         else:
             fits = [name for name, known in BY_CLASS.items() if known.row.openscenario == category and not known.lies]
-            alike = {"van": "Car", "semitrailer": "Truck", "trailer": "Truck"}.get(category)
+            alike = _ALIKE.get(category)
             if not fits and alike is None:
                 raise Refused(body, f"nobody here is a {category[:40]!r}")
             kind = alike or fits[0]
+            if kind.lower() != category and (alike or category in _ONE_OF):
+                self._given.notes.append(f"line {body.line}: a {category} is shown as a {kind.lower()} of its size")
         if kind in LIMITS and not (length and width):
             length, width = LIMITS[kind].length, LIMITS[kind].width
         if not (0.1 <= length <= 30 and 0.1 <= width <= 10):

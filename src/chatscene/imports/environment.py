@@ -10,6 +10,8 @@ from chatscene.imports.stranger_xml import Element
 from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
 
 _FOG = 200.0  # [m] of sight, below which it is foggy
+_FALLS = {"dry": Weather.CLEAR, "rain": Weather.RAIN, "snow": Weather.SNOW}
+_SAME = 1e-6  # between frictions
 _SLIPPERY = 0.75  # of a dry road's friction
 
 
@@ -19,28 +21,68 @@ def surroundings_of(actions: Element, given: Given) -> Surroundings:
     Raises:
         Refused: It tells more of the world.
     """
-    environment = actions.find("GlobalAction", "EnvironmentAction", "Environment")
-    for one in actions.all("GlobalAction"):
+    worlds = actions.all("GlobalAction")
+    for one in worlds:
         if one.find("EnvironmentAction") is None:
             raise Refused(one.inside[0] if one.inside else one, "of the world only its weather is told in Init")
-    if environment is None:
+    if not worlds:
         return Surroundings()
-    g = given
-    oclock, weather = environment.find("TimeOfDay"), environment.find("Weather")
-    light = Light.DAY
-    if oclock is not None and (hour := re.search(r"T(\d\d):(\d\d)", g.text(oclock, "dateTime", ""))):
-        at = int(hour[1]) + int(hour[2]) / 60
-        light = Light.NIGHT if at < 5 or at >= 21 else Light.DUSK if at < 7 or at >= 18 else Light.DAY
-    falls = weather.find("Precipitation") if weather else None
-    fog = weather.find("Fog") if weather else None
-    kind = g.text(falls, "precipitationType", "dry") if falls else "dry"
-    sky = {"rain": Weather.RAIN, "snow": Weather.SNOW}.get(kind, Weather.CLEAR)
-    if sky is Weather.CLEAR and fog is not None and g.number(fog, "visualRange", "100000") < _FOG:
+    if len(worlds) > 1:
+        raise Refused(worlds[1], "there is one weather; write one EnvironmentAction")
+    environment = worlds[0].find("EnvironmentAction", "Environment")
+    if environment is None:
+        raise Refused(worlds[0], "catalogs lie in other files, which are not opened; write the Environment here")
+    weather = environment.find("Weather")
+    return Surroundings(
+        light=_light(environment.find("TimeOfDay"), given),
+        weather=_weather(weather, given) if weather else Weather.CLEAR,
+        surface=_surface(environment.find("RoadCondition"), given),
+    )
+
+
+def _light(oclock: Element | None, given: Given) -> Light:
+    if oclock is None or (hour := re.search(r"T(\d\d):(\d\d)", given.text(oclock, "dateTime", ""))) is None:
+        return Light.DAY
+    at = int(hour[1]) + int(hour[2]) / 60
+    return Light.NIGHT if at < 5 or at >= 21 else Light.DUSK if at < 7 or at >= 18 else Light.DAY
+
+
+def _weather(weather: Element, given: Given) -> Weather:
+    """What falls, or else fog; what of it a scene has not, is noted."""
+    falls, fog = weather.find("Precipitation"), weather.find("Fog")
+    kind = given.text(falls, "precipitationType", "dry") if falls else "dry"
+    strengths = [name for name in ("intensity", "precipitationIntensity") if falls and name in falls.attributes]
+    if falls and strengths and not any(given.number(falls, name) for name in strengths):
+        kind = "dry"  # nothing falls
+    sky = _FALLS.get(kind)
+    if falls and kind not in _FALLS:
+        given.notes.append(f"line {falls.line}: {kind[:40]!r} falls in no scene and is left away")
+    sight = given.number(fog, "visualRange", "100000") if fog else math.inf
+    foggy = sight < _FOG
+    if fog and foggy and sky not in (None, Weather.CLEAR):
+        given.notes.append(f"line {fog.line}: a scene has one weather: {sky} is shown, and its fog is left away")
+    elif fog and foggy:
         sky = Weather.FOG
-    road = environment.find("RoadCondition")
-    wetness, grip = (g.text(road, "wetness", ""), g.number(road, "frictionScaleFactor", "1")) if road else ("", 1.0)
+        if sight != Weather.FOG.row.sight:
+            seen = f"{Weather.FOG.row.sight:g} m, where it says {sight:g} m"
+            given.notes.append(f"line {fog.line}: there is one fog, in which others are seen from {seen}")
+    wind = weather.find("Wind")
+    if wind and given.number(wind, "speed", "0"):
+        given.notes.append(f"line {wind.line}: there is no wind here")
+    return sky or Weather.CLEAR
+
+
+def _surface(road: Element | None, given: Given) -> Surface:
+    """The road whose friction is nearest; how far off it is, is noted."""
+    if road is None:
+        return Surface.DRY
+    wetness, grip = given.text(road, "wetness", ""), given.number(road, "frictionScaleFactor", "1")
     known = [surface for surface in Surface if math.isfinite(surface.row.friction)]
     surface = min(known, key=lambda one: abs(one.row.friction - grip)) if grip < _SLIPPERY else Surface.DRY
     if wetness not in ("", "dry") and surface is Surface.DRY:
         surface = Surface.WET
-    return Surroundings(light=light, weather=sky, surface=surface)
+    friction = surface.row.friction if math.isfinite(surface.row.friction) else 1.0
+    if abs(friction - grip) > _SAME and not (wetness and grip == 1.0):
+        told = f"a friction of {grip:g} is shown as a {surface.row.said}, of {friction:g}"
+        given.notes.append(f"line {road.line}: {told}")
+    return surface

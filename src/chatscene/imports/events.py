@@ -50,7 +50,7 @@ def plan_of(player: Player, events: list[Element], given: Given, first: list[Ele
 class _Reader:
     def __init__(self, player: Player, given: Given) -> None:
         self._player, self._given = player, given
-        self._state = State(way=player.way, speed=number(player.speed))
+        self._state = State(way=player.way, speed=number(player.speed), left=number(player.beside))
         self._conditions = Conditions(player, given, self._state)
 
     def plan(self, events: list[Element], first: list[Element]) -> Plan:
@@ -268,9 +268,16 @@ class _Reader:
                     "how long it lasts, as ScenarioRunner reads it"
                 )
             return None
+        change, started = state.speed + before.times(-1), before + state.speed
+        if not stops and self._given.least(change) < 0:
+            self._given.notes.append(f"line {dynamics.line}: it slows down as a driver does, at a pace of its own")
+            return None
+        if not stops:
+            self._given.notes.append(
+                f"line {dynamics.line}: the pedal is held that gives this pace at rest; drag makes it less at speed"
+            )
         if dimension == "rate":
             return self._limited(dynamics, quotient(value, number(most)))
-        change, started = state.speed + before.times(-1), before + state.speed
         if change.number is None or value.number is None or started.number is None:
             raise Refused(dynamics, 'how hard it is, hangs on a parameter; write dynamicsDimension="rate"')
         if value.number <= 0 or not change.number:
@@ -278,10 +285,7 @@ class _Reader:
         rate = abs(change.number) / value.number
         if dimension == "distance":
             rate = abs(change.number) * started.number / (2 * value.number)
-        slower = change.number < 0 and not stops
-        if slower:
-            self._given.notes.append(f"line {dynamics.line}: it slows down as a driver does, at a pace of its own")
-        return None if slower else self._limited(dynamics, number(rate / most))
+        return self._limited(dynamics, number(rate / most))
 
     def _limited(self, dynamics: Element, share: Sum) -> Sum:
         if share.number is not None and share.number > 1:

@@ -6,12 +6,14 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 
 from chatscene.errors import ScenarioError, SnippetError
 from chatscene.imports.stranger_xml import Element
+from chatscene.terms.plan import Parameter, walk
 from chatscene.terms.plan_text import PARAMETERS, parse_expression
 from chatscene.terms.snippet import ParameterRange
-from chatscene.terms.sums import Sum, number, sum_of
+from chatscene.terms.sums import Sum, number, sum_of, valued
 
 REPORTED = 20  # refusals in one message
 _REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
@@ -102,6 +104,13 @@ class Given:
         if found is None:
             raise Refused(element, f"{written[:60]!r} is no number; use + - * / abs max min")
         return found
+
+    def least(self, one: Sum) -> float:
+        """The least that a sum is at the ends of the ranges of its parameters."""
+        expression = one.expression
+        read = {part.name for part in walk(expression) if isinstance(part, Parameter)}
+        ends = [[(r.name, r.low), (r.name, r.high)] for r in self.ranges.values() if r.name in read]
+        return min(valued(expression, dict(corner)) for corner in product(*ends))
 
     def _spelled(self, element: Element, name: str) -> str:
         if name in self.ranges:

@@ -37,11 +37,14 @@ _T = TypeVar("_T")
 
 VERSIONS = (0, 1, 2, 3)  # of 1.x
 _OFF = 3.0  # [m] from a place to the ego's route, beyond which the place is not on it
+_CENTRED = 0.01  # [m] beside the middle of a lane within which somebody is in it
+_TURNED = 0.01  # [rad] away from a line, within which somebody faces along it
 _DENSE = 2.0  # [m] between points of the ego's route where it is looked for lanes
 _LEFT_ALONE = {
     "ControllerAction": "controllers are not taken; everybody drives as its plan says",
     "VisibilityAction": "everybody is visible",
 }
+_EGO_DOES = "what the ego does is left to the ego under test"
 _ABSOLUTE = re.compile(r"/|[A-Za-z]:/")
 _GONE = re.compile(r"[^A-Za-z0-9_]")
 
@@ -235,10 +238,17 @@ class _Reader:
         return x - left * math.sin(heading), y + left * math.cos(heading), heading + start.turn
 
     def _speed(self, name: str) -> float:
-        for action in self._inits.get(name, []):
+        """How fast somebody is at first [m/s]; 0 where nothing is told of it."""
+        told = [action for action in self._inits.get(name, []) if action.tag == "LongitudinalAction"]
+        for action in told:
             target = action.find("SpeedAction", "SpeedActionTarget", "AbsoluteTargetSpeed")
-            if target is not None:
-                return self._given.number(target, "value")
+            if target is None or len(told) > 1:
+                raise Refused(action, "in Init, a speed is one number; write one SpeedAction with AbsoluteTargetSpeed")
+            dynamics = action.find("SpeedAction", "SpeedActionDynamics")
+            shape = self._given.text(dynamics, "dynamicsShape", "step") if dynamics else "step"
+            if shape != "step" and self._given.number(dynamics or action, "value", "0"):
+                self._given.notes.append(f"line {action.line}: in Init a speed is there at once, whatever its dynamics")
+            return self._given.number(target, "value")
         return 0.0
 
     def _host(self, name: str) -> Actor:
@@ -252,12 +262,44 @@ class _Reader:
             raise Refused(one, "the ego begins somewhere on a line; write a WorldPosition or a LanePosition")
         line = self._route(name, one, place)
         self._lines = {EGO_ROUTE: line, **self._lines}
+        speed = self._speed(name)
         for action in self._inits.get(name, []):
             if action.tag in _LEFT_ALONE:
                 self._given.notes.append(f"line {action.line}: {_LEFT_ALONE[action.tag]}")
-        zero = number(0.0).expression
-        start = Start(line=EGO_ROUTE, along=zero, left=zero, turn=0.0)
-        return Actor(name="ego", kind=kind, length=length, width=width, start=start, speed=self._speed(name))
+            elif action.tag not in ("TeleportAction", "LongitudinalAction") and not action.find("AssignRouteAction"):
+                self._given.notes.append(f"line {action.line}: {_EGO_DOES}")
+        start = self._on_route(name, one, place, line)
+        return Actor(name="ego", kind=kind, length=length, width=width, start=start, speed=speed)
+
+    def _on_route(self, name: str, one: Element, place: Pose, line: Polyline) -> Start:
+        """Where on its route the ego begins: as far beside it, and turned as much, as is written."""
+        along, left, _ = line.project(*place[:2])
+        turn = math.remainder(place[2] - line.heading_at(along), math.tau)
+        if self._faces(name) is None:
+            if abs(turn) > _TURNED:
+                self._given.notes.append(f"line {one.line}: how the ego is turned is not told; it faces along its lane")
+            turn = 0.0
+        if abs(turn) > math.pi / 2:
+            raise Refused(
+                one,
+                f"the ego faces {math.degrees(abs(turn)):.0f} degrees away from its way, and it is never sent against "
+                "a lane; turn it along its lane",
+            )
+        return Start(
+            line=EGO_ROUTE,
+            along=number(round(along, 3)).expression,
+            left=number(round(left, 3)).expression,
+            turn=round(turn, 4),
+        )
+
+    def _faces(self, name: str) -> Element | None:
+        """The place of somebody at first, if it tells a direction, which only a WorldPosition may leave open."""
+        place = next(
+            position.inside[0]
+            for action in self._inits.get(name, [])
+            if action.tag == "TeleportAction" and (position := action.find("Position")) is not None
+        )
+        return None if place.tag == "WorldPosition" and "h" not in place.attributes else place
 
     def _route(self, name: str, one: Element, place: Pose) -> Polyline:
         asked = [route for action in self._inits.get(name, []) if (route := action.find("AssignRouteAction", "Route"))]
@@ -308,7 +350,7 @@ class _Reader:
             elif action.tag not in ("TeleportAction", "LongitudinalAction"):
                 raise Refused(action, "in Init, somebody is placed and given a speed; write the rest as an event")
         acts = bool(events and events[0]) or speed != 0
-        way = None
+        way, beside = None, 0.0
         if isinstance(place, Start):
             way = place.line if place.line != EGO_ROUTE or place.turn == 0.0 else None
             pose = self._pose_of(place)
@@ -322,12 +364,13 @@ class _Reader:
             turn = math.remainder(pose[2] - self._lines[way].heading_at(along), math.tau)
             start = Start(line=way, along=number(along).expression, left=number(left).expression, turn=round(turn, 6))
             way = None if lane is None else way
+            beside = 0.0 if lane is None or abs(left) < _CENTRED else left
         self._positions.known.setdefault(name, pose)
         plan: Plan | None = None
         if acts:
             if kind not in LIMITS or BY_CLASS[kind].lies:
                 raise Refused(one, "a thing does nothing here")
-            player = self._player(name, ego, prefix, kind, speed, None if walks else way, pose)
+            player = self._player(name, ego, prefix, kind, speed, None if walks else way, pose, beside)
             moved, first = events or ([], [])
             plan = plan_of(player, moved, self._given, first) if moved else Plan(phases=(self._goes_on(player),))
         return Actor(name=name, kind=kind, length=length, width=width, start=start, speed=speed, plan=plan)
@@ -336,9 +379,12 @@ class _Reader:
         speed = number(player.speed).expression
         if player.way is None:
             return Phase("MoveAhead", (speed,))
-        return Phase("DrivePath", (Name(player.way, Kind.PATH), speed))
+        beside = (number(player.beside).expression,) if player.beside else ()
+        return Phase("DrivePath", (Name(player.way, Kind.PATH), speed, *beside))
 
-    def _player(self, name: str, ego: str, prefix: str, kind: str, speed: float, way: str | None, pose: Pose) -> Player:
+    def _player(
+        self, name: str, ego: str, prefix: str, kind: str, speed: float, way: str | None, pose: Pose, beside: float
+    ) -> Player:
         def lane_from(element: Element, other: str) -> InLane:
             where = self._positions.known.get(other, pose if other == name else None)
             section = self._positions.network.laneSectionAt(where[:2]) if where else None
@@ -366,6 +412,7 @@ class _Reader:
             walks=BY_CLASS[kind].row.manner is Manner.WALKS,
             speed=speed,
             way=way,
+            beside=beside,
             lane=lane,
             lane_from=lane_from,
             left=self._positions.in_lane(section, pose).left if section is not None else 1,
@@ -403,7 +450,7 @@ class _Reader:
                     continue
                 name = self._given.text(actors[0], "entityRef")
                 if name == ego:
-                    self._given.notes.append(f"line {group.line}: what the ego does is left to the ego under test")
+                    self._given.notes.append(f"line {group.line}: {_EGO_DOES}")
                 elif name not in self._objects:
                     raise Refused(actors[0], f"there is no {name[:40]!r}")
                 elif name in found:

@@ -48,6 +48,7 @@ class Player:
         speed: At first [m/s].
         way: The name of the line that it follows at first; None if it follows none.
         start: Where on that line it is, of its centre [m].
+        beside: How far to the left of that line it begins, and stays until it is told otherwise [m].
         lane: The line of a lane beside its own, by number.
         lane_from: The lane that somebody stands in at first, and how that road user faces.
         left: 1 where a lane's offset to the left of the road's line is left of who drives in it, else -1.
@@ -64,6 +65,7 @@ class Player:
     walks: bool
     speed: float
     way: str | None
+    beside: float
     lane: Callable[[Element, int], Polyline]
     lane_from: Callable[[Element, str], InLane]
     left: int

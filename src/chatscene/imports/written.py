@@ -41,7 +41,7 @@ def written(board: Storyboard, name: str) -> str:
         ),
         *(_line(line, path) for line, path in board.lines.items()),
         *(_behavior(actor, behaviors[actor.name]) for actor in acting),
-        f"ego = new {ego.kind} at pointOn({EGO_ROUTE}, 0), facing directionOn({EGO_ROUTE}, 0), with route {EGO_ROUTE}"
+        f"ego = new {ego.kind} {_at(ego)}, with route {EGO_ROUTE}"
         + _properties(ego)
         + (f", with wantedSpeed {ego.speed:g}" if ego.speed >= 1e-3 else ""),
         *(_placed(actor, behaviors.get(actor.name, ""), i) for i, actor in enumerate(others)),
@@ -75,6 +75,15 @@ def _properties(actor: Actor) -> str:
     )
     speed = [f"with speed {actor.speed:g}"] if actor.speed else []
     return "".join(f", {one}" for one in (*own, *speed))
+
+
+def _at(ego: Actor) -> str:
+    """Where the ego begins; beside its route and turned away from it only where that is told."""
+    start = ego.start
+    along, left = print_expression(start.along), print_expression(start.left)
+    beside, turn = f", {left}" if left != "0" and float(left) else "", f", {start.turn:g}" if start.turn else ""
+    along = along if float(along) else "0"
+    return f"at pointOn({EGO_ROUTE}, {along}{beside}), facing directionOn({EGO_ROUTE}, {along}{turn})"
 
 
 def _placed(actor: Actor, behavior: str, number: int) -> str:
