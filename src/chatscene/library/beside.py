@@ -60,6 +60,11 @@ def placed_beside(spawn: Snippet, asked: Asked, place: Snippet) -> Snippet:
     )
 
 
+def others_of(snippet_id: str) -> tuple[Asked, ...]:
+    """What those do who are beside the adversary in the spawn of an id; none of another snippet."""
+    return tuple(asked_in(COMPOSED + other.partition(DOES)[2]) for other in snippet_id.split(AND)[1:])
+
+
 def placed_again(snippet_id: str, get: Callable[[str], Snippet]) -> Snippet:
     """The spawn of an id that says who is beside the adversary.
 
