@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         finetune,
         import_scenario,
         rate,
+        read_situation,
         replay,
         resume,
         run,
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
     from chatscene.search.sampler import load_sampler
     from chatscene.settings import Settings
     from chatscene.simulate.simulator import load_simulator
+    from chatscene.terms.situation import Situation
     from chatscene.testing.scenes import scene
 
     __version__: str
@@ -49,6 +51,7 @@ __all__ = [
     "DrivenScene",
     "Run",
     "Settings",
+    "Situation",
     "__version__",
     "conflicts",
     "describe",
@@ -61,6 +64,7 @@ __all__ = [
     "load_sampler",
     "load_simulator",
     "rate",
+    "read_situation",
     "replay",
     "resume",
     "run",
@@ -72,6 +76,7 @@ __all__ = [
 
 _ELSEWHERE = {
     "Settings": "chatscene.settings",
+    "Situation": "chatscene.terms.situation",
     "load_ego": "chatscene.ego.policy",
     "load_sampler": "chatscene.search.sampler",
     "load_simulator": "chatscene.simulate.simulator",

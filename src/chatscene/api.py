@@ -26,6 +26,7 @@ from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
 from chatscene.terms.scenario import BaseScenario
+from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
     from chatscene.ego.policy import EgoPolicy
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.report.stated import Stated
     from chatscene.report.summary import Summary
     from chatscene.report.understood import Understood
     from chatscene.runs.rate import Rate
@@ -156,8 +158,9 @@ class Run:
         from chatscene.report.understood import understand
 
         record = self._record
-        if record.program is not None:
-            raise EditRefused(f"{self.folder} is a run of a program of one's own; only a sentence can be edited")
+        if record.stated:
+            what = "situation" if record.situation is not None else "program of one's own"
+            raise EditRefused(f"{self.folder} is a run of a {what}; only a sentence can be edited in words")
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
         return understand(record.text, runs.settings_of(record), generator=record.generator, edits=record.edits)
 
@@ -377,7 +380,7 @@ class DrivenScene:
 
 
 def run(
-    text: str | Conflict = "",
+    text: str | Conflict | Situation = "",
     folder: Name | None = None,
     *,
     report: Name | None = None,
@@ -408,7 +411,7 @@ def run(
     """Understand a sentence, search for crash scenes, keep the ones worth testing on, and write a report.
 
     Args:
-        text: The sentence, or a conflict of a report (`conflicts`).
+        text: The sentence, a conflict of a report (`conflicts`), or a situation.
         folder: Run folder, new or empty, or one to go on in.
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         program: File of a Scenic program of one's own, in place of the sentence.
@@ -431,7 +434,8 @@ def run(
         language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
         reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
-        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
+        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, by path:
+            ``{"others.A.starts.side": "left"}``.
         settings: All other settings; the keywords above come before them.
         jobs: How many work at a time; any number gives the same files. A script that starts more than one needs the
             guard ``if __name__ == "__main__":``.
@@ -443,14 +447,16 @@ def run(
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     from chatscene import pipeline
-    from chatscene.search.generators.own_program import generator_for
 
+    said = text if isinstance(text, Situation) else None
+    sentence = "" if isinstance(text, Situation) else text
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
-    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, set)
+    facts = None if said is not None else set
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, facts)
     if report is not None:
-        text = _only_conflict(report, chosen)
+        sentence = _only_conflict(report, chosen)
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
@@ -462,21 +468,36 @@ def run(
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
+    situation = None if said is None else _situation(said, set, edit, map)
     asked = runs.asked_run(
-        text,
+        sentence,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
-        map_name=None if map is None else str(map),
+        situation=None if situation is None else runs.SituationRecord(name=situation[0], text=situation[1]),
+        map_name=situation[2] if situation is not None else None if map is None else str(map),
         ego=str(ego),
-        generator="chatscene" if own is None else generator_for(trusted=trust, as_written=as_written),
+        generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
         edits=_names(edit),
     )
     pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
 
 
+def read_situation(file: Name) -> Situation:
+    """The situation in a file of YAML or JSON; what it is called is the file's name, where it does not say.
+
+    Raises:
+        SituationError: It cannot be read, or is none; the message lists each fault with its line.
+    """
+    from chatscene.report.stated import stated
+
+    path = _path(file)
+    made = stated(path)
+    return made if made.about else replace(made, about=path.stem)
+
+
 def explain(
-    text: str | Conflict = "",
+    text: str | Conflict | Situation = "",
     *,
     report: Name | None = None,
     edit: Names = (),
@@ -487,13 +508,13 @@ def explain(
     reading: int | None = None,
     set: Mapping[str, object] | None = None,  # noqa: A002 - the word of the command line
     settings: Settings | None = None,
-) -> Understood:
+) -> Understood | Stated:
     """How a sentence is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
     As text (``print``) it reads as the command prints it; in a notebook it shows as the report does.
 
     Args:
-        text: The sentence, or a conflict of a report (`conflicts`).
+        text: The sentence, a conflict of a report (`conflicts`), or a situation, of which the program is built.
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
         edit: What is to be another than it says, in words, edit by edit; `Understood.edit` does the same.
         library: Folder of one's own snippets, beside the packaged ones.
@@ -510,6 +531,10 @@ def explain(
     """
     from chatscene.report.understood import understand
 
+    if isinstance(text, Situation):
+        from chatscene.report.stated import explain_stated, stated
+
+        return explain_stated(stated(text, set))
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, set)
     if report is not None:
@@ -1054,6 +1079,28 @@ def _names(names: Names) -> tuple[str, ...]:
 def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
     every = [scenes] if isinstance(scenes, Run | str | Path) else scenes
     return [one.folder if isinstance(one, Run) else _path(one) for one in every]
+
+
+def _situation(
+    said: Situation, facts: Mapping[str, object] | None, edit: Names, map_name: Name | None
+) -> tuple[str, str, str]:
+    """What a situation is called, its text, and the map that it is built on."""
+    from chatscene.report.stated import stated
+    from chatscene.search.generators.situated import on_its_map
+    from chatscene.situations.file import read_text
+
+    if _names(edit):
+        raise SettingsError("an edit in words is of a sentence; set facts of a situation by their paths")
+    text = on_its_map(stated(said, facts), None if map_name is None else str(map_name))
+    return said.about or "a situation", text, read_text(text).map or TOWN
+
+
+def _generator_of(situation: object | None, own: ForeignProgram | None, *, trusted: bool, as_written: bool) -> str:
+    from chatscene.search.generators.own_program import generator_for
+
+    if situation is not None:
+        return "situation"
+    return "chatscene" if own is None else generator_for(trusted=trusted, as_written=as_written)
 
 
 def _own(path: Path, *, trusted: bool, as_written: bool) -> ForeignProgram:

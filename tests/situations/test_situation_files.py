@@ -18,6 +18,7 @@ from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import Evidence, Situation
 from chatscene.terms.vocabulary import Act, Side, Word
 from drawn import situations
+from places import ROOT
 
 WRITTEN = """\
 ego: {route: right-turn, speed: 50 km/h, does: [{act: stand}, {act: set-off}]}
@@ -179,3 +180,11 @@ def test_the_schema_says_what_every_word_and_field_means() -> None:
         for field in part.get("properties", {}).values():
             assert field["description"]
     assert json.loads(json.dumps(made)) == made
+
+
+def test_the_page_says_every_word_with_its_meaning() -> None:
+    page = (ROOT / "docs" / "situation.md").read_text(encoding="utf-8")
+    tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word)]
+    for words in tables:
+        for word in words:
+            assert (f"| `{word}` | {word.meaning} |" if word.meaning else f"`{word}`") in page, (words, word)

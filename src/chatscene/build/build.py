@@ -36,12 +36,11 @@ class Built:
     left_out: tuple[str, ...] = ()
 
 
-def build(situation: Situation, map_name: str | None = None, *, name: str = "situation") -> Built:
+def build(situation: Situation, *, name: str = "situation") -> Built:
     """The program of a situation.
 
     Args:
         situation: What is to happen.
-        map_name: The map; None for whichever of the packaged ones has such a place.
         name: What the scenario is called.
 
     Raises:
@@ -51,7 +50,7 @@ def build(situation: Situation, map_name: str | None = None, *, name: str = "sit
     if not situation.adversaries:
         raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
     ledger = Ledger(situation)
-    found = find(ledger, map_name)
+    found = find(ledger)
     ego = ego_of(ledger, found)
     everybody = _everybody(ledger, found, ego)
     body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))

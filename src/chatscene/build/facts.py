@@ -11,7 +11,9 @@ from chatscene.errors import NotBuilt
 from chatscene.situations.form import to_plain
 from chatscene.terms.situation import Situation
 
-_NAMES = re.compile(r"(?:^version|^evidence.*|\.id|\.role)$")  # what is no fact, or is one wherever somebody is built
+_NAMES = re.compile(
+    r"(?:^version|^about|^map|^evidence.*|\.id|\.role)$"
+)  # what is no fact, or is one wherever somebody is built
 LEFT_OUT = re.compile(r"^(?:road\.(?:has\.\d+|setting|speed_limit)|contact\.(?:ego|other|happens|striker)|.*\.manner)$")
 """Facts that a scene may lack and still show the conflict: they are told as left out, not refused."""
 

@@ -131,12 +131,11 @@ def way_of(one: Other) -> Maneuver:
     return next((WAYS[deed.act] for deed in one.does if deed.act in WAYS), Maneuver.STRAIGHT)
 
 
-def find(ledger: Ledger, map_name: str | None) -> Found:
+def find(ledger: Ledger) -> Found:
     """The first query that a map answers with a route on which all ways are that others need.
 
     Args:
         ledger: What was said.
-        map_name: The only map to ask; None for the packaged ones.
 
     Raises:
         NotBuilt: No map has such a place; the message says what each lacks.
@@ -146,7 +145,7 @@ def find(ledger: Ledger, map_name: str | None) -> Found:
         raise NotBuilt(f"nothing builds yet: ego.route: {situation.ego.route}")
     lacking: list[str] = []
     for sides in _open_sides(situation.others):
-        for name in (map_name,) if map_name else PACKAGED:
+        for name in (situation.map,) if situation.map else PACKAGED:
             for query in _queries(situation, sides):
                 if found := _answered(situation, name, query, sides, lacking):
                     _take(ledger, found)

@@ -48,12 +48,14 @@ from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
 from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
+from chatscene.commands.situations import schema, situation_file
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
+from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -221,12 +223,15 @@ def run(
 ) -> None:
     """Understand TEXT, search for crash scenes, keep the ones worth testing on, and write a report.
 
+    TEXT is a sentence, or the .yaml or .json file of a situation.
+
     \b
     chatscene run "a pedestrian steps out from behind a bus stop and freezes in front of us"
     chatscene run "an oncoming car turns left across our path" --routes 10 --out runs/left
     chatscene run "the car ahead brakes hard" --map Town04.xodr --ego mypackage.stack:make_ego
     chatscene run "a van cuts in" --set side=left
     chatscene run --report claim.txt --out runs/claim
+    chatscene run situation.yaml --set others.A.kind=truck
     chatscene run --program mine.scenic --routes 4
     chatscene run --program theirs.scenic --map Town05.xodr --as-written
     """
@@ -239,7 +244,9 @@ def run(
         raise click.UsageError("--edit is about a TEXT")
     if (trust or as_written) and program is None:
         raise click.UsageError("--trust and --as-written are about a --program")
-    asked: list[tuple[str, str | Conflict, Path | None]] = [(text or "", text or "", None)]
+    asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
+    if text is not None and (stated := situation_file(text)) is not None:
+        asked = [(stated.about, stated, None)]
     if report is not None:
         asked = [(f"conflict-{one.number}", one, None) for one in found_in(report, reading, as_json)]
     elif program is not None:
@@ -248,10 +255,12 @@ def run(
     gone: list[int] = []
     for name, said, own in asked:
         folder = (out / name if several else out) if out else None
-        with going_on(str(said), reading["embedder"], as_json, gone if several else None):
+        with going_on(
+            name if isinstance(said, Situation) else str(said), reading["embedder"], as_json, gone if several else None
+        ):
             done = api.run(
                 said,
-                folder or runs.free_folder(Path("runs"), str(said) or name),
+                folder or runs.free_folder(Path("runs"), name if isinstance(said, Situation) else str(said) or name),
                 program=own,
                 trust=trust,
                 as_written=as_written,
@@ -660,6 +669,8 @@ def explain(
 ) -> None:
     """Show how TEXT is understood: its parts and slots, the snippets chosen and why, the program. Runs nothing.
 
+    TEXT is a sentence, or the .yaml or .json file of a situation.
+
     \b
     chatscene explain "a motorbike cuts us off from the right"
     chatscene explain "a dragon lands on the bonnet"        # refused, exit status 3
@@ -671,6 +682,12 @@ def explain(
         raise click.UsageError("say what to explain: a TEXT or --report FILE")
     if text is None or report is not None:
         explain_report(report or Path(), reading, edit=edit, program=show_program, as_json=as_json)
+        return
+    if (stated := situation_file(text)) is not None:
+        built = api.explain(stated, set=reading["set"])
+        say(json.dumps(built.as_dict(), indent=1) if as_json else str(built))
+        if show_program and not as_json:
+            say(built.as_dict()["program"])
         return
     with refusing(text, reading["embedder"], as_json):
         understood = api.explain(text, edit=edit, **reading)
@@ -693,6 +710,7 @@ main.add_command(finetune)
 main.add_command(coverage)
 main.add_command(rate)
 main.add_command(reproduce)
+main.add_command(schema)
 main.add_command(serve_carla)
 main.add_command(sql)
 main.add_command(runs_below)

@@ -345,10 +345,12 @@ OPTIONS = {
 
 
 def command(record: RunRecord) -> str:
-    """The command line that repeats a run, where it was started; of a program of one's own, in the run folder."""
+    """The command line that repeats a run, where it was started; of what lies in the run folder, there."""
     if record.program is not None:
         words = ["chatscene", "run", "--program", f"programs/{quote(record.program.name, safe='')}.scenic"]
         words += options_of(record.generator)
+    elif record.situation is not None:
+        words = ["chatscene", "run", "situation.yaml"]
     elif record.generator == "chatscene":
         words = ["chatscene", "run", record.text, *(word for one in record.edits for word in ("--edit", one))]
     else:

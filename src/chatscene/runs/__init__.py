@@ -62,6 +62,7 @@ if TYPE_CHECKING:
         ReproductionRecord,
         RunRecord,
         SimulatorRecord,
+        SituationRecord,
         SourceRecord,
         Status,
         TrainingRecord,
@@ -104,6 +105,7 @@ __all__ = [
     "ReproductionRecord",
     "RunRecord",
     "SimulatorRecord",
+    "SituationRecord",
     "SourceRecord",
     "Status",
     "TrainingRecord",
@@ -170,7 +172,7 @@ _NAMES = {
     "record": (
         "SCHEMA_VERSION BenchmarkRecord Driven EvaluationRecord FinetuningRecord Kind LessonsRecord "
         "MapRecord ProgramRecord Record ReportRecord ReproductionRecord RunRecord SimulatorRecord "
-        "SourceRecord Status TrainingRecord settings_from settings_of"
+        "SituationRecord SourceRecord Status TrainingRecord settings_from settings_of"
     ),
     "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of",
     "workspace": (

@@ -22,6 +22,7 @@ from chatscene.runs.record import (
     ReportRecord,
     RunRecord,
     SimulatorRecord,
+    SituationRecord,
     SourceRecord,
     settings_of,
 )
@@ -38,13 +39,14 @@ def asked_run(
     text: str | Conflict = "",
     *,
     program: ProgramRecord | None = None,
+    situation: SituationRecord | None = None,
     settings: Settings | None = None,
     map_name: str | None = None,
     ego: str = EGO,
     generator: str = "chatscene",
     edits: Sequence[str] = (),
 ) -> RunRecord:
-    """A run of a sentence and edits of it, or of a program of the user's own.
+    """A run of a sentence and edits of it, of a program of the user's own, or of a situation.
 
     If no map is named, it is on the packaged one with the site that is said. A conflict of a report is read as a
     sentence, and what is in no conflict of that report is kept beside it.
@@ -59,12 +61,14 @@ def asked_run(
         text, report = text.text, {"report": told}
     maker = load_generator(generator)
     load_sampler(settings.search.sampler)
-    said = maker.read(text if program is None else program.source, settings.retrieval)
+    stated = situation.text if situation is not None else program.source if program is not None else str(text)
+    said = maker.read(stated, settings.retrieval)
     read = edited_scenario(said, edits, settings.retrieval)
     return RunRecord(
         text=text,
         edits=list(edits),
         program=program,
+        situation=situation,
         generator=generator,
         egos=[ego],
         **report,
@@ -75,9 +79,10 @@ def asked_run(
 def scenario_of(record: RunRecord, generator: Generator) -> Scenario:
     """What a run's generator reads in its sentence, with its edits; a program of the user's own goes by its name."""
     reading = settings_of(record).retrieval
-    if record.program is None:
+    if not record.stated:
         return edited_scenario(generator.read(record.text, reading), record.edits, reading)
-    return replace(generator.read(record.program.source, reading), id=record.program.name)
+    read = generator.read(record.stated, reading)
+    return replace(read, id=record.program.name) if record.program is not None else read
 
 
 def edited_scenario(scenario: Scenario, edits: Iterable[str], settings: RetrievalSettings) -> Scenario:

@@ -16,7 +16,7 @@ from chatscene.errors import RunError
 from chatscene.runs.atomic import write_bytes
 
 _TABLES = tuple(f"{name}.parquet" for name in ("scenes", "events", "signals", "ranges"))
-KEPT = ("explanation.json", "map.json", *_TABLES, "episodes/*.parquet", "programs/*.scenic")
+KEPT = ("explanation.json", "map.json", "situation.yaml", *_TABLES, "episodes/*.parquet", "programs/*.scenic")
 DRAWN = ("report.html", "*.gif", "tables/*", "figures/*")
 
 CHANGED, MISSING = "it is not what was written", "it is missing"

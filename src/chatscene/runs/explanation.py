@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from chatscene.errors import RunError
-from chatscene.runs.atomic import read_json, write_json
+from chatscene.runs.atomic import read_json, write_bytes, write_json
 from chatscene.runs.record import first_problem
 from chatscene.runs.workspace import Workspace, read_record, write_program
 from chatscene.search.generator import Choice, Written
@@ -39,6 +39,8 @@ def write_choice(run: Workspace, scenario: Scenario, written: Written | None = N
     if written:
         explained["scenarios"][0]["otherwise"] += written.left_out
     write_json(run.file("explanation.json"), explained)
+    if (stated := read_record(run).situation) is not None:
+        write_bytes(run.file("situation.yaml"), stated.text.encode())
     if written:
         write_program(run, scenario.id, written.program.source)
 

@@ -50,8 +50,8 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
     generator = load_generator(record.generator)
     settings = settings_of(record).retrieval
     scenario, choice = read_choice(run)
-    if record.program is not None:
-        scenario = replace(scenario, text=record.program.source)
+    if record.stated:
+        scenario = replace(scenario, text=record.stated)
     ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
     try:
         program = generator.write_again(scenario, choice and replace(choice, ranges=ranges), settings)

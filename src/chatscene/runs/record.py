@@ -74,6 +74,18 @@ class ProgramRecord(_Frozen):
     source: str
 
 
+class SituationRecord(_Frozen):
+    """A situation that was stated.
+
+    Attributes:
+        name: What it is called.
+        text: All of it, in YAML, with the map that it is built on.
+    """
+
+    name: str
+    text: str
+
+
 class ReportRecord(_Frozen):
     """The report that a text was found in; see `chatscene.terms.conflict.Conflict`.
 
@@ -232,8 +244,9 @@ class RunRecord(MapRecord):
     """A run: one sentence, or one program, and the scenes searched with it.
 
     Attributes:
-        text: The sentence; empty for a program of the user's own.
+        text: The sentence; empty for a program of the user's own and for a situation.
         program: A program of the user's own; None for a sentence.
+        situation: The situation, where one was stated in place of a sentence.
         generator: Who makes the scenes.
         edits: What was changed of the sentence, edit by edit; asked for, though older records have none.
         edited_from: Absolute path of the run that the last edit was of; empty if none was.
@@ -244,6 +257,7 @@ class RunRecord(MapRecord):
     egos: Annotated[list[str], Field(min_length=1)]
     text: Annotated[str, AfterValidator(_short)]
     program: ProgramRecord | None
+    situation: SituationRecord | None = None
     generator: str
     edits: list[str] = []
     edited_from: str = ""
@@ -261,8 +275,16 @@ class RunRecord(MapRecord):
 
     @property
     def title(self) -> str:
-        """The sentence with its edits, or the name of the program."""
-        return self.program.name if self.program else with_edits(self.text.strip(), self.edits)
+        """The sentence with its edits, or the name of the program or of the situation."""
+        stated = self.program or self.situation
+        return stated.name if stated else with_edits(self.text.strip(), self.edits)
+
+    @property
+    def stated(self) -> str:
+        """What its generator reads in place of a sentence: a program, a situation; else empty."""
+        if self.situation is not None:
+            return self.situation.text
+        return self.program.source if self.program is not None else ""
 
     def code_named(self) -> dict[str, str]:
         """What its settings name, and the generator."""

@@ -151,6 +151,7 @@ GENERATORS: Kind[Generator] = Kind(
         "carla-scenario-generator": "chatscene.search.generators.baselines.scenario_runner:ScenarioRunner",
         "reactive": "chatscene.search.generators.baselines.reactive:Reactive",
         "random-triple": "chatscene.search.generators.baselines.random_triple:RandomTriple",
+        "situation": "chatscene.search.generators.situated:Situated",
         "program": "chatscene.search.generators.own_program:OwnProgram",
         "program-as-written": "chatscene.search.generators.own_program:as_written",
     },

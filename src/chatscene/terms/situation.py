@@ -228,6 +228,8 @@ class Situation(_Closed):
 
     Attributes:
         version: Of the form in which situations are written.
+        about: What a person calls it; no fact.
+        map: The map it lies on: a packaged one, or a file; None for any that has such a place.
         ego: The vehicle that is tested.
         road: The road where it happens.
         others: Everybody else who matters; those who meet the ego first.
@@ -237,6 +239,8 @@ class Situation(_Closed):
     """
 
     version: int = VERSION
+    about: str = field(default="", compare=False)
+    map: str | None = None
     ego: Ego = field(default_factory=Ego)
     road: Road = field(default_factory=Road)
     others: tuple[Other, ...] = ()

@@ -1,0 +1,43 @@
+"""Files of situations in the place of a TEXT, and their schema."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from chatscene.commands.library import say
+
+if TYPE_CHECKING:
+    from chatscene.terms.situation import Situation
+
+SUFFIXES = (".yaml", ".yml", ".json")
+
+
+def situation_file(text: str) -> Situation | None:
+    """The situation in the file that a TEXT names; None for a sentence.
+
+    Raises:
+        SituationError: It cannot be read, or is none.
+    """
+    if " " in text.strip() and not Path(text).is_file():
+        return None
+    if Path(text).suffix.lower() not in SUFFIXES:
+        return None
+    from chatscene import api
+
+    return api.read_situation(text)
+
+
+@click.command()
+def schema() -> None:
+    """Print the JSON schema of situations: what a file or a language model may say, and what each word means.
+
+    \b
+    chatscene schema > situation.schema.json
+    """
+    from chatscene.situations.form import schema as made
+
+    say(json.dumps(made(), indent=1, ensure_ascii=False))

@@ -1,0 +1,75 @@
+"""A situation that was stated, and the program that is built of it, for scripts and people."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from chatscene.build.build import Built, build
+from chatscene.situations.file import read_file, to_yaml
+from chatscene.situations.form import to_plain, with_fact
+from chatscene.terms.situation import Situation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stated:
+    """A situation and its program, before anything is run.
+
+    Attributes:
+        situation: What was said.
+        built: The program, what was assumed and what is left out.
+    """
+
+    situation: Situation
+    built: Built
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script."""
+        return {
+            "situation": to_plain(self.situation),
+            "map": self.built.map,
+            "assumed": list(self.built.assumed),
+            "left_out": list(self.built.left_out),
+            "program": self.built.program.source,
+        }
+
+    @property
+    def told_first(self) -> tuple[str, ...]:
+        """What the program has that was not said, and what it lacks, in lines."""
+        return (
+            *(f"assumed: {one}" for one in self.built.assumed),
+            *(f"left out: {one}" for one in self.built.left_out),
+        )
+
+    def __str__(self) -> str:
+        """For a person: what is otherwise than was said, the situation, and its map."""
+        return "\n".join((*self.told_first, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
+
+
+def stated(
+    situation: Situation | Path, facts: Mapping[str, object] | None = None, map_name: str | None = None
+) -> Situation:
+    """A situation, or that in a file, with some facts set by their paths.
+
+    Raises:
+        SituationError: It is none, or a fact has no place in it.
+    """
+    made = situation if isinstance(situation, Situation) else read_file(situation)
+    if map_name is None and isinstance(situation, Path) and made.map and (situation.parent / made.map).is_file():
+        map_name = str((situation.parent / made.map).resolve())
+    for path, value in ({} if map_name is None else {"map": map_name}).items():
+        made = with_fact(made, path, value)
+    for path, value in (facts or {}).items():
+        made = with_fact(made, path, value)
+    return made
+
+
+def explain_stated(situation: Situation) -> Stated:
+    """What becomes of a situation.
+
+    Raises:
+        NotBuilt: A fact of it cannot be built.
+    """
+    return Stated(situation=situation, built=build(situation))

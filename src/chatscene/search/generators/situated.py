@@ -1,0 +1,126 @@
+"""A situation that somebody wrote down as a generator: it is built, and nothing is read or retrieved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from chatscene.build.build import Built, build
+from chatscene.build.slots import as_slots
+from chatscene.search.generator import Choice, Written
+from chatscene.settings import RetrievalSettings, SearchSettings
+from chatscene.situations.file import read_text, to_yaml
+from chatscene.terms.outcome import Outcome
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.situation import Situation
+from chatscene.terms.snippet import Tried
+from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
+
+if TYPE_CHECKING:
+    from chatscene.ego.policy import EgoPolicy
+    from chatscene.search.explore import Block
+    from chatscene.simulate.simulator import Simulator
+
+NAME = "situation"
+_PARTS = SubDescriptions(behavior="as stated", geometry="as stated", spawn="as stated")
+
+
+class Situated:
+    """Searches with the program of a situation; see `chatscene.search.generator.Generator` for the contract."""
+
+    reference = SearchSettings()
+
+    def texts(self, base: BaseScenario) -> tuple[str, ...]:  # noqa: ARG002
+        """None: who states a situation states it for no base scenario."""
+        return ()
+
+    def read(self, text: str, settings: RetrievalSettings) -> Scenario:  # noqa: ARG002 - nothing is retrieved
+        """The scenario of a situation, in YAML or JSON.
+
+        Raises:
+            SituationError: It is none.
+            NotBuilt: Nothing of it can be built.
+        """
+        situation = read_text(text)
+        return Scenario(
+            id=NAME,
+            text=text,
+            base=None,
+            parts=_PARTS,
+            slots=as_slots(_whole(situation)),
+            surroundings=_around(situation),
+        )
+
+    def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
+        """The program that is built of it.
+
+        Raises:
+            NotBuilt: A fact of it cannot be built.
+        """
+        built = _built(scenario.text, scenario.id)
+        lost = tuple(f"left out, since nothing builds it yet: {one}" for one in built.left_out)
+        return Written(program=built.program, retrieval=None, left_out=(*built.assumed, *lost))
+
+    def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
+        """The program that is built of it."""
+        return _built(scenario.text, scenario.id).program
+
+    def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
+        """Yes: its program is ours, whoever stated the facts."""
+        return True
+
+    def explore(
+        self,
+        program: ScenicProgram,
+        slots: Slots,
+        route: int,
+        *,
+        simulator: Simulator,
+        ego: EgoPolicy,
+        settings: SearchSettings,
+        done: Sequence[Sequence[Outcome]],
+    ) -> Iterator[Block]:
+        """Steps 5 and 6."""
+        from chatscene.search.explore import explore
+
+        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+
+
+def on_its_map(situation: Situation, map_name: str | None) -> str:
+    """The text of a situation with the map on which it is built: the one that is named, or the first that has a place.
+
+    Raises:
+        NotBuilt: No map has such a place, or a fact of it cannot be built.
+        MapError: There is no such map.
+    """
+    named = replace(situation, map=map_name) if map_name is not None else situation
+    return to_yaml(replace(named, map=build(named, name=NAME).map))
+
+
+@lru_cache(maxsize=8)
+def _built(text: str, name: str) -> Built:
+    return build(read_text(text), name=name)
+
+
+def _whole(situation: Situation) -> Situation:
+    """A situation of which somebody meets the ego.
+
+    Raises:
+        NotBuilt: Nobody does.
+    """
+    if not situation.adversaries:
+        build(situation)
+    return situation
+
+
+def _around(situation: Situation) -> Surroundings:
+    around = situation.around
+    follows = FOLLOWS.get(around.weather) if around.weather is not None else None
+    return Surroundings(
+        light=around.light or Light.DAY,
+        weather=around.weather or Weather.CLEAR,
+        surface=around.surface or follows or Surface.DRY,
+    )

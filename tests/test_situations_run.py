@@ -1,0 +1,120 @@
+"""A situation that was written down is run, told, replayed and taken up again as a sentence is."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import chatscene
+from chatscene import runs
+from chatscene.commands.main import main
+from chatscene.errors import EditRefused, NotBuilt, SituationError
+from chatscene.report.sections import command
+from chatscene.report.stated import Stated
+from chatscene.runs import read_record
+from chatscene.runs.workspace import Workspace
+from chatscene.situations.file import read_file
+from chatscene.situations.form import schema
+from chatscene.terms.vocabulary import UserKind
+
+WRITTEN = """\
+about: a van pulls out in front of us
+ego: {speed: 25 km/h}
+road: {has: [school]}
+others: [{id: A, kind: van, starts: {where: kerb}, does: [{act: stand}, {act: pull-out, manner: sudden}]}]
+"""
+TOLD = (
+    "A is on the right, which was not said",
+    "A is a car, since nothing is built as a van",
+    "left out, since nothing builds it yet: road.has.0: school",
+    "left out, since nothing builds it yet: others.A.does.1.manner: sudden",
+)
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("situations")
+    (folder / "van.yaml").write_text(WRITTEN, encoding="utf-8")
+    done = CliRunner().invoke(main, ["run", str(folder / "van.yaml"), "--scenes", "4", "--out", str(folder / "run")])
+    assert done.exit_code == 0, done.output
+    for line in TOLD:
+        assert line in " ".join(done.output.split())
+    return folder
+
+
+def test_a_run_of_a_situation_is_whole_and_told_as_what_it_is_called(finished: Path) -> None:
+    run = chatscene.Run(finished / "run")
+    assert tuple(run.told_first) == TOLD
+    assert run.summary.counts["ran"] == 4
+    assert "a van pulls out in front of us" in (finished / "run" / "report.html").read_text(encoding="utf-8")
+    assert runs.check(finished / "run").whole
+
+
+def test_its_folder_keeps_the_situation_with_its_map_and_says_how_to_run_it_again(finished: Path) -> None:
+    kept = read_file(finished / "run" / "situation.yaml")
+    assert kept == replace(read_file(finished / "van.yaml"), map="town")
+    again = command(read_record(Workspace(finished / "run")))  # type: ignore[arg-type]
+    assert again.startswith("chatscene run situation.yaml --map town")
+
+
+def test_its_scenes_are_replayed_and_the_run_taken_up_again(finished: Path) -> None:
+    run = chatscene.Run(finished / "run")
+    assert run.best.replay().identical
+    assert chatscene.resume(finished / "run").summary.counts == run.summary.counts
+
+
+def test_a_run_of_a_situation_is_not_edited_in_words(finished: Path) -> None:
+    with pytest.raises(EditRefused, match="is a run of a situation"):
+        chatscene.Run(finished / "run").edit("make it a truck")
+
+
+def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(finished: Path) -> None:
+    asked = [
+        "explain",
+        str(finished / "van.yaml"),
+        "--json",
+        "--set",
+        "others.A.kind=truck",
+        "--set",
+        "ego.speed=20 km/h",
+    ]
+    told = CliRunner().invoke(main, asked)
+    assert told.exit_code == 0, told.output
+    made = json.loads(told.stdout)
+    assert made["situation"]["others"][0]["kind"] == "truck"
+    assert "new Truck at" in made["program"]
+    assert "wantedSpeed 5.556" in made["program"]
+    assert made["assumed"] == ["A is on the right, which was not said"]
+    shown = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--program"]).output
+    assert "assumed: A is a car" in shown
+    assert "model chatscene.world.model" in shown
+
+
+def test_from_python_it_is_a_value(finished: Path) -> None:
+    situation = chatscene.read_situation(finished / "van.yaml")
+    assert situation["A"].kind is UserKind.VAN
+    stated = chatscene.explain(situation, set={"others.A.starts.side": "right"})
+    assert isinstance(stated, Stated)
+    assert stated.built.assumed == ("A is a car, since nothing is built as a van",)
+    with pytest.raises(SituationError, match=r"others\.A\.starts\.side: 'up' is none of left, right"):
+        chatscene.explain(situation, set={"others.A.starts.side": "up"})
+    with pytest.raises(NotBuilt, match=r"ego\.route: reverse"):
+        chatscene.explain(situation, set={"ego.route": "reverse"})
+
+
+def test_a_fault_of_a_file_ends_the_command_with_its_line(tmp_path: Path) -> None:
+    (tmp_path / "van.yaml").write_text(WRITTEN.replace("kind: van", "kind: vam"), encoding="utf-8")
+    refused = CliRunner().invoke(main, ["run", str(tmp_path / "van.yaml")])
+    assert refused.exit_code != 0
+    told = " ".join(refused.output.split())
+    assert "van.yaml: line 4, others.A.kind: 'vam' is none of car" in told
+    missing = CliRunner().invoke(main, ["explain", str(tmp_path / "none.yaml")])
+    assert "No such file" in missing.output
+
+
+def test_the_command_schema_prints_the_schema() -> None:
+    assert json.loads(CliRunner().invoke(main, ["schema"]).stdout) == schema()
