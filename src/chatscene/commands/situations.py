@@ -22,13 +22,18 @@ def situation_file(text: str) -> Situation | None:
     Raises:
         SituationError: It cannot be read, or is none.
     """
-    if " " in text.strip() and not Path(text).is_file():
-        return None
-    if Path(text).suffix.lower() not in SUFFIXES:
+    if not text.lower().endswith(SUFFIXES) or (" " in text and not _is_file(text)):
         return None
     from chatscene import api
 
     return api.read_situation(text)
+
+
+def _is_file(text: str) -> bool:
+    try:
+        return Path(text).is_file()
+    except (OSError, ValueError):  # too long for a name, or with a NUL
+        return False
 
 
 @click.command()
