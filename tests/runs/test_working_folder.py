@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
-from collections.abc import Callable
-from importlib.metadata import packages_distributions
 from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
 import pytest
 
+from chatscene.maps.network import PACKAGED
 from chatscene.report.index import Index
 from chatscene.report.sql import ask
 from chatscene.view.child import Child
+from strange_folder import Strange, strange
 
-NAMES = sorted(
-    name for name in {*sys.stdlib_module_names, *packages_distributions(), "chatscene"} if name.isidentifier()
-)
 MINE = """model chatscene.world.model
 behavior AdvBehavior():
     do Halt()
@@ -26,37 +24,50 @@ egoRoute = selectRoute(maneuver="straight")
 ego = new Car at startOf(egoRoute), facing directionOn(egoRoute, 0), with route egoRoute
 AdvAgent = new Pedestrian at besideRoad(egoRoute, 40, "right", 1), with behavior AdvBehavior()
 """
+THEIRS = """param map = localPath("town.xodr")
+model scenic.domains.driving.model
+ego = new Car
+new Car
+"""
+EGO = """import colorsys
+
+from chatscene.ego.policy import load_ego
+
+def make():
+    return load_ego("planner")
+"""
+TESTS = """import chatscene
+
+@chatscene.scene("the car ahead brakes hard", ego="my_own:make", scenes=1)
+def test_my_own(): ...
+"""
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """One with a module for every name of Python's own and of an installed package, each of which leaves a mark."""
-    folder = tmp_path / "strange"
-    folder.mkdir()
-    (tmp_path / "marks").mkdir()
-    for name in NAMES:
-        (folder / f"{name}.py").write_text(f"open({str(tmp_path / 'marks' / name)!r}, 'w').close()\n")
-    (folder / "mine.scenic").write_text(MINE)
+def folder(tmp_path: Path) -> Strange:
+    """One in which a program and tests of the user's lie, too."""
+    folder = strange(tmp_path)
+    (folder.path / "mine.scenic").write_text(MINE)
+    (folder.path / "theirs.scenic").write_text(THEIRS)
+    shutil.copy(PACKAGED["town"], folder.path / "town.xodr")
+    (folder.path / "my_own.py").write_text(EGO)
+    (folder.path / "tests").mkdir()
+    for place in (folder.path, folder.path / "tests"):
+        (place / "test_mine.py").write_text(TESTS)
     return folder
 
 
-@pytest.fixture
-def marks(folder: Path) -> Callable[[], list[str]]:
-    """The names of modules that were imported."""
-    return lambda: [path.name for path in (folder.parent / "marks").iterdir()]
-
-
-def done(folder: Path, *words: str, python: tuple[str, ...] = ("-P", "-m", "chatscene")) -> str:
+def done(folder: Strange, *words: str, python: tuple[str, ...] = ("-P", "-m", "chatscene")) -> str:
     """What a command says that is called there."""
     command = [sys.executable, *python, *words]
-    called = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    called = subprocess.run(command, cwd=folder.path, capture_output=True, text=True, check=False)
     assert called.returncode == 0, called.stdout + called.stderr
     return called.stdout
 
 
-def test_a_module_that_is_imported_there_leaves_a_mark(folder: Path, marks: Callable[[], list[str]]) -> None:
+def test_a_module_that_is_imported_there_leaves_a_mark(folder: Strange) -> None:
     done(folder, python=("-c", "import colorsys, numpy, chatscene"))
-    assert sorted(marks()) == ["chatscene", "colorsys", "numpy"]
+    assert folder.imported() == ["chatscene", "colorsys", "numpy"]
 
 
 @pytest.mark.parametrize(
@@ -64,21 +75,44 @@ def test_a_module_that_is_imported_there_leaves_a_mark(folder: Path, marks: Call
     [
         ["run", "a car ahead brakes hard", "--routes", "1", "--scenes", "4", "--jobs", "2", "--out", "out"],
         ["run", "--program", "mine.scenic", "--routes", "1", "--scenes", "1", "--out", "out"],
+        ["run", "--program", "mine.scenic", "--trust", "--routes", "1", "--scenes", "1", "--out", "out"],
+        ["run", "--program", "theirs.scenic", "--trust", "--scenes", "1", "--out", "out"],
+        ["run", "a car ahead brakes hard", "--ego", "my_own:make", "--routes", "1", "--scenes", "1", "--out", "out"],
     ],
-    ids=["in several processes", "in the confined process"],
+    ids=[
+        "in several processes",
+        "in the confined process",
+        "of a program that is trusted",
+        "of one for Scenic's own model that is trusted",
+        "of an ego of the user's own, which lies there",
+    ],
 )
-def test_a_run_imports_no_module_of_the_working_folder(
-    folder: Path, marks: Callable[[], list[str]], words: list[str]
-) -> None:
+def test_a_run_imports_no_module_of_the_working_folder(folder: Strange, words: list[str]) -> None:
     done(folder, *words)
-    assert (folder / "out" / "report.html").is_file()
-    assert marks() == []
+    assert (folder.path / "out" / "report.html").is_file()
+    assert folder.imported() == []
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["--import-mode=importlib", "test_mine.py"], ["tests"]],
+    ids=["beside the modules, which pytest is told not to put first", "in a folder below, which pytest puts first"],
+)
+def test_scenes_as_tests_import_no_module_of_the_working_folder(folder: Strange, words: list[str]) -> None:
+    """As the command `pytest` runs them.
+
+    `python -m pytest` itself has the working folder first, and so have the workers of pytest-xdist; pytest puts the
+    folder of a test file first unless it is told otherwise. None of that is ours.
+    """
+    said = done(folder, "-p", "no:cacheprovider", "-p", "no:randomly", *words, python=("-P", "-m", "pytest"))
+    assert "1 passed: the car ahead brakes hard" in said
+    assert folder.imported() == []
 
 
 def test_what_looks_talks_and_asks_in_a_process_of_its_own_imports_none_either(
-    folder: Path, marks: Callable[[], list[str]], monkeypatch: pytest.MonkeyPatch
+    folder: Strange, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.chdir(folder)
+    monkeypatch.chdir(folder.path)
     monkeypatch.setenv("PYTHONPATH", "")
     reading: dict[str, Any] = {"library": "", "embedder": "minilm", "language_model": "offline"}
     for setup, question, answer in (
@@ -92,4 +126,4 @@ def test_what_looks_talks_and_asks_in_a_process_of_its_own_imports_none_either(
     pytest.importorskip("duckdb", reason="the extra 'sql' is not installed")
     index = Index(tables={"scenes": pa.table({"a": [1]})}, evaluations={}, left_out=())
     assert ask("SELECT a FROM scenes", index).num_rows == 1
-    assert marks() == []
+    assert folder.imported() == []

@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 DT = 0.05  # [s]
@@ -28,11 +29,14 @@ def free_port() -> int:
 
 
 @contextmanager
-def serving(*options: str, port: int = 0) -> Generator[tuple[int, subprocess.Popen[str]]]:
-    """A server, on a free port unless one is named, which says that it is ready, and is gone afterwards."""
+def serving(*options: str, port: int = 0, folder: Path | None = None) -> Generator[tuple[int, subprocess.Popen[str]]]:
+    """A server, on a free port unless one is named, which says that it is ready, and is gone afterwards.
+
+    It begins in `folder`; None for that of the tests.
+    """
     port = port or free_port()
-    command = [sys.executable, "-m", "chatscene", "serve-carla", "--port", str(port), *options]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+    command = [sys.executable, "-P", "-m", "chatscene", "serve-carla", "--port", str(port), *options]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=folder) as server:
         try:
             assert server.stdout is not None
             said = server.stdout.readline()

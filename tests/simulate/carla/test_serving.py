@@ -14,6 +14,7 @@ from standing_in import connected, serving, spawned, speed
 
 from chatscene.commands.main import main
 from chatscene.maps.network import PACKAGED
+from strange_folder import strange
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
@@ -106,3 +107,14 @@ def test_a_client_that_sends_a_map_of_left_hand_traffic_is_refused() -> None:
         client, _ = connected(port)
         with pytest.raises(RuntimeError, match="left-hand traffic"):
             client.generate_opendrive_world(PACKAGED["town"].read_text().replace('rule="RHT"', 'rule="LHT"', 1))
+
+
+def test_neither_it_nor_its_reader_of_maps_imports_a_module_of_the_working_folder(tmp_path: Path) -> None:
+    folder = strange(tmp_path)
+    with serving("--map", "town", "--map", "outskirts", folder=folder.path) as (port, _):
+        client, world = connected(port)
+        spawned(world)
+        world.tick()
+        client.load_world("outskirts")
+        client.generate_opendrive_world(PACKAGED["outskirts"].read_text())
+    assert folder.imported() == []
