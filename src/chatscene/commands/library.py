@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import click
+from click.core import ParameterSource
 
 from chatscene.settings import EXECUTOR, MOST_READINGS, PHYSICS, READERS, SimulationSettings
 
@@ -16,13 +17,34 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON for a script instead of text.")
+
+
+def usable_map(ctx: click.Context, option: click.Parameter, name: str | None) -> str | None:
+    """The map that the user names, held to what every map is before anything is made or begun for it.
+
+    Raises:
+        MapError: It is none, or cannot be used.
+    """
+    if name is not None and ctx.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE:
+        from chatscene.maps.network import check_opendrive, resolve_map
+
+        check_opendrive(resolve_map(name))
+    return name
+
+
 MAP = click.option(
-    "--map", "map_name", default="town", show_default=True, help="The packaged 'town' or 'outskirts', or an .xodr file."
+    "--map",
+    "map_name",
+    default="town",
+    show_default=True,
+    callback=usable_map,
+    help="The packaged 'town' or 'outskirts', or an .xodr file.",
 )
 MAP_WITH_SITE = click.option(
     "--map",
     "map_name",
     default=None,
+    callback=usable_map,
     help="The packaged 'town' or 'outskirts', or an .xodr file.  [default: town; outskirts for motorways and the like]",
 )
 COMPONENT = click.Choice(["behavior", "geometry", "spawn"])

@@ -40,6 +40,7 @@ from chatscene.commands.library import (
     library,
     progress,
     say,
+    usable_map,
 )
 from chatscene.commands.maps import map_group
 from chatscene.commands.proposal import COMMANDS, describe
@@ -606,7 +607,13 @@ def export(folder: Path, scenes: tuple[str, ...], to: str, out: Path, as_json: b
 @main.command("import")
 @click.argument("file", metavar="FILE.xosc", type=click.Path(path_type=Path))
 @click.option("--out", type=click.Path(path_type=Path), help="The .scenic file; default: beside FILE, with its name.")
-@click.option("--map", "map_name", metavar="MAP", help="A packaged map or an .xodr file; default: the one FILE names.")
+@click.option(
+    "--map",
+    "map_name",
+    metavar="MAP",
+    callback=usable_map,
+    help="A packaged map or an .xodr file; default: the one FILE names.",
+)
 @JSON
 def import_scenario(file: Path, out: Path | None, map_name: str | None, as_json: bool) -> None:
     """Write the OpenSCENARIO XML in FILE as a Scenic program, which `run --program` takes; nothing of it is run.

@@ -9,7 +9,7 @@ from pathlib import Path
 from chatscene.commands.doctor import Check, attempt
 from chatscene.ego.policy import EgoPolicy, load_ego
 from chatscene.errors import SimulationError
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import load_network, resolve_map
 from chatscene.runs.replay import WITHIN
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator
@@ -29,8 +29,12 @@ def examine_simulator(name: str, map_name: str, scenes: int = 10) -> Iterator[Ch
 
     Yields:
         What was tried; no more after what is needed for the rest and does not work.
+
+    Raises:
+        MapError: The map cannot be used, by any simulator.
     """
     path, settings = resolve_map(map_name), SimulationSettings(simulator=name)
+    load_network(path)
     made: list[Simulator] = []
 
     def there() -> str:

@@ -57,7 +57,7 @@ def export(folder: Path, scene_ids: Sequence[str] = (), *, to: str, out: Path) -
     Raises:
         SettingsError: There is no such exporter, it breaks its contract, or the folder is not empty.
         RunError: The run has no such scene, it was never driven, or it keeps none.
-        MapError: The run's map is not there any more.
+        MapError: The run's map is not there any more, or is none that can be used.
     """
     exporter = load_exporter(to)
     if out.exists() and not out.is_dir():
@@ -85,7 +85,7 @@ def kept_scenes(folder: Path, scene_ids: Sequence[str] = ()) -> Iterator[KeptSce
 
     Raises:
         RunError: The run has no such scene, it was never driven, or it keeps none.
-        MapError: The run's map is not there any more.
+        MapError: The run's map is not there any more, or is none that can be used.
     """
     run = open_run(folder, RunRecord)
     record = read_record(run)

@@ -147,17 +147,9 @@ def check_opendrive(path: Path) -> Xml.Element:
         Its root.
 
     Raises:
-        MapError: It is no OpenDRIVE, has no road, or has numbers that no road has.
+        MapError: It cannot be read, is no OpenDRIVE, has no road, or has numbers that no road has.
     """
-    try:
-        if path.stat().st_size > LARGEST:
-            raise MapError(f"map {path.name!r} has more than {LARGEST // 2**20} MB; cut it down ({path})")
-        root = _root(path)
-    except Xml.ParseError as error:
-        raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
-    except (ValueError, LookupError) as error:
-        why = f"is no XML in an encoding that is known: {error}; save it as UTF-8"
-        raise MapError(f"map {path.name!r} {why} ({path})") from error
+    root = _read(path)
     if root.tag.endswith("}OpenDRIVE"):
         space = root.tag[1:].partition("}")[0]
         raise MapError(
@@ -174,6 +166,21 @@ def check_opendrive(path: Path) -> Xml.Element:
         if fault := next(_faults(road), None):
             raise MapError(f"map {path.name!r} is OpenDRIVE, but road {road.get('id')!r} {fault} ({path})")
     return root
+
+
+def _read(path: Path) -> Xml.Element:
+    """The root of a file of XML of a size that is read."""
+    try:
+        if path.stat().st_size > LARGEST:
+            raise MapError(f"map {path.name!r} has more than {LARGEST // 2**20} MB; cut it down ({path})")
+        return _root(path)
+    except OSError as error:
+        raise MapError(f"map {path.name!r} cannot be read: {error.strerror} ({path})") from error
+    except Xml.ParseError as error:
+        raise MapError(f"map {path.name!r} is not complete XML: {error}; is the file truncated? ({path})") from error
+    except (ValueError, LookupError) as error:
+        why = f"is no XML in an encoding that is known: {error}; save it as UTF-8"
+        raise MapError(f"map {path.name!r} {why} ({path})") from error
 
 
 def _root(path: Path) -> Xml.Element:
