@@ -219,7 +219,7 @@ def test_an_unfinished_run_is_listed_and_told_and_has_no_scenes(one_run: Path, t
     update(started(tmp_path / "refused"), status=Status.REFUSED, reason="no snippet has a dragon")
     done = told("sql", "SELECT run, status, scenes FROM runs", tmp_path, "--json")
     assert json.loads(done.stdout) == [
-        {"run": "cut", "status": "running", "scenes": None},
+        {"run": "cut", "status": "stopped", "scenes": None},
         {"run": "done", "status": "done", "scenes": 55},
         {"run": "refused", "status": "refused", "scenes": None},
     ]

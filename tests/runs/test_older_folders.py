@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import tarfile
 from pathlib import Path
@@ -13,9 +14,11 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
+from click.testing import CliRunner
 
 import chatscene
 from chatscene import runs
+from chatscene.commands.main import main
 from chatscene.errors import RunError
 from chatscene.report.index import index
 from chatscene.report.sql import ask
@@ -23,6 +26,7 @@ from chatscene.report.viewer import write_report
 from chatscene.runs import tables
 from chatscene.runs.digests import digest_of
 from chatscene.runs.workspace import RECORDS
+from chatscene.view.looking import listed
 from fake_run import finished, started
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
@@ -229,9 +233,42 @@ def test_a_run_that_was_kept_is_replayed_reported_and_measured_anew(kept: Path, 
 def test_a_run_that_was_killed_is_told_at_once_and_one_at_work_is_not(tmp_path: Path) -> None:
     run = started(tmp_path / "run")
     (killed,) = index(tmp_path).left_out
-    assert "is running, not done; finish it with" in killed.why
-    assert "no process of this machine is at work on it" in killed.why
+    assert "is stopped, not done; finish it with" in killed.why
+    assert "unless another machine is at work on it" in killed.why
     with runs.alone(run.path):
         (working,) = index(tmp_path).left_out
     assert "is running, not done; finish it with" in working.why
-    assert "no process" not in working.why
+    assert "another machine" not in working.why
+
+
+def statuses(folder: Path) -> set[str]:
+    """What is told of the one run below a folder: in the index that SQL asks, by the command, and in the page."""
+    (told,) = json.loads(CliRunner().invoke(main, ["runs", str(folder), "--json"]).stdout)
+    (row,) = index(folder).tables["runs"].to_pylist()
+    (line,) = listed(folder)["runs"]
+    return {row["status"], told["status"], line["status"]}
+
+
+def test_the_status_of_a_run_that_was_killed_says_so_wherever_it_is_listed(tmp_path: Path) -> None:
+    run = started(tmp_path / "run")
+    with runs.alone(run.path):
+        assert statuses(tmp_path) == {"running"}
+    before = {path: path.stat().st_mtime_ns for path in (run.path, *run.path.rglob("*"))}
+    assert statuses(tmp_path) == {"stopped"}
+    assert {path: path.stat().st_mtime_ns for path in (run.path, *run.path.rglob("*"))} == before
+    assert runs.read_record(run).status is runs.Status.RUNNING  # as it was left
+
+
+def test_a_run_that_ends_while_it_is_listed_was_running(tmp_path: Path) -> None:
+    run = started(tmp_path / "run")
+    read = runs.read_record(run)
+    runs.update(run, status=runs.Status.FAILED, reason="the disk is full")
+    assert runs.standing(run, read) == "running"
+
+
+def test_a_folder_of_which_nobody_can_tell_who_works_on_it_is_what_its_record_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = started(tmp_path / "run")
+    monkeypatch.setattr("chatscene.runs.workspace.at_work", lambda _: None)  # as where folders cannot be locked
+    assert runs.standing(run, runs.read_record(run)) == "running"

@@ -152,7 +152,7 @@ def _run_row(path: Path, record: runs.RunRecord) -> dict[str, Any]:
         "folder": str(path.resolve()).encode("utf-8", "backslashreplace").decode(),
         "text": record.title,
         "generator": record.generator,
-        "status": record.status.value,
+        "status": runs.standing(runs.Workspace(path), record),
         "reason": record.reason,
         "seed": settings.search.seed,
         "ego": record.ego,

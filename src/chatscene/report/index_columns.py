@@ -80,7 +80,11 @@ _RUNS = (
     Column("folder", "absolute path of its folder"),
     Column("text", "the sentence with its edits; the name of a program of one's own"),
     Column("generator", "who made the scenes"),
-    Column("status", "`done`; `refused`: it has no scenes; `running` or `failed`: its scenes are in no table yet"),
+    Column(
+        "status",
+        "`done`; `refused`: it has no scenes; `running`, `failed` or `stopped`: its scenes are in no table yet. It is "
+        "`stopped` where no process of this machine is at work on it, such as one that was killed",
+    ),
     Column("reason", "why it was refused or failed; else empty"),
     Column("seed", "what everything random derives from", type=WHOLE),
     Column("ego", "the ego that scenes were searched against"),

@@ -82,6 +82,7 @@ if TYPE_CHECKING:
         read_record,
         require_done,
         run_folders,
+        standing,
         take_up,
         update,
         write_drawing,
@@ -151,6 +152,7 @@ __all__ = [
     "scene_of",
     "settings_from",
     "settings_of",
+    "standing",
     "take_up",
     "update",
     "write_block",
@@ -177,8 +179,8 @@ _NAMES = {
     "tables": "criticality_of measurements_of metrics_of route_id route_index scene_of",
     "workspace": (
         "Workspace changed_versions create free_folder note open_run read_drawing read_programs "
-        "read_record require_done run_folders take_up update write_drawing write_explanation "
-        "write_program"
+        "read_record require_done run_folders standing take_up update write_drawing "
+        "write_explanation write_program"
     ),
 }
 """Names by the module that defines them, loaded when one is first used: who reads a sentence needs none of them."""

@@ -45,10 +45,14 @@ class Kind(StrEnum):
 class Status(StrEnum):
     """How far the work came."""
 
-    RUNNING = "running"  # or killed: a dead process cannot say so
+    RUNNING = "running"  # or killed: a dead process cannot say so, see `chatscene.runs.workspace.standing`
     DONE = "done"
     FAILED = "failed"  # an error ended it; may be continued
     REFUSED = "refused"  # no program shows what was read in the sentence
+
+
+STOPPED = "stopped"
+"""What stands for `Status.RUNNING` where it is told of a folder that no process works on; no record has it."""
 
 
 class Driven(StrEnum):

@@ -29,6 +29,7 @@ from chatscene.runs.exclusive import at_work
 from chatscene.runs.record import (
     RECORDS,
     SCHEMA_VERSION,
+    STOPPED,
     Kind,
     Record,
     RunRecord,
@@ -247,9 +248,28 @@ def require_done(run: Workspace, record: Record) -> None:
             "readings that chatscene explain names, and run it again"
         )
     if record.status is not Status.DONE:
-        stopped = record.status is Status.RUNNING and at_work(run.path) is False
-        but = " (no process of this machine is at work on it: unless another machine is, it was stopped)" * stopped
-        raise RunError(f"{run.path} is {record.status}, not done; finish it with: chatscene resume {run.path}{but}")
+        stands = standing(run, record)
+        unless = ", unless another machine is at work on it: none of this one is" * (stands == STOPPED)
+        raise RunError(f"{run.path} is {stands}, not done; finish it with: chatscene resume {run.path}{unless}")
+
+
+def standing(run: Workspace, record: Record) -> str:
+    """How far the work came, as far as this machine can tell.
+
+    A process that was killed could not write down that it is no more; whether one is at work is seen at the folder, in
+    which nothing is written.
+
+    Args:
+        run: The folder.
+        record: What was read from it.
+
+    Returns:
+        The status of the record, but `STOPPED` for one that is running by its record and that no process works on.
+    """
+    if record.status is not Status.RUNNING or at_work(run.path) is not False:
+        return record.status.value
+    since = read_record(run, Record).status  # it may have ended after the record was read
+    return STOPPED if since is Status.RUNNING else record.status.value
 
 
 def note(run: Workspace, *drawn: Path) -> None:

@@ -81,7 +81,7 @@ function row(run) {
   const title = run.report
     ? element("a", { href: `#/run/${encodeURIComponent(run.run)}` }, run.text)
     : element("span", {}, run.text);
-  const unlike = run.status === "done" ? null : element("span", { className: "chip hit", title: run.reason }, run.status === "running" ? "not finished" : run.status);
+  const unlike = run.status === "done" ? null : element("span", { className: "chip hit", title: run.reason }, run.status);
   const name = element("th", { scope: "row" }, element("div", { className: "run" }, still, element("div", {}, title, element("small", {}, run.run, " ", unlike))));
   const share = run.ran ? ` of ${run.ran}` : "";
   const struck = Object.entries(run.struck).map(([fault, count]) => `${count} ${fault.replaceAll("-", " ")}`).join(", ");
