@@ -284,12 +284,61 @@ def element(tag: str, **attributes: str) -> Element:
     return Element("Position", {}, 1, [Element(tag, attributes, 1)])
 
 
+def left_of(pose: tuple[float, float, float], other: tuple[float, float, float]) -> float:
+    """How far [m] a place lies to the left of somebody."""
+    (x, y, heading), (there_x, there_y, _) = pose, other
+    return (there_y - y) * math.cos(heading) - (there_x - x) * math.sin(heading)
+
+
+@pytest.mark.parametrize(("against", "left"), [(False, 0.8), (True, -0.8)])
+def test_an_offset_in_a_lane_goes_to_the_left_of_the_roads_line_whichever_way_the_lane_is_driven(
+    against: bool, left: float
+) -> None:
+    """So who drives against the line has it on the right.
+
+    The standard (ASAM OpenSCENARIO XML) has an offset "along the t-axis of the target lane center line", and t points
+    to the left of s, which a lane shares with its road: numbers of lanes grow to that side, too, and so does t where
+    a place is told by it. esmini adds an offset to t in the same way, whichever sign a lane has.
+    """
+    positions = Positions(Given(), resolve_map("town"))
+    road, lane, s = a_lane(positions, against)
+    lies = {"roadId": road, "laneId": str(lane), "s": str(s)}
+    middle, there = (positions.pose(element("LanePosition", **lies, offset=metres)) for metres in ("0", "0.8"))
+    assert left_of(middle, there) == pytest.approx(left, abs=1e-6)
+    assert there[2] == middle[2]
+    (x, y), (across, up) = middle[:2], (there[0] - middle[0], there[1] - middle[1])
+    along = positions.pose(element("RoadPosition", roadId=road, s=str(s), t="0"))  # it faces as the line runs
+    assert left_of((x, y, along[2]), (x + across, y + up, 0.0)) == pytest.approx(0.8, abs=1e-6)
+
+
+@pytest.mark.parametrize("turned", ["0", "3.141592653589793"])
+@pytest.mark.parametrize("against", [False, True])
+def test_an_offset_in_a_file_of_carla_goes_to_the_right_of_whoever_is_put_there(against: bool, turned: str) -> None:
+    """ScenarioRunner takes the lane's place as CARLA has it, which faces as the lane is driven, turns it, and only then
+    moves it to its own right.
+    """
+    positions = Positions(Given(), resolve_map("town"), mirrored=True)
+    road, lane, s = a_lane(positions, against)
+    lies = {"roadId": road, "laneId": str(lane), "s": str(s)}
+
+    def put(tag: str, **told: str) -> tuple[float, float, float]:
+        one = element(tag, **told)
+        one.inside[0].inside.append(Element("Orientation", {"type": "relative", "h": turned}, 1))
+        return positions.pose(one)
+
+    middle = positions.known["other"] = put("LanePosition", **lies, offset="0")
+    assert left_of(middle, put("LanePosition", **lies, offset="0.8")) == pytest.approx(-0.8, abs=1e-6)
+    relative = put("RelativeLanePosition", entityRef="other", dLane="0", ds="0", offset="0.8")
+    assert left_of(middle, relative) == pytest.approx(-0.8, abs=0.05)
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
 @pytest.mark.parametrize("against", [False, True])
 @pytest.mark.parametrize("relative", ["RelativeLanePosition", "RelativeRoadPosition"])
 def test_metres_beside_a_lane_are_told_to_the_same_side_by_lane_and_beside_somebody(
-    relative: str, against: bool
+    relative: str, against: bool, mirrored: bool
 ) -> None:
-    positions = Positions(given := Given(), resolve_map("town"))
+    positions = Positions(given := Given(), resolve_map("town"), mirrored=mirrored)
     road, lane, s = a_lane(positions, against)
     lies = {"roadId": road, "laneId": str(lane), "s": str(s)}
     positions.known["other"] = positions.pose(element("LanePosition", **lies, offset="0"))

@@ -129,8 +129,8 @@ class _Reader:
         mirrored = header is not None and header.attributes.get("description", "").startswith("CARLA:")
         if header and mirrored:
             given.notes.append(
-                f"line {header.line}: its description begins with CARLA:, so y, t, offsets and headings count to the "
-                "right, as ScenarioRunner reads it"
+                f"line {header.line}: its description begins with CARLA:, so y, t and headings count to the right, and "
+                "offsets to the right of who drives, as ScenarioRunner reads it"
             )
         self._positions = Positions(given, map_path, mirrored=mirrored)
         self._side = -1 if mirrored else 1

@@ -25,12 +25,13 @@ class Positions:
     Args:
         given: The parameters of the file.
         map_path: The map.
-        mirrored: Whether y, t, offsets and headings count to the right, as in CARLA.
+        mirrored: Whether y, t and headings count to the right, as in CARLA, and metres beside a lane to the right of
+            whoever is put there, as ScenarioRunner counts them; else they count to the left of the road's line.
     """
 
     def __init__(self, given: Given, map_path: Path, *, mirrored: bool = False) -> None:
         self._given, self._map_path = given, map_path
-        self._left = -1 if mirrored else 1
+        self._mirrored, self._left = mirrored, -1 if mirrored else 1
         self.known: dict[str, Pose] = {}
 
     @cached_property
@@ -58,9 +59,10 @@ class Positions:
             case "WorldPosition":
                 return g.number(one, "x"), self._left * g.number(one, "y"), self._left * g.number(one, "h", "0")
             case "LanePosition":
-                lane = self._lane(one)
-                x, y, heading = self._on_road(one, g.number(one, "s"), lane, self._left * g.number(one, "offset", "0"))
-                return x, y, self._turned(one, heading + (math.pi if lane > 0 else 0.0))
+                lane, offset = self._lane(one), g.number(one, "offset", "0")
+                x, y, heading = self._on_road(one, g.number(one, "s"), lane, 0.0 if self._mirrored else offset)
+                there = x, y, self._turned(one, heading + (math.pi if lane > 0 else 0.0))
+                return _beside(there, -offset) if self._mirrored else there
             case "RoadPosition":
                 x, y, heading = self._on_road(one, g.number(one, "s"), 0, self._left * g.number(one, "t", "0"))
                 return x, y, self._turned(one, heading)
@@ -130,8 +132,10 @@ class Positions:
         along, aside, _ = line.project(x, y)
         against = int(section.openDriveID) > 0  # the lane's own line runs as it is driven, t counts left of the road's
         told = "offset" if one.tag == "RelativeLanePosition" else "dt"
-        beside = (-1 if against else 1) * self._left * self._given.number(one, told, "0")
-        aside = (0.0 if told == "offset" else aside) + beside
+        beside = self._given.number(one, told, "0")
+        aside = 0.0 if told == "offset" else aside
+        if not self._mirrored:
+            aside += -beside if against else beside
         ahead = self._given.number(one, "ds" if "ds" in one.attributes else "dsLane", "0")
         if against and ahead:
             self._given.notes.append(
@@ -140,12 +144,10 @@ class Positions:
         along += ahead
         if not 0.0 <= along <= line.length:
             raise Refused(one, "so far along, or back, there is no lane that the lane there leads to")
-        (px, py), heading = line.point_at(along), line.heading_at(along)
-        return (
-            px - aside * math.sin(heading),
-            py + aside * math.cos(heading),
-            self._turned(one, heading),
-        )
+        heading = line.heading_at(along)
+        px, py, _ = _beside((*line.point_at(along), heading), aside)
+        there = px, py, self._turned(one, heading)
+        return _beside(there, -beside) if self._mirrored else there
 
     def in_lane(self, section: Any, pose: Pose) -> InLane:
         """The lane of a section, for somebody who stands in it and faces along or against it."""
@@ -185,6 +187,12 @@ class Positions:
         if number is None and min(abs(turn), math.pi - abs(turn)) > math.pi / 4:
             return None
         return line if abs(turn) < math.pi / 2 else Polyline(line.points[::-1])
+
+
+def _beside(pose: Pose, left: float) -> Pose:
+    """A place so far [m] to the left of another, turned as that is."""
+    x, y, heading = pose
+    return x - left * math.sin(heading), y + left * math.cos(heading), heading
 
 
 def _reference(road: Any, s: float) -> tuple[tuple[float, float], float]:
