@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 from chatscene.build.deeds import ALONG, GO, MOVE, Steps, steps_for
 from chatscene.build.facts import Ledger
-from chatscene.build.numbers import FIRM, RANGES, Numbers
+from chatscene.build.numbers import FIRM, Numbers
 from chatscene.build.place import NEXT_LANE, Found, at_junction
 from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
 from chatscene.errors import NotBuilt
-from chatscene.terms.actors import LIMITS, Limits
+from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
 from chatscene.terms.vocabulary import Act, Breach, Manner, Role, Side, Striker, UserKind, Where
@@ -98,7 +98,7 @@ class Actor:
     # Numbers
 
     def _bind(self) -> None:
-        numbers, situation = self.numbers, self.ledger.situation
+        numbers = self.numbers
         manners = {deed.manner for deed in self.deeds}
         for manner, name in ((Manner.SLOW, "SLOW"), (Manner.FAST, "FAST")):
             if manner in manners:
@@ -106,12 +106,22 @@ class Actor:
                 numbers.narrow("SPEED", low, high)
         if self.one.starts.speed is not None and not stands_first(self.one):
             numbers.bind("SPEED", self.one.starts.speed, self.ego_speed)
-        striker = situation.contact.striker if situation.contact else None
-        if striker is not None and self.stand.meets in (Meets.THROUGH, Meets.ACROSS):
-            low, high, *_ = RANGES["OFFSET"]  # whoever comes later strikes
-            numbers.narrow("OFFSET", *((0.0, high) if striker is Striker.EGO else (low, 0.2)))
-        if striker is not None:
+        if self.stand.meets in (Meets.THROUGH, Meets.ACROSS):
+            self._between()
+
+    def _between(self) -> None:
+        """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
+
+        Whoever comes later strikes the other.
+        """
+        ego = AdversaryKind.CAR.row.limits
+        late = -0.5 * (ego.length + self.limits.length) / self.ego_speed
+        early = (ego.width + self.limits.length) / self.numbers.middle("SPEED")
+        contact = self.ledger.situation.contact
+        if contact is not None and contact.striker is not None:
+            late, early = (0.0, early) if contact.striker is Striker.EGO else (late, 0.0)
             self.ledger.take("contact.striker")
+        self.numbers.narrow("OFFSET", late, early)
 
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
         """A phase of a deed, with the numbers that were said of that deed and of no other."""

@@ -154,7 +154,7 @@ def _next_lane(asked: Asked) -> Stand:
     where, back = asked.one.starts.where, asked.one.starts.where is Where.BEHIND_BESIDE
     low, high = {Where.AHEAD_BESIDE: (8.0, 18.0), Where.BESIDE: (-2.0, 4.5), Where.BEHIND_BESIDE: (7.0, 16.0)}[where]
     if asked.stands and where is Where.AHEAD_BESIDE:
-        low, high = 28.0, 40.0
+        low, high = 38.0, 56.0
     asked.reach(low, high, "how far behind the ego it is" if back else "how far ahead of the ego it is")
     at = f"60 {'-' if back else '+'} $Y{asked.more}"
     if asked.rides:

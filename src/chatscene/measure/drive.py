@@ -10,12 +10,12 @@ from chatscene.measure.crash_type import crash_type, waits
 from chatscene.measure.criticality import criticality, fault
 from chatscene.measure.score import columns, measure
 from chatscene.measure.unplayed import unplayed
-from chatscene.program.meaning import check_meaning
+from chatscene.program.shown import not_shown
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.criticality import Criticality, Fault
 from chatscene.terms.episode import Episode
 from chatscene.terms.metrics import Measurements
-from chatscene.terms.scenario import Slots
+from chatscene.terms.scenario import Said
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 
@@ -50,14 +50,12 @@ class Ran:
     unplayed: tuple[str, ...] = ()
 
 
-def drive(
-    program: ScenicProgram, slots: Slots, scene: Scene, *, simulator: Simulator, ego: EgoPolicy
-) -> Ran | Rejected:
+def drive(program: ScenicProgram, said: Said, scene: Scene, *, simulator: Simulator, ego: EgoPolicy) -> Ran | Rejected:
     """Drive one scene and judge it.
 
     Args:
         program: What to run.
-        slots: What was said.
+        said: What was said.
         scene: The concrete values.
         simulator: Where.
         ego: Who drives.
@@ -76,7 +74,7 @@ def drive(
         episode=episode,
         measurements=measurements,
         metrics=columns(measurements),
-        meaning=check_meaning(slots, episode, simulator.route_in(program, scene)),
+        meaning=not_shown(said, episode, simulator.route_in(program, scene)),
         criticality=criticality(episode),
         fault=fault(episode),
         avoidable=avoidable(episode, program, scene, ego, simulator),

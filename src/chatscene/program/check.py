@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 from chatscene.ego.policy import EgoPolicy
 from chatscene.errors import MeansSomethingElse, Unsatisfiable
-from chatscene.program.meaning import check_meaning
 from chatscene.program.sample import scene_at
+from chatscene.program.shown import not_shown
 from chatscene.simulate.simulator import Simulator, simulate
 from chatscene.terms.episode import Episode
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Slots
+from chatscene.terms.scenario import Said
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 PROBES = (
@@ -53,7 +53,7 @@ def probe_scenes(program: ScenicProgram, route: int) -> tuple[Scene, ...]:
 
 
 def check(
-    program: ScenicProgram, slots: Slots, simulator: Simulator, ego: EgoPolicy, *, route: int = 0, drives: int = PROBED
+    program: ScenicProgram, said: Said, simulator: Simulator, ego: EgoPolicy, *, route: int = 0, drives: int = PROBED
 ) -> Checked:
     """Climb the ladder from compiling to meaning.
 
@@ -62,7 +62,7 @@ def check(
 
     Args:
         program: What to check; its names were checked when it was assembled.
-        slots: What was read.
+        said: What was read.
         simulator: Where to run it.
         ego: Who drives.
         route: Which route to probe on.
@@ -94,16 +94,16 @@ def check(
             + ("; no more were tried, since each takes its time to be drawn" if program.drawn else "")
         )
     way = simulator.route_in(program, placed[0])
-    if failures := unshown(slots, episodes, way):
+    if failures := unshown(said, episodes, way):
         raise MeansSomethingElse(
             f"{program.called} runs, but none of {len(episodes)} drives shows what was read: {'; '.join(failures)}",
             blamed=_blamed(program, failures),
         )
-    meaning = tuple(check_meaning(slots, episode, way) for episode in episodes)
+    meaning = tuple(not_shown(said, episode, way) for episode in episodes)
     return Checked(episodes=tuple(episodes), meaning=meaning, rejected=tuple(rejected))
 
 
-def unshown(slots: Slots, episodes: Sequence[Episode], route: Route) -> tuple[str, ...]:
+def unshown(said: Said, episodes: Sequence[Episode], route: Route) -> tuple[str, ...]:
     """What probing drives through collisions never show: that it can be done, else that an ego is tested with it.
 
     Returns:
@@ -111,7 +111,7 @@ def unshown(slots: Slots, episodes: Sequence[Episode], route: Route) -> tuple[st
         was read, and one that all of it has begun before the ego meets anything.
     """
     for through in (True, False):
-        if failures := min((check_meaning(slots, e, route, through=through) for e in episodes), key=len):
+        if failures := min((not_shown(said, e, route, through=through) for e in episodes), key=len):
             return failures
     return ()
 

@@ -199,7 +199,7 @@ def _start_failures(slots: Slots, seen: Seen, episode: Episode, route: Route) ->
     if slots.adversary is not None and track.kind != slots.adversary.row.scenic:
         failures.append(f"adversary: said {slots.adversary}, it is a {track.kind}")
     if slots.side is not None:
-        left = _left_of_ego(seen, route)
+        left = left_of_ego(seen, route)
         if (left > 0) != (slots.side is Side.LEFT):
             failures.append(f"side: said {slots.side}, it starts {abs(left):.1f} m to the {_side(left)}")
     if slots.position is not None and not POSITIONS[slots.position](seen):
@@ -242,7 +242,7 @@ def _away(seen: Seen, *, waits: bool) -> tuple[float, ...]:
     return tuple(float(apart[moment]) for moment in moments)
 
 
-def _left_of_ego(seen: Seen, route: Route) -> float:
+def left_of_ego(seen: Seen, route: Route) -> float:
     """How far to the left [m] the adversary starts: of the ego's start, or of the route it stands beside.
 
     Somebody at the kerb who faces the road comes from that side of the road, also where the road has turned.
@@ -267,10 +267,10 @@ def _hidden(classes: tuple[str, ...], seen: Seen, episode: Episode) -> bool:
     things = [track for track in _others(episode, Role.OCCLUDER) if track.kind in classes]
     moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
     steps = np.flatnonzero(moved < 1.0)[::3]
-    return any(_in_between(thing, seen.ego, seen.track, int(step)) for thing in things for step in steps)
+    return any(in_between(thing, seen.ego, seen.track, int(step)) for thing in things for step in steps)
 
 
-def _in_between(thing: Track, ego: Track, adversary: Track, step: int) -> bool:
+def in_between(thing: Track, ego: Track, adversary: Track, step: int) -> bool:
     """Whether the segment from ego to adversary meets the thing's box (slab test in the thing's frame)."""
     x0, y0, heading = float(thing.x[0]), float(thing.y[0]), float(thing.heading[0])
     cos, sin = math.cos(heading), math.sin(heading)

@@ -50,7 +50,9 @@ def rebuild(run: Workspace) -> tuple[Scenario, ScenicProgram]:
     generator = load_generator(record.generator)
     settings = settings_of(record).retrieval
     scenario, choice = read_choice(run)
-    if record.stated:
+    if record.situation is not None:
+        scenario = generator.read(record.stated, settings)
+    elif record.stated:
         scenario = replace(scenario, text=record.stated)
     ranges = {row["parameter"]: (row["low"], row["high"]) for row in read_ranges(run) if row["block"] == 0}
     try:

@@ -33,7 +33,7 @@ from chatscene.search.generator import Generator, Written, load_generator
 from chatscene.settings import SearchSettings, Settings
 from chatscene.simulate.simulator import Simulator, routes_of, telling
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import Scenario, Slots
+from chatscene.terms.scenario import Said, Scenario
 from chatscene.terms.scene import ScenicProgram
 
 Done = list[list[Outcome]]  # of a route, what came of each of its blocks
@@ -169,7 +169,7 @@ class Search:
         done = self._history[route]
         if len(done) == self._per_route:
             return []
-        return [_Explore(number, self.prepared.written.program, self.prepared.scenario.slots, route, done)]
+        return [_Explore(number, self.prepared.written.program, self.prepared.scenario.said, route, done)]
 
     def _fold(self) -> None:
         assert self.prepared is not None
@@ -187,7 +187,7 @@ class _Prepare:
 class _Explore:
     number: int
     program: ScenicProgram
-    slots: Slots
+    said: Said
     route: int
     done: Done
 
@@ -254,11 +254,11 @@ class Desk:
         drawing = routes_drawing(load_network(self._map), named)
         return Prepared(scenario=scenario, written=written, routes=tuple(routes), drawing=drawing)
 
-    def block(self, program: ScenicProgram, slots: Slots, route: int, done: Done) -> Block:
+    def block(self, program: ScenicProgram, said: Said, route: int, done: Done) -> Block:
         """Steps 5 and 6: the next block of a route."""
         explored = self._generator.explore(
             program,
-            slots,
+            said,
             route,
             simulator=self._simulator,
             ego=self._ego,
@@ -270,7 +270,7 @@ class Desk:
     def __call__(self, task: _Task) -> _Result:
         """A task of one of several searches."""
         if isinstance(task, _Explore):
-            return task.number, self.block(task.program, task.slots, task.route, task.done)
+            return task.number, self.block(task.program, task.said, task.route, task.done)
         choices: list[tuple[Scenario, Written | None]] = []
 
         def keep(scenario: Scenario, written: Written | None) -> None:

@@ -55,7 +55,7 @@ def climb(
     refusal: MeansSomethingElse | None = None
     while True:
         try:
-            return written, check(written.program, scenario.slots, simulator, ego)
+            return written, check(written.program, scenario.said, simulator, ego)
         except MeansSomethingElse as error:
             refusal = refusal or error
             tried.append(Tried(snippet_ids=error.blamed, reason=str(error)))

@@ -17,7 +17,7 @@ from chatscene.search.sampler import Proposal, load_sampler
 from chatscene.settings import SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import Slots
+from chatscene.terms.scenario import Said
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 from chatscene.terms.snippet import ParameterRange
 
@@ -47,7 +47,7 @@ class Block:
 
 def explore(
     program: ScenicProgram,
-    slots: Slots,
+    said: Said,
     route: int,
     *,
     simulator: Simulator,
@@ -59,7 +59,7 @@ def explore(
 
     Args:
         program: What to search with.
-        slots: What was said, to judge each drive by.
+        said: What was said, to judge each drive by.
         route: Index of the route.
         simulator: Where to drive.
         ego: The surrogate ego.
@@ -79,7 +79,7 @@ def explore(
         seed = scene_seed(settings.seed, f"{program.scenario_id}/route-{route:02d}/block-{number:03d}")
         asked = [[_asked(outcome, settings.objective) for outcome in block] for block in history]
         proposal = sampler.propose(program.parameters, asked, count=len(places), seed=seed)
-        block = _run_block(program, slots, places, proposal, simulator, ego, settings)
+        block = _run_block(program, said, places, proposal, simulator, ego, settings)
         history.append(outcomes(block))
         yield block
 
@@ -119,7 +119,7 @@ class _Slot:
 
 def _run_block(
     program: ScenicProgram,
-    slots: Slots,
+    said: Said,
     places: Sequence[_Slot],
     proposal: Proposal,
     simulator: Simulator,
@@ -130,7 +130,7 @@ def _run_block(
     rejected: list[Rejected] = []
     for place in places:
         for scene in islice(_draws(place, proposal, settings), DRAWN_TRIES if program.drawn else None):
-            outcome = drive(program, slots, scene, simulator=simulator, ego=ego)
+            outcome = drive(program, said, scene, simulator=simulator, ego=ego)
             if isinstance(outcome, Ran):
                 ran.append(outcome)
                 break

@@ -15,7 +15,7 @@ from chatscene.plugins import Kind, make
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scenario import BaseScenario, Said, Scenario
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Retrieval, Tried
 
@@ -121,7 +121,7 @@ class Generator(Protocol):
     def explore(
         self,
         program: ScenicProgram,
-        slots: Slots,
+        said: Said,
         route: int,
         *,
         simulator: Simulator,

@@ -42,7 +42,7 @@ from chatscene.settings import EGO, Settings, SimulationSettings
 from chatscene.simulate.simulator import Simulator, check_jobs
 from chatscene.terms.metrics import Mode
 from chatscene.terms.results import Displacement, Drive, ResultTable
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots
+from chatscene.terms.scenario import BaseScenario, Said, Scenario
 from chatscene.terms.scene import Rejected, Scene, ScenicProgram
 
 EGOS = ("sac", "ppo", "td3")  # the paper's
@@ -86,7 +86,7 @@ class _Given:
 
     task: _Task
     program: ScenicProgram
-    slots: Slots
+    said: Said
     scenes: tuple[Scene, ...]
     generator: str
     settings: Settings
@@ -295,7 +295,7 @@ def _given(run: runs.Workspace, tasks: Sequence[_Task], record: runs.EvaluationR
             _Given(
                 task=task,
                 program=program,
-                slots=scenario.slots,
+                said=scenario.said,
                 scenes=tuple(runs.scene_of(row, program) for row in rows),
                 generator=made.generator,
                 settings=Settings(
@@ -353,7 +353,7 @@ class _Evaluator:
 
     def _block(self, given: _Given, simulator: Simulator) -> Block:
         task, ego = given.task, load_ego(given.task.ego)
-        outcomes = [drive(given.program, given.slots, scene, simulator=simulator, ego=ego) for scene in given.scenes]
+        outcomes = [drive(given.program, given.said, scene, simulator=simulator, ego=ego) for scene in given.scenes]
         return Block(
             scenario_id=given.program.scenario_id,
             route=task.route,

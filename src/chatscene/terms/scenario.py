@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, cast
 
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.acts import Action
+from chatscene.terms.situation import Situation
 from chatscene.terms.surroundings import Surroundings
 
 if TYPE_CHECKING:
@@ -347,6 +348,7 @@ class Scenario:
             program of one's own.
         surroundings: Light, weather and the state of the road, as it says them.
         readings: What it may say, the likeliest first, as far as the library serves it; none where nothing is guessed.
+        situation: All that was said, where that is a situation; `slots` then has what is in slots of it.
     """
 
     id: str
@@ -359,3 +361,13 @@ class Scenario:
     frame: Frame | None = None
     surroundings: Surroundings = field(default_factory=Surroundings)
     readings: tuple[Reading, ...] = ()
+    situation: Situation | None = None
+
+    @property
+    def said(self) -> Said:
+        """What drives are to show."""
+        return self.slots if self.situation is None else self.situation
+
+
+Said = Slots | Situation
+"""What drives are held against: what a sentence gave, or a situation."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from chatscene.search.generator import Choice, Written
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Said, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -70,7 +70,7 @@ class OwnProgram:
     def explore(
         self,
         program: ScenicProgram,
-        slots: Slots,
+        said: Said,
         route: int,
         *,
         simulator: Simulator,
@@ -81,7 +81,7 @@ class OwnProgram:
         """Steps 5 and 6."""
         from chatscene.search.explore import explore
 
-        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 def as_written() -> OwnProgram:

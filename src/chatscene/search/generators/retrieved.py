@@ -18,7 +18,7 @@ from chatscene.program.orders import ORDERS
 from chatscene.search.generator import Choice, Written
 from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Site, Slots
+from chatscene.terms.scenario import BaseScenario, Said, Scenario, Site, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
@@ -89,7 +89,7 @@ class Retrieved:
     def explore(
         self,
         program: ScenicProgram,
-        slots: Slots,
+        said: Said,
         route: int,
         *,
         simulator: Simulator,
@@ -100,7 +100,7 @@ class Retrieved:
         """Steps 5 and 6."""
         from chatscene.search.explore import explore
 
-        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 @cache

@@ -13,7 +13,7 @@ from chatscene.search.generator import Choice, Written
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.situations.file import read_text, to_yaml
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Said, Scenario, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Tried
@@ -52,6 +52,7 @@ class Situated:
             parts=_PARTS,
             slots=as_slots(_whole(situation)),
             surroundings=_around(situation),
+            situation=situation,
         )
 
     def write(self, scenario: Scenario, settings: RetrievalSettings, tried: Sequence[Tried] = ()) -> Written:  # noqa: ARG002
@@ -75,7 +76,7 @@ class Situated:
     def explore(
         self,
         program: ScenicProgram,
-        slots: Slots,
+        said: Said,
         route: int,
         *,
         simulator: Simulator,
@@ -86,7 +87,7 @@ class Situated:
         """Steps 5 and 6."""
         from chatscene.search.explore import explore
 
-        return explore(program, slots, route, simulator=simulator, ego=ego, settings=settings, done=done)
+        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 def on_its_map(situation: Situation, map_name: str | None) -> str:

@@ -22,7 +22,7 @@ from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
 from chatscene.simulate.simulator import Simulator
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Component, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Component, Said, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import ParameterRange, Snippet, Tried
 
@@ -235,7 +235,7 @@ class Baseline:
     def explore(
         self,
         program: ScenicProgram,
-        slots: Slots,
+        said: Said,
         route: int,
         *,
         simulator: Simulator,
@@ -247,7 +247,7 @@ class Baseline:
         own = replace(
             settings, sampler=self.sampler or settings.sampler, objective=self.objective or settings.objective
         )
-        return explore(program, slots, route, simulator=simulator, ego=ego, settings=own, done=done)
+        return explore(program, said, route, simulator=simulator, ego=ego, settings=own, done=done)
 
 
 def narrowed(spawn: Snippet, room: float) -> Snippet:

@@ -1,0 +1,503 @@
+"""A situation and a drive: which facts are seen on the tracks, when, and which are not.
+
+Tracks, map and lights alone are read, never a program's text. A fact that no track can show, such as why somebody does
+something, has no finding.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
+from chatscene.program.meaning import (
+    EGO_STATES,
+    POSITIONS,
+    TOGETHER,
+    in_between,
+    left_of_ego,
+    maneuver_of,
+)
+from chatscene.program.watching import Seen, watch
+from chatscene.terms.acts import Action
+from chatscene.terms.amount import Amount, Duration
+from chatscene.terms.episode import Array, Episode, Track
+from chatscene.terms.route import Route
+from chatscene.terms.scenario import Control, EgoState, Maneuver, Place, Position, includes
+from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
+from chatscene.terms.vocabulary import Act as Said
+from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RightOfWay, RoadKind, Side, Striker, Where
+
+SLACK = 0.15  # of a number that was said: what a watcher does not see
+SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
+OVER = 5  # [steps] over which a deceleration is seen
+LOST = 1.5  # [m/s] that somebody loses who slows down
+DRIFTED = 0.8  # [m]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """What a drive shows of a fact.
+
+    Attributes:
+        path: The fact.
+        shown: Whether it is seen; None where the drive did not come to it.
+        told: What was said, and what is seen, in words.
+        at: When it is seen [s]; None for what has no moment.
+    """
+
+    path: str
+    shown: bool | None
+    told: str = ""
+    at: float | None = None
+
+
+def judge(situation: Situation, episode: Episode, route: Route, *, through: bool = False) -> tuple[Finding, ...]:
+    """What a drive shows of a situation, up to the first contact of the ego.
+
+    Args:
+        situation: What was said.
+        episode: What happened; a road user of the situation has its id for a name, several have it with a number.
+        route: The ego's route.
+        through: Judge to the end a drive that went on through a collision.
+    """
+    return tuple(_Judge(situation, episode, route, through).findings())
+
+
+def failures(findings: Iterable[Finding]) -> tuple[str, ...]:
+    """What is not shown, a sentence each; empty if the drive means what was said."""
+    return tuple(f"{one.path}: {one.told}" for one in findings if one.shown is False)
+
+
+_ROUTES: dict[EgoRoute | None, tuple[Maneuver, ...]] = {
+    EgoRoute.STRAIGHT: (Maneuver.STRAIGHT,),
+    EgoRoute.LEFT_TURN: (Maneuver.LEFT_TURN,),
+    EgoRoute.RIGHT_TURN: (Maneuver.RIGHT_TURN,),
+    EgoRoute.TURN: (Maneuver.LEFT_TURN, Maneuver.RIGHT_TURN),
+    EgoRoute.LANE_CHANGE_LEFT: (Maneuver.LANE_CHANGE_LEFT,),
+    EgoRoute.LANE_CHANGE_RIGHT: (Maneuver.LANE_CHANGE_RIGHT,),
+    EgoRoute.LANE_CHANGE: (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
+    EgoRoute.BYPASS: (Maneuver.BYPASS,),
+    EgoRoute.OVERTAKE: (Maneuver.BYPASS,),
+}
+_CONTROLS: dict[RightOfWay | None, Control] = {
+    RightOfWay.SIGNAL: Control.SIGNAL,
+    RightOfWay.STOP_SIGN: Control.STOP_SIGN,
+    RightOfWay.NONE: Control.NONE,
+}
+_PLACES: dict[RoadKind | None, Place] = {
+    RoadKind.ROAD: Place.ROAD,
+    RoadKind.CURVE: Place.CURVE,
+    RoadKind.JUNCTION: Place.JUNCTION,
+    RoadKind.THREE_WAY: Place.THREE_WAY,
+    RoadKind.FOUR_WAY: Place.FOUR_WAY,
+}
+_EGO_ACTS = {
+    Said.STOP: EgoState.STOPS,
+    Said.SLOW_DOWN: EgoState.SLOWS_DOWN,
+    Said.BRAKE: EgoState.BRAKES,
+}
+
+
+def _at(position: Position) -> Callable[[Seen], bool]:
+    return POSITIONS[position]
+
+
+def _in_lane(s: Seen) -> bool:
+    """In the ego's lane, wherever its way then leads; on a bend the way is the lane."""
+    beside = min(abs(s.offset[0]), abs(s.aside[0]))
+    swings = s.line.length > 0 and abs(float(s.bearing[0])) < 0.2  # on a straight road the lane goes straight on
+    return min(beside, abs(s.across[0])) < 1.8 if swings else beside < 1.8
+
+
+def _rides_beside(s: Seen) -> bool:
+    """Level with the ego: in the next lane, or on two wheels at the edge of its own."""
+    return abs(s.along[0]) < 8.0 and 1.0 < abs(s.across[0]) < 6.0
+
+
+def _beside_road(s: Seen) -> bool:
+    return s.lead[0] > 0.0 and abs(s.offset[0]) > 1.6
+
+
+STARTS: dict[Where, Callable[[Seen], bool]] = {
+    Where.AHEAD: lambda s: s.lead[0] > 2.0 and _in_lane(s),
+    Where.AHEAD_BESIDE: lambda s: s.along[0] > 1.0 and 1.0 < abs(s.across[0]) < 6.0 and abs(s.bearing[0]) < 1.0,
+    Where.BESIDE: _rides_beside,
+    Where.BEHIND: _at(Position.BEHIND),
+    Where.BEHIND_BESIDE: lambda s: s.along[0] < -1.0 and 1.0 < abs(s.across[0]) < 6.0,
+    Where.ONCOMING: _at(Position.ONCOMING),
+    Where.ONCOMING_IN_OUR_LANE: lambda s: POSITIONS[Position.ONCOMING](s) and abs(s.offset[0]) < 1.8,
+    Where.ARM: _at(Position.CROSSING),
+    Where.ROADSIDE: _beside_road,
+    Where.DRIVEWAY: _beside_road,
+    Where.CROSSING: _beside_road,
+    Where.EXIT_CROSSING: _at(Position.FAR_CORNER),
+    Where.KERB: lambda s: s.lead[0] > 0.0 and not _in_lane(s) and abs(s.track.speed[0]) < STANDING,
+    Where.EXIT: _at(Position.BEYOND),
+    Where.MEDIAN: lambda s: s.lead[0] > 0.0 and 1.0 < s.offset[0] < 4.0,
+    Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
+}
+"""Whether somebody is seen to start in a place; for those that are not here, no track tells."""
+
+
+def _stands_at_first(s: Seen) -> Iterable[Act]:
+    moving = np.abs(s.track.speed) > STANDING
+    end = int(np.argmax(moving)) if moving.any() else len(moving)
+    if end > 3:
+        yield Act(0, end - 1)
+
+
+def _moves_on(s: Seen) -> Iterable[Act]:
+    return ACTIONS[Action.FOLLOW](s)
+
+
+def _enters(s: Seen) -> Iterable[Act]:
+    inside = np.abs(s.offset) < 1.75
+    began = _since_moving(s)
+    if abs(s.offset[0]) > 1.6 and inside.any():
+        yield Act(began, int(np.argmax(inside)))
+    elif abs(s.offset[0]) - abs(s.offset[-1]) > 0.3:
+        yield Act(began, None)
+
+
+def _since_moving(s: Seen) -> int:
+    moving = np.abs(s.track.speed) > STANDING
+    return int(np.argmax(moving)) if moving.any() else 0
+
+
+def _sets_off(s: Seen) -> Iterable[Act]:
+    speed = np.abs(s.track.speed)
+    stood = np.flatnonzero(speed < STANDING)
+    if stood.size and (speed[stood[0] :] > MOVING).any():
+        off = int(stood[0] + np.argmax(speed[stood[0] :] > MOVING))
+        yield Act(max(off - 1, 0), off)
+
+
+def _slows_down(s: Seen) -> Iterable[Act]:
+    speed = np.abs(s.track.speed)
+    fastest = np.maximum.accumulate(speed)
+    lost = fastest - speed > min(LOST, 0.2 * float(speed.max()))
+    if lost.any():
+        done = int(np.argmax(lost))
+        yield Act(int(speed[: done + 1].argmax()), done)
+
+
+def _drifts(s: Seen) -> Iterable[Act]:
+    away = np.abs(s.drift)
+    if (away > DRIFTED).any():
+        done = int(np.argmax(away > DRIFTED))
+        near = np.flatnonzero(away[:done] < 0.3)
+        yield Act(int(near[-1]) if near.size else 0, done)
+
+
+def _comes_to_rest(s: Seen) -> Iterable[Act]:
+    return ACTIONS[Action.STOP](s)
+
+
+def _any_change(s: Seen) -> Iterable[Act]:
+    yield from ACTIONS[Action.CHANGE_LANE](s)
+    yield from ACTIONS[Action.CUT_IN](s)
+
+
+def _action(action: Action) -> Callable[[Seen], Iterable[Act]]:
+    return ACTIONS[action]
+
+
+ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
+    Said.STAND: _stands_at_first,
+    Said.GO_ALONG: _moves_on,
+    Said.GO_STRAIGHT: _moves_on,
+    Said.FOLLOW: _moves_on,
+    Said.EXIT: _moves_on,
+    Said.TURN_LEFT: _action(Action.TURN_LEFT),
+    Said.TURN_RIGHT: _action(Action.TURN_RIGHT),
+    Said.U_TURN: _action(Action.U_TURN),
+    Said.CROSS: _action(Action.CROSS),
+    Said.ENTER: _enters,
+    Said.SET_OFF: _sets_off,
+    Said.ACCELERATE: _action(Action.ACCELERATE),
+    Said.SLOW_DOWN: _slows_down,
+    Said.BRAKE: _action(Action.BRAKE),
+    Said.STOP: _comes_to_rest,
+    Said.HESITATE: _action(Action.HESITATE),
+    Said.REVERSE: _action(Action.REVERSE),
+    Said.PULL_OUT: _action(Action.PULL_OUT),
+    Said.CUT_IN: _action(Action.CUT_IN),
+    Said.LANE_CHANGE: _any_change,
+    Said.CUT_OUT: _action(Action.CHANGE_LANE),
+    Said.MERGE: _any_change,
+    Said.OVERTAKE: _action(Action.OVERTAKE),
+    Said.DRIFT: _drifts,
+    Said.SWERVE: _action(Action.SWERVE),
+    Said.WEAVE: _action(Action.WEAVE),
+    Said.KEEP_LEVEL: _action(Action.PACE),
+    Said.TAILGATE: _action(Action.TAILGATE),
+    Said.TURN_BACK: _action(Action.TURN_BACK),
+    Said.PARK: _comes_to_rest,
+    Said.YIELD: _comes_to_rest,
+}
+"""When somebody is seen to do something; for those that are not here, no track tells."""
+
+
+@dataclass(slots=True)
+class _Judge:
+    situation: Situation
+    episode: Episode
+    route: Route
+    through: bool
+
+    @property
+    def contact(self) -> int | None:
+        """The step of the first contact, after which nothing is judged."""
+        return self.episode.collision.step if self.episode.collision is not None and not self.through else None
+
+    def findings(self) -> Iterator[Finding]:
+        yield from self._of_road()
+        ego = self.situation.ego
+        until = None if self.contact is None else self.contact + 1
+        speed = self.episode.ego_track.speed[:until]
+        if ego.speed is not None:
+            yield self._number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", least=False)
+        for k, deed in enumerate(ego.does):
+            yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
+        done: dict[str, Act] = {}
+        for one in self.situation.others:
+            yield from self._of_other(one, done)
+        yield from self._of_contact()
+
+    # The road and the ego
+
+    def _of_road(self) -> Iterator[Finding]:
+        route, road = self.situation.ego.route, self.situation.road
+        goes = maneuver_of(self.route)
+        if route in _ROUTES:
+            yield Finding(path="ego.route", shown=goes in _ROUTES[route], told=f"said {route}, its route goes {goes}")
+        if road.control in _CONTROLS:
+            there = self.route.control
+            right = there is _CONTROLS[road.control]
+            yield Finding(path="road.control", shown=right, told=f"said {road.control}, the junction has {there}")
+        if road.kind in _PLACES:
+            right = includes(_PLACES[road.kind], self.route.place)
+            right = right or (road.kind is RoadKind.ROAD and self.route.junction is None)
+            yield Finding(
+                path="road.kind", shown=right, told=f"said {road.kind}, the route lies on a {self.route.place}"
+            )
+
+    def _of_ego(self, path: str, deed: Deed, speed: Array) -> Iterator[Finding]:
+        dt, first = self.episode.dt, self.situation.ego.does[0] is deed
+        stood = bool(speed[: round(1.0 / dt)].max() < STANDING)
+        course = f"it drives at {speed[0]:.1f} m/s at first and {speed.max():.1f} at most"
+        if deed.act is Said.STAND and first:
+            yield Finding(path=path, shown=stood, told=f"said stand, {course}", at=0.0)
+        elif deed.act is Said.SET_OFF:
+            still = np.flatnonzero(speed < STANDING)
+            off = bool(still.size and (speed[still[0] :] > MOVING).any())
+            yield Finding(path=path, shown=off or None, told=f"said set-off, {course}")
+        elif deed.act in _EGO_ACTS:
+            yield Finding(
+                path=path, shown=EGO_STATES[_EGO_ACTS[deed.act]](speed, dt), told=f"said {deed.act}, {course}"
+            )
+
+    # Somebody else
+
+    def _of_other(self, one: Other, done: dict[str, Act]) -> Iterator[Finding]:
+        at = f"others.{one.id}"
+        tracks = [t for t in self.episode.tracks if re.fullmatch(rf"{re.escape(one.id)}(-\d+)?", t.actor)]
+        if not tracks:
+            yield Finding(path=f"{at}.kind", shown=False, told=f"there is no {one.id}")
+            return
+        body = one.kind.row.body.row.scenic
+        kind = tracks[0].kind
+        known = kind == body or one.kind.row.general or kind == "VendingMachine"
+        yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is a {kind}")
+        enough = len(tracks) > 1 if one.count == SEVERAL else len(tracks) == one.count
+        yield Finding(path=f"{at}.count", shown=enough, told=f"said {one.count or 'several'}, there are {len(tracks)}")
+        seen = watch(self.episode, self.route, tracks[0], self.contact)
+        yield from self._start(one, at, seen)
+        yield from self._deeds(one, at, seen, done)
+
+    def _start(self, one: Other, at: str, seen: Seen) -> Iterator[Finding]:
+        start = one.starts
+        where = f"it starts {seen.lead[0]:.1f} m ahead, {abs(seen.across[0]):.1f} m {_side(seen.across[0])}"
+        hides = any(other.hidden_by == one.id for other in self.situation.others)
+        if start.where in STARTS and not hides:
+            right = bool(STARTS[start.where](seen))
+            yield Finding(path=f"{at}.starts.where", shown=right, told=f"said {start.where}, {where}", at=0.0)
+        if start.side is not None and start.where is not Where.EXIT_CROSSING:
+            left = left_of_ego(seen, self.route)
+            right = (left > 0) == (start.side is Side.LEFT)
+            yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
+        if start.distance is not None and start.where not in (Where.ARM, Where.ONCOMING):
+            lead = np.abs(seen.lead[:1])
+            yield self._number(f"{at}.starts.distance", start.distance, lead, SLACK_LENGTH, "starts this far:")
+        if start.speed is not None:
+            speed = np.abs(seen.track.speed[:3])
+            yield self._number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at")
+        if one.hidden_by is not None:
+            yield Finding(
+                path=f"{at}.hidden_by",
+                shown=self._hidden(one.hidden_by, seen),
+                told=f"said hidden by {one.hidden_by}, which is never between it and the ego",
+            )
+
+    def _hidden(self, by: str, seen: Seen) -> bool:
+        moved = np.hypot(seen.track.x - seen.track.x[0], seen.track.y - seen.track.y[0])
+        steps = np.flatnonzero(moved < 1.0)[::3].tolist()
+        things = [t for t in self.episode.tracks if re.fullmatch(rf"{re.escape(by)}(-\d+)?", t.actor)]
+        return any(in_between(thing, seen.ego, seen.track, step) for thing in things for step in steps)
+
+    def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
+        latest, before = 0, ""
+        for k, deed in enumerate(one.does):
+            path, act = f"{at}.does.{k}", deed.act
+            if act not in ACTS:
+                continue
+            sees = _enters if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING else ACTS[act]
+            found = [once for once in sees(seen) if self._counts(once, seen)]
+            if deed.to is not None and act in (Said.SWERVE, Said.DRIFT):
+                found = [once for once in found if _to(seen, once, deed.to)]
+            after = [once for once in found if act.row.lasting or once.began >= latest - TOGETHER / seen.dt]
+            if not after:
+                never = "never does" if self.contact is None else "had not begun to when the ego crashed"
+                told = f"said {act}, but it {never}"
+                if found:
+                    told = f"said {before}, then {act}, but it does it the other way round"
+                yield Finding(path=f"{path}.act", shown=False, told=told)
+                continue
+            once = min(after, key=lambda act: act.began)
+            done[f"{one.id}.{k}"] = once
+            done.setdefault(f"{one.id}.{act}", once)
+            if not act.row.lasting:
+                latest, before = max(latest, once.began), str(act)
+            yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
+            yield from self._amounts(path, deed, once, seen)
+            if deed.breaks is Breach.RED_LIGHT:
+                ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
+                yield Finding(path=f"{path}.breaks", shown=ran or None, told="said red-light, it passes no red light")
+            if deed.when is not None:
+                yield from self._when(f"{path}.when", deed.when, once, seen, done)
+
+    def _counts(self, once: Act, seen: Seen) -> bool:
+        """Whether it is done, or under way where a contact cut it short."""
+        return once.done is not None if self.contact is None else once.began < len(seen.track.x) - 1
+
+    def _amounts(self, path: str, deed: Deed, once: Act, seen: Seen) -> Iterator[Finding]:
+        speed = np.abs(seen.track.speed[once.began :])
+        if deed.speed is not None:
+            yield self._number(f"{path}.speed", deed.speed, speed, SLACK_SPEED, "goes at")
+        if deed.acceleration is not None and len(speed) > OVER:
+            change = np.abs(speed[OVER:] - speed[:-OVER]) / (OVER * seen.dt)
+            yield self._number(
+                f"{path}.acceleration",
+                deed.acceleration,
+                change[change.argmax() :][:1],
+                SLACK_SPEED,
+                "changes speed by",
+            )
+        if deed.time is not None and deed.act in (Said.STOP, Said.STAND, Said.HESITATE):
+            still = np.abs(seen.track.speed[once.began :]) < STANDING
+            stands = int(still.sum()) * seen.dt
+            whole = not still[-1]  # else nobody saw the end of it
+            found = self._number(f"{path}.time", deed.time, np.array([stands]), SLACK_TIME, "stands for")
+            yield found if whole or found.shown else replace(found, shown=None)
+
+    def _when(self, path: str, when: When, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
+        slack = TOGETHER / seen.dt
+        for name, reference in (("after", when.after), ("during", when.during)):
+            if reference is None or reference.startswith(f"{EGO}."):
+                continue
+            other = done.get(reference)
+            if other is None:
+                continue  # which has a finding of its own
+            right = once.began >= other.began - slack
+            if name == "during" and other.done is not None:
+                right = right and once.began <= other.done + slack
+            told = f"said {name} {reference}, it begins {(once.began - other.began) * seen.dt:.1f} s after that begins"
+            yield Finding(path=f"{path}.{name}", shown=right, told=told, at=once.began * seen.dt)
+        if (near := when.ego_within) is not None:
+            lead, ego = abs(float(seen.lead[once.began])), float(seen.ego.speed[once.began])
+            measured = lead / max(ego, 1.0) if isinstance(near, Duration) else lead
+            slack_of = SLACK_TIME if isinstance(near, Duration) else SLACK_LENGTH
+            most = near.high if math.isfinite(near.high) else near.low
+            right = measured <= most * (1 + 2 * SLACK) + 2 * slack_of
+            told = f"said within {near}, the ego is at {measured:.1f}"
+            yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
+
+    def _number(
+        self, path: str, said: Amount, seen: Array, least_slack: float, verb: str, *, least: bool = True
+    ) -> Finding:
+        """Whether a number was reached at some time; that it was not says nothing where a contact cut it short."""
+        base = float(np.median(self.episode.ego_track.speed)) if said.than_ego else 0.0
+        low, high = said.low + base, said.high + base
+        slack = max(least_slack, SLACK * abs(low if math.isfinite(low) else high))
+        values = seen if least else seen[-1:] if not seen.size else np.array([seen.max()])
+        right = bool(((values >= low - slack) & (values <= high + slack)).any())
+        nearest = float(values[np.abs(values - (low if math.isfinite(low) else high)).argmin()]) if values.size else 0.0
+        short = self.contact is not None and nearest < low
+        return Finding(
+            path=path, shown=right or (None if short else False), told=f"said {said}, it {verb} {nearest:.1f}"
+        )
+
+    # Contact
+
+    def _of_contact(self) -> Iterator[Finding]:
+        said, collision = self.situation.contact, self.episode.collision
+        if said is None:
+            return
+        if collision is None:
+            if said.happens:
+                yield Finding(path="contact.happens", shown=None, told="said a contact, there is none")
+            return
+        if not said.happens:
+            yield Finding(path="contact.happens", shown=False, told="said that there is no contact, there is one")
+            return
+        whom = said.whom or next(one.id for one in self.situation.adversaries)
+        right = re.fullmatch(rf"{re.escape(whom)}(-\d+)?", collision.other) is not None
+        yield Finding(path="contact.whom", shown=right, told=f"said {whom}, it is {collision.other}")
+        if said.ego is not None:
+            right = collision.side in _SIDES_OF[said.ego]
+            yield Finding(path="contact.ego", shown=right, told=f"said {said.ego}, it is the {collision.side}")
+        other = next((t for t in self.episode.tracks if t.actor == collision.other), None)
+        if said.striker is not None and other is not None:
+            striker = _striker(self.episode.ego_track, other, collision.step)
+            right = striker is said.striker
+            yield Finding(path="contact.striker", shown=right, told=f"said {said.striker}, it is {striker}")
+
+
+_SIDES_OF: dict[Part, tuple[str, ...]] = {
+    Part.FRONT: ("front",),
+    Part.REAR: ("rear",),
+    Part.LEFT: ("left",),
+    Part.RIGHT: ("right",),
+    Part.LEFT_FRONT: ("front", "left"),
+    Part.RIGHT_FRONT: ("front", "right"),
+    Part.LEFT_REAR: ("rear", "left"),
+    Part.RIGHT_REAR: ("rear", "right"),
+}
+
+
+def _striker(ego: Track, other: Track, step: int) -> Striker:
+    """Who comes nearer by the own motion, at the contact."""
+    before = max(step - 2, 0)
+    dx, dy = float(other.x[before] - ego.x[before]), float(other.y[before] - ego.y[before])
+    far = math.hypot(dx, dy) or 1.0
+
+    def toward(track: Track, sign: float) -> float:
+        heading, speed = float(track.heading[before]), float(track.speed[before])
+        return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
+
+    return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _to(seen: Seen, once: Act, side: Side) -> bool:
+    end = once.done if once.done is not None else len(seen.drift) - 1
+    moved = float(seen.drift[end] - seen.drift[once.began])
+    return (moved > 0) == (side is Side.LEFT)
+
+
+def _side(left: float) -> str:
+    return "left" if left > 0 else "right"
