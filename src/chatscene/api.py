@@ -6,6 +6,7 @@ A folder may be left out: a new one is made in the system's temporary folder the
 
 from __future__ import annotations
 
+import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
@@ -464,7 +465,7 @@ def run(
     where = _folder(folder)
     own = None if program is None else _own(_path(program), trusted=trust, as_written=as_written)
     if own and own.map_path:
-        if own.map_path.is_file():
+        if os.path.isfile(own.map_path):  # noqa: PTH113 - Path.is_file() raises for a path that the system refuses
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)

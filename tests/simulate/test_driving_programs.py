@@ -215,6 +215,19 @@ def test_a_name_that_the_map_has_not_is_said(simulator: Simulator) -> None:
         driven(simulator, program, scene_of(program))
 
 
+def test_a_map_whose_name_is_too_long_for_any_file_is_not_there(tmp_path: Path) -> None:
+    class Told(Exception):  # noqa: N818 - the run need not go on
+        pass
+
+    def progress(said: str, _done: int, _all: int) -> None:
+        raise Told(said)
+
+    file = tmp_path / "lead.scenic"
+    file.write_text(LEAD.replace("Town01", "T" * 300), encoding="utf-8")
+    with pytest.raises(Told, match=r"TTT\.xodr is not there; it runs on town"):
+        api.run(program=file, folder=tmp_path / "run", progress=progress)
+
+
 def test_a_run_of_a_program_that_is_drawn_is_replayed_bit_for_bit_from_its_seed(tmp_path: Path) -> None:
     file = tmp_path / "lead.scenic"
     file.write_text(LEAD, encoding="utf-8")

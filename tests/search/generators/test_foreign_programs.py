@@ -280,6 +280,40 @@ def test_a_path_that_the_program_uses_elsewhere_keeps_to_the_rules_for_texts() -
     assert [refusal.what for refusal in check_foreign(text)] == ["the text /etc/passwd"]
 
 
+def test_a_name_that_only_names_the_map_keeps_to_the_rules_for_names() -> None:
+    rest = "model scenic.domains.driving.model\nego = new Car\n"
+    for name in ("range", "__builtins__"):
+        refusals = check_foreign(f"{name} = '../Town05'\nparam map = localPath({name})\n{rest}")
+        assert [refusal.what for refusal in refusals] == [f"the name {name}"]
+
+
+@pytest.mark.parametrize("part", ["{a%d}{a%d}", "{a%d}"], ids=["grows with every name", "deep"])
+def test_a_path_that_is_longer_or_deeper_than_any_is_read_in_no_time(part: str) -> None:
+    names = "".join(f"a{n + 1} = f'{part.replace('%d', str(n))}'\n" for n in range(400))
+    refusals = check_foreign(
+        f"a0 = 'x'\n{names}param map = localPath(a400)\nmodel scenic.domains.driving.model\nego = new Car\n"
+    )
+    assert {refusal.what for refusal in refusals} <= {"an f-string"}
+
+
+@pytest.mark.parametrize("path", ["a\\x00.xodr", "a\\ud800.xodr"], ids=["a null byte", "half a character"])
+def test_a_path_that_no_file_can_have_is_no_map(path: str, tmp_path: Path) -> None:
+    text = f"param map = localPath('{path}')\nmodel scenic.domains.driving.model\nego = new Car\n"
+    assert read_foreign(written(tmp_path, text), trusted=True).map_path is None
+
+
+def test_a_path_whose_links_lead_round_in_a_circle_is_a_map_that_is_not_there(tmp_path: Path) -> None:
+    (tmp_path / "a.xodr").symlink_to("a.xodr")
+    text = "param map = localPath('a.xodr')\nmodel scenic.domains.driving.model\nego = new Car\n"
+    assert read_foreign(written(tmp_path, text)).map_path == tmp_path / "a.xodr"
+
+
+def test_a_text_too_deep_for_the_parser_is_called_so() -> None:
+    deep = "x = " + "f(a=" * 19 + "[1 1]" + ")" * 19
+    why = " ".join(map(str, check_foreign("".join(f"{'  ' * n}if 1 < 2:\n" for n in range(40)) + "  " * 40 + deep)))
+    assert "recursion" not in why
+
+
 def test_a_program_longer_than_any_is_refused_whole_even_if_it_is_trusted(tmp_path: Path) -> None:
     path = written(tmp_path, MINE + "# more\n" * 20_000)
     with pytest.raises(ForeignCodeRefused, match="has more than 80000 bytes"):

@@ -135,6 +135,25 @@ def test_a_refusal_says_where_and_what_and_why() -> None:
     assert str(refusals[0]).startswith("line 3: the name open: ")
 
 
+@pytest.mark.parametrize(
+    ("line", "what"),
+    [
+        ("'#'; x = 'ü'", "the character U+00FC LATIN SMALL LETTER U WITH DIAERESIS"),
+        ("'#'; x = 'a\\x41'", "a backslash"),
+        ("'''\n#'''; x = 'a\\x41'", "a backslash"),
+        ("'" + ")" * 30 + "'; x = " + "(" * 30 + "1" + ")" * 30, "brackets within brackets"),
+        ("'#'; x = " + "(" * 30 + "1" + ")" * 30, "brackets within brackets"),
+        ("x = (" + "- - -\n" * 5 + "1)", "a pile of signs"),
+    ],
+)
+def test_a_text_hides_nothing_that_stands_behind_it(line: str, what: str) -> None:
+    assert [refusal.what for refusal in check_foreign(f"{HEAD}{line}\n")] == [what]
+
+
+def test_what_looks_like_code_in_a_comment_or_a_text_is_none() -> None:
+    assert check_foreign(f"{HEAD}x = 'left'  # \\ - - - - - - - - - - für '\n'" + "(" * 30 + "'\n") == ()
+
+
 def test_a_part_of_a_program_has_its_partners_names_and_no_model() -> None:
     part = "behavior AdvBehavior():\n    do DrivePath(advTrajectory, 5)\n"
     assert check_foreign(part, given=("advTrajectory",), whole=False) == ()

@@ -8,6 +8,7 @@ text: the world model, the ego, the adversary, the ranges of the parameters, the
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -103,9 +104,9 @@ def read_foreign(path: Path, *, trusted: bool = False, as_written: bool = False)
     except UnicodeDecodeError as error:
         raise ForeignCodeRefused(f"{path} is no text in UTF-8: {error.reason} at byte {error.start}") from error
     program, renamed, asked = _made(path.stem, text.replace("\r\n", "\n"), trusted, as_written, own=str(path))
-    return ForeignProgram(
-        path=path, program=program, renamed=renamed, map_path=None if asked is None else (path.parent / asked).resolve()
-    )
+    # Not Path.resolve(), which raises where links lead round in a circle.
+    map_path = None if asked is None else Path(os.path.realpath(path.parent / asked))
+    return ForeignProgram(path=path, program=program, renamed=renamed, map_path=map_path)
 
 
 def foreign_program(name: str, source: str, *, trusted: bool = False, as_written: bool = False) -> ScenicProgram:

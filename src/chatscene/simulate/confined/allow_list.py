@@ -146,15 +146,17 @@ def _check_node(node: Any, depth: int, reading: Reading) -> None:
 
 
 def _walk(tree: Any, dialect: Dialect, skipped: frozenset[Any]) -> Iterator[tuple[Any, int]]:
-    """Every node and how deep it lies; without what does nothing, what its owner has read, and below what is refused.
+    """Every node and how deep it lies; without what is skipped, and below what does nothing, is read or is refused.
 
     Does not recurse, since a program may be deeper than Python's stack.
     """
     left = [(tree, 0)]
     while left:
         node, depth = left.pop()
+        if node in skipped:
+            continue
         yield node, depth
-        if _is_docstring(node) or is_parameter(node) or node in skipped or type(node) not in dialect.syntax:
+        if _is_docstring(node) or is_parameter(node) or type(node) not in dialect.syntax:
             continue
         left += [(child, depth + 1) for child in reversed(list(ast.iter_child_nodes(node)))]
 

@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
-from typing import Any
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+LONGEST_PATH = 4096  # characters; Linux takes no more
+
+
+class _Named(NamedTuple):
+    """A name that is set, once, to what may be a part of a path: what it is set to, and the text that this is."""
+
+    value: Any
+    text: str
 
 
 def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
     """The path that a program names, and what of its syntax tree does nothing but name it.
 
     A path is a text, one in ``localPath(…)``, an f-string of such, or the name of one. What only names it need not
-    keep to the rules for texts, since nothing else of the program sees it.
+    keep to the rules for texts, since nothing else of the program sees it; the names themselves keep to theirs.
 
     Args:
         tree: Scenic's syntax tree of a program.
@@ -21,48 +31,53 @@ def map_of(tree: Any) -> tuple[str | None, frozenset[Any]]:
         for parameter in node.elts if type(node).__name__ == "Param" else ():
             if parameter.identifier == "map" and (path := _text(parameter.value, texts)) is not None:
                 used = set(_names(parameter.value))
-                for name in [*used]:
-                    used.update(_names(texts[name].value))
-                only = {name for name in used if _uses(tree, name) == _uses(parameter, name, *map(texts.get, used))}
-                return path, frozenset((parameter, *(texts[name] for name in only)))
+                for name in reversed(texts):  # each is made of those before it
+                    if name in used:
+                        used.update(_names(texts[name].value))
+                values = {name: texts[name].value for name in used}
+                here = Counter(name for value in (parameter.value, *values.values()) for name in _names(value))
+                all_over = Counter(_names(tree))
+                return path, frozenset(
+                    (parameter.value, *(value for name, value in values.items() if all_over[name] == here[name] + 1))
+                )
     return None, frozenset()
 
 
-def _texts(tree: Any) -> dict[str, ast.Assign]:
-    """Where names are set, once, to what may be a part of a path."""
-    stored = [n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
-    found: dict[str, ast.Assign] = {}
+def _texts(tree: Any) -> dict[str, _Named]:
+    """Where names are set, once, to what may be a part of a path, in order."""
+    stored = Counter(n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store))
+    found: dict[str, _Named] = {}
     for node in tree.body:
         match node:
-            case ast.Assign(targets=[ast.Name(id=name)]) if stored.count(name) == 1:
-                if _text(node.value, found) is not None:
-                    found[name] = node
+            case ast.Assign(targets=[ast.Name(id=name)]) if stored[name] == 1:
+                if (text := _text(node.value, found)) is not None:
+                    found[name] = _Named(node.value, text)
             case _:
                 pass
     return found
 
 
-def _text(value: Any, texts: dict[str, ast.Assign]) -> str | None:
-    """The text that an expression is, or None if it is anything else."""
+def _text(value: Any, texts: Mapping[str, _Named]) -> str | None:
+    """The text that an expression is; None if it is anything else, or no path of a file."""
     match value:
         case ast.Constant(value=str(text)):
-            return text
+            return _path(text)
         case ast.Name(id=name) if name in texts:
-            return _text(texts[name].value, texts)
+            return texts[name].text
         case ast.Call(func=ast.Name(id="localPath"), args=[path], keywords=[]):
             return _text(path, texts)
         case ast.JoinedStr(values=parts):
             told = [_text(part, texts) for part in parts]
-            return None if None in told else "".join(filter(None, told))
+            return None if None in told else _path("".join(filter(None, told)))
         case ast.FormattedValue(value=ast.Name() as name, conversion=-1, format_spec=None):
             return _text(name, texts)
         case _:
             return None
 
 
+def _path(text: str) -> str | None:
+    return text if len(text) <= LONGEST_PATH and text.isprintable() else None
+
+
 def _names(node: Any) -> Iterator[str]:
     return (one.id for one in ast.walk(node) if isinstance(one, ast.Name) and one.id != "localPath")
-
-
-def _uses(tree: Any, name: str, *more: Any) -> int:
-    return sum(list(_names(node)).count(name) for node in (tree, *more) if node is not None)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import re
+import tokenize
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from chatscene.terms.pointing import SourcePlace
@@ -23,7 +25,8 @@ TRUST = (
 )
 
 _DOCSTRING = re.compile(r"\s*(?P<quotes>\"\"\"|\'\'\')(?:(?!(?P=quotes))[^\\])*(?P=quotes)")
-_SIGNS = re.compile(rf"(?:(?:[-+~]|\bnot\b)\s*){{{MAX_SIGNS + 1}}}")
+_SIGNS = frozenset(("-", "+", "~", "not"))
+_BLANK = frozenset((tokenize.COMMENT, tokenize.NL))  # which a line within brackets may hold between two signs
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -64,8 +67,32 @@ def check_text(source: str) -> tuple[Refusal, ...]:
     if len(lines) > MAX_LINES:
         return (Refusal(0, f"{len(lines)} lines", f"a program has at most {MAX_LINES}"),)
     prose = _docstring_lines(source)
-    found = [refusal for number, line in enumerate(lines, 1) for refusal in _check_line(number, line, number <= prose)]
-    return (*found[:REPORTED], *_check_brackets(lines))
+    code, tokens = _lexed(source, lines)
+    found = [
+        refusal
+        for number, (line, part) in enumerate(zip(lines, code, strict=True), 1)
+        for refusal in _check_line(number, line, "" if number <= prose else part)
+    ]
+    return (*found[:REPORTED], *_check_nesting(tokens))
+
+
+def _lexed(source: str, lines: Sequence[str]) -> tuple[list[str], list[tokenize.TokenInfo]]:
+    """Each line without its comment, and the tokens: only Python can tell a comment from a # within a text.
+
+    Of a text that has an end before Python finds one, which no parser takes, a comment begins at the first #.
+    """
+    code = list(lines)
+    tokens: list[tokenize.TokenInfo] = []
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(source).readline):
+            tokens.append(token)
+            if token.type == tokenize.COMMENT:
+                row, column = token.start
+                code[row - 1] = lines[row - 1][:column]
+    except (tokenize.TokenError, SyntaxError):
+        read = tokens[-1].end[0] if tokens else 0
+        code[read:] = [line.partition("#")[0] for line in lines[read:]]
+    return code, tokens
 
 
 def _docstring_lines(source: str) -> int:
@@ -74,10 +101,9 @@ def _docstring_lines(source: str) -> int:
     return begun[0].count("\n") if begun else 0
 
 
-def _check_line(number: int, line: str, prose: bool) -> Iterator[Refusal]:
+def _check_line(number: int, line: str, code: str) -> Iterator[Refusal]:
     if len(line) > MAX_LINE:
         yield Refusal(number, f"{len(line)} characters in a line", f"a line has at most {MAX_LINE}")
-    code = "" if prose else line.partition("#")[0]
     for character in sorted(set(line)):
         if character not in "\t " and unicodedata.category(character)[0] in "CZ":
             why = "invisible and control characters can hide what a line does"
@@ -88,19 +114,26 @@ def _check_line(number: int, line: str, prose: bool) -> Iterator[Refusal]:
     if "\\" in code.removesuffix("\\"):
         why = "nothing in a program needs one; put brackets around a long line"
         yield Refusal(number, "a backslash", why, code.index("\\") + 1)
-    if _SIGNS.search(code):
-        yield Refusal(number, "a pile of signs", f"at most {MAX_SIGNS} stand in a row")
 
 
 def _named(character: str) -> str:
     return f"the character U+{ord(character):04X} {unicodedata.name(character, '')}".rstrip()
 
 
-def _check_brackets(lines: list[str]) -> list[Refusal]:
-    open_now = 0
-    for number, line in enumerate(lines, 1):
-        for character in line.partition("#")[0]:
-            open_now += (character in "([{") - (character in ")]}")
-            if open_now > MAX_BRACKETS:
-                return [Refusal(number, "brackets within brackets", f"at most {MAX_BRACKETS} are open at once")]
-    return []
+def _check_nesting(tokens: Iterable[tokenize.TokenInfo]) -> list[Refusal]:
+    """What a parser would lose its way in: at most one of each kind."""
+    found: dict[str, Refusal] = {}
+    open_now = signs = 0
+    for token in tokens:
+        if token.type in _BLANK:
+            continue
+        signs = signs + 1 if token.string in _SIGNS else 0
+        if token.type == tokenize.OP:
+            open_now += (token.string in "([{") - (token.string in ")]}")
+        line = token.start[0]
+        if signs > MAX_SIGNS:
+            found.setdefault("signs", Refusal(line, "a pile of signs", f"at most {MAX_SIGNS} stand in a row"))
+        if open_now > MAX_BRACKETS:
+            why = f"at most {MAX_BRACKETS} are open at once"
+            found.setdefault("brackets", Refusal(line, "brackets within brackets", why))
+    return list(found.values())

@@ -96,11 +96,20 @@ class Reading:
         )
 
     def bind(self, name: str) -> None:
-        """Refuse to define a name that is odd, or that means something already."""
+        """Refuse to define a name that is odd, or that means something already.
+
+        A name counts as defined wherever it is read, since where a definition is in force is known only when it runs.
+        """
         if not _NAME.match(name):
             self.refuse(f"the name {shown(name)}", ODD_NAME, word=name)
         elif name in self.dialect.kept:
             why = "a program may not put something else in the place of what is given"
+            self.refuse(f"the name {name}", why, word=name)
+        elif name in outside() and name not in self.dialect.names:
+            # Where the program's own is not in force, the name would lead to what the list leaves out.
+            why = (
+                "it already means something to Python or Scenic, which the sandbox does not allow; choose another name"
+            )
             self.refuse(f"the name {name}", why, word=name)
 
 

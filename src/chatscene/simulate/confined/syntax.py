@@ -50,6 +50,8 @@ def not_scenic(source: str, error: Exception) -> Refusal:
     column = getattr(error, "offset", None) or 0
     end = getattr(error, "end_offset", None) or 0
     said = ascii(str(error).strip().partition("\n")[0])[1:-1].rstrip(".") or type(error).__name__
+    if isinstance(error, RecursionError):
+        said = "its brackets, blocks or signs lie too deep in one another"
     if (open_end := _never_closed(source)) is not None:
         return open_end
     old = list(_without_new(source))
