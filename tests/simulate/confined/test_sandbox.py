@@ -150,6 +150,39 @@ def test_a_text_hides_nothing_that_stands_behind_it(line: str, what: str) -> Non
     assert [refusal.what for refusal in check_foreign(f"{HEAD}{line}\n")] == [what]
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "behavior Follow():\n    do Halt()\nbehavior Other():\n    do Follow()\n",
+        "behavior Follow():\n    do Follow()\n",
+        "id = 3\nx = id + 1\n",
+        "behavior Other(type=1, id=2):\n    if type > id:\n        do Halt()\n",
+    ],
+)
+def test_a_name_that_python_or_scenic_defines_may_be_the_programs_own(lines: str) -> None:
+    assert check_foreign(HEAD + lines) == ()
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "x = open\nopen = 1\n",
+        "open = open\n",
+        "open += 1\n",
+        "if 1 > 2:\n    open = 1\nx = open\n",
+        "for open in range(0):\n    x = 1\nx = open\n",
+        "behavior Other(a=open, open=1):\n    wait\n",
+        "behavior Other(open=1):\n    wait\nx = open\n",
+        "behavior Other(open=1):\n    wait\nbehavior Open():\n    x = open\n    wait\n",
+        "behavior Open():\n    x = open\n    wait\nopen = 1\n",
+        "behavior Other():\n    open = 1\n    wait\n",
+        "x = new Workspace at (0, 0)\nWorkspace = 1\n",
+    ],
+)
+def test_a_name_that_could_lead_to_pythons_or_scenics_may_not_be_defined(lines: str) -> None:
+    assert {refusal.what for refusal in check_foreign(HEAD + lines)} & {"the name open", "the name Workspace"}
+
+
 def test_what_looks_like_code_in_a_comment_or_a_text_is_none() -> None:
     assert check_foreign(f"{HEAD}x = 'left'  # \\ - - - - - - - - - - für '\n'" + "(" * 30 + "'\n") == ()
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from functools import lru_cache
 from typing import Any
 
@@ -50,6 +50,7 @@ def check_foreign(source: str, *, given: Collection[str] = (), whole: bool = Tru
     dialect = dialect_of(STANDS_IN.get(model, OWN_MODEL))
     reading = Reading(
         given=frozenset(given) | _defined(tree),
+        own=_own(tree),
         dialect=dialect,
         lines=source.split("\n"),
         declared=_declared(tree) if whole else None,
@@ -107,6 +108,47 @@ def _defined(tree: Any) -> frozenset[str]:
         elif isinstance(node, ast.Import | ast.ImportFrom):  # refused itself, which is enough
             names.update(one.asname or one.name.partition(".")[0] for one in node.names)
     return frozenset(names)
+
+
+def _own(tree: Any) -> frozenset[str]:
+    """Names that mean the program's own wherever it reads them.
+
+    They are defined at the top level, in a statement that is surely run, before all that reads them; or read only where
+    a parameter has that name.
+    """
+    own: set[str] = set()
+    read: set[str] = set()
+    for node in tree.body:
+        if type(node).__name__ in _DEFINING:
+            read.update(_read([node.args]))
+            own.update({node.name} - read)
+            read.update(_read([node]))
+        else:
+            read.update(_read([node]))
+            if isinstance(node, ast.Assign):
+                own.update({target.id for target in node.targets if isinstance(target, ast.Name)} - read)
+    parameters = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
+    return frozenset(own | (parameters - read))
+
+
+def _read(nodes: Iterable[Any]) -> Iterator[str]:
+    """Names that are read in parts of a program, but for those that are parameters where they are read."""
+    left = [(node, frozenset[str]()) for node in nodes]
+    while left:
+        node, bound = left.pop()
+        if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+            names = {node.target.id}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+            names = {node.id}
+        else:
+            names = {node.className} if type(node).__name__ == "New" else set[str]()
+        yield from names - bound
+        head = getattr(node, "args", None)  # defaults are read outside
+        if isinstance(head, ast.arguments):
+            inner = bound | {one.arg for one in ast.walk(head) if isinstance(one, ast.arg)}
+            left += [(child, bound if child is head else inner) for child in ast.iter_child_nodes(node)]
+        else:
+            left += [(child, bound) for child in ast.iter_child_nodes(node)]
 
 
 def _declared(tree: Any) -> frozenset[str]:

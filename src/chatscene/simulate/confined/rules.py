@@ -40,6 +40,7 @@ class Reading:
 
     Attributes:
         given: Names that it or its partners define.
+        own: Names that mean the program's own wherever it reads them.
         dialect: What it may use.
         line: Where the reader is.
         lines: Its text.
@@ -52,6 +53,7 @@ class Reading:
     """
 
     given: frozenset[str]
+    own: frozenset[str]
     dialect: Dialect
     lines: Sequence[str] = ()
     declared: frozenset[str] | None = None
@@ -96,20 +98,15 @@ class Reading:
         )
 
     def bind(self, name: str) -> None:
-        """Refuse to define a name that is odd, or that means something already.
-
-        A name counts as defined wherever it is read, since where a definition is in force is known only when it runs.
-        """
+        """Refuse to define a name that is odd, or that means something already."""
         if not _NAME.match(name):
             self.refuse(f"the name {shown(name)}", ODD_NAME, word=name)
         elif name in self.dialect.kept:
             why = "a program may not put something else in the place of what is given"
             self.refuse(f"the name {name}", why, word=name)
-        elif name in outside() and name not in self.dialect.names:
+        elif name in outside() and name not in self.dialect.names | self.own:
             # Where the program's own is not in force, the name would lead to what the list leaves out.
-            why = (
-                "it already means something to Python or Scenic, which the sandbox does not allow; choose another name"
-            )
+            why = "Python or Scenic defines it, too, and the sandbox does not allow theirs; choose another name"
             self.refuse(f"the name {name}", why, word=name)
 
 
