@@ -233,6 +233,7 @@ def test_a_mistake_is_shown_where_it_is_with_what_was_meant(
         "model scenic.domains.driving.model\nego = Car\n",
         "model scenic.domains.driving.model\nego = Pedestrian at (-36, 118)\n",
         "model scenic.domains.driving.model\nego = new Car\nother = Car at (1, 2)\n",
+        "model scenic.domains.driving.model\nego = new Car at (OrientedPoint in network.lanes[0])\n",
     ],
 )
 def test_a_program_for_scenic_2_is_told_as_one_even_if_its_lines_mean_something_to_scenic_3(text: str) -> None:

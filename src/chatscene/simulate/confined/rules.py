@@ -225,6 +225,11 @@ def _operation(node: ast.BinOp | ast.AugAssign, reading: Reading) -> None:
         reading.refuse("**", f"an exponent is a number between ±{MAX_EXPONENT}")
 
 
+def _compare(node: ast.Compare, reading: Reading) -> None:
+    if isinstance(node.ops[0], ast.In) and (kind := _without_new(node.left, reading)):
+        reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
+
+
 # Loops and interrupts
 
 
@@ -384,6 +389,7 @@ RULES: dict[str, Callable[[Any, Reading], None]] = {
     "Expr": _expression,
     "BinOp": _operation,
     "AugAssign": _operation,
+    "Compare": _compare,
     "For": _for,
     "While": _while,
     "TryInterrupt": _interrupts,
