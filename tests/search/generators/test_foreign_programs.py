@@ -252,6 +252,7 @@ def test_a_program_for_scenic_2_is_told_as_one_even_if_its_lines_mean_something_
         (f"x = '{'a' * 130}'", "it has 130 characters, and a text has at most 120"),
         ("x = b'a'", "a constant is a real number, a text, True, False or None"),
         ("x = 1e9", "numbers lie between ±1000000"),
+        ("workspace = 3", "workspace: the sandbox does not allow it"),
     ],
 )
 def test_what_only_the_sandbox_forbids_is_said_in_words_with_the_way_round_it(line: str, message: str) -> None:

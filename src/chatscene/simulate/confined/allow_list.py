@@ -136,12 +136,13 @@ def _read(nodes: Iterable[Any]) -> Iterator[str]:
     left = [(node, frozenset[str]()) for node in nodes]
     while left:
         node, bound = left.pop()
+        placed = getattr(node, "className", None)
         if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
             names = {node.target.id}
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
             names = {node.id}
         else:
-            names = {node.className} if type(node).__name__ == "New" else set[str]()
+            names = {placed} if isinstance(placed, str) else set[str]()
         yield from names - bound
         head = getattr(node, "args", None)  # defaults are read outside
         if isinstance(head, ast.arguments):

@@ -298,8 +298,10 @@ def _with(node: Any, reading: Reading) -> None:
 
 
 def _ego(node: Any, reading: Reading) -> None:
+    if type(node.target).__name__ != "Ego":  # a workspace, which is refused itself
+        return
     reading.egos += 1
-    if (kind := _without_new(node.value, reading)) and type(node.target).__name__ == "Ego":
+    if kind := _without_new(node.value, reading):
         reading.refuse(f"{kind} without new", scenic_2(kind), word=kind, faulty=True)
     elif type(node.value).__name__ != "New" or reading.egos > 1:
         reading.refuse("ego", "it is placed once, with `ego = new ...`", faulty=reading.egos > 1)
