@@ -64,7 +64,9 @@ def test_its_folder_keeps_the_situation_with_its_map_and_says_how_to_run_it_agai
 def test_its_scenes_are_replayed_and_the_run_taken_up_again(finished: Path) -> None:
     run = chatscene.Run(finished / "run")
     assert run.best.replay().identical
-    assert chatscene.resume(finished / "run").summary.counts == run.summary.counts
+    again = chatscene.resume(finished / "run")
+    assert isinstance(again, chatscene.Run)
+    assert again.summary.counts == run.summary.counts
 
 
 def test_a_run_of_a_situation_is_not_edited_in_words(finished: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -14,8 +15,9 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
-from chatscene.terms.vocabulary import Act, Breach, Manner, Role, Side, Striker, UserKind, Where
+from chatscene.terms.vocabulary import Act, Breach, Facing, Manner, Role, Side, Striker, UserKind, Where
 
+LEAST = 0.64  # of the ego's speed that whoever keeps its distance goes on at: else both slow down for each other
 SOME = 3  # of a group whose size was not said
 _STEP = 0.1  # [s], in which setting off is computed
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
@@ -130,7 +132,7 @@ class Actor:
             if (said := getattr(deed, amount)) is not None:
                 own = name if name == "SPEED" and self._one_speed() else f"{name}_{k}"
                 self.numbers.bind(own, said, self.ego_speed)
-                text = text.replace(f"${name}", f"${own}")
+                text = re.sub(rf"\${name}(?![A-Z0-9_])", f"${own}", text)
                 self.ledger.take(f"{self.path}.does.{k}.{amount}")
         firm = FIRM.get(deed.manner) if deed.manner and deed.act in (Act.BRAKE, Act.STOP) else None
         if firm is not None and deed.acceleration is None:
@@ -203,6 +205,10 @@ class Actor:
             own = steps.way or way
             phases = (*phases, GO.replace("{p}", own) if own and self.stand.meets is not Meets.ACROSS else go)
         deed = self.deeds[k]
+        if deed.act is Act.CUT_IN and not last:  # or the ego would run into it before it does the next thing
+            ahead = "(ego.length + self.length) / 2 + $AHEAD"
+            pace = f"PaceOnPath({way or '{p}'}, ego, {ahead} + 2, 40)"
+            yield f"{pace} until headway(egoRoute, ego, self) > {ahead}"
         for text in phases:
             said = self._of_deed(k, text, steps)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
@@ -234,7 +240,7 @@ class Actor:
             yield from self._when(first, when, self._waits())
             if when.ego_within is not None or self.stand.ego_meets == "egoRoute.eventAt":
                 return
-        if self.stand.meets is Meets.ALONG and lasting:
+        if lasting and (self.stand.meets is Meets.ALONG or self._goes_along()):
             return
         yield f"{self._waits()} until {self._due()}"
         go = GO if self.stand.meets is not Meets.ACROSS else MOVE
@@ -242,6 +248,11 @@ class Actor:
             yield f"{go} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * $LEAD_TIME"
         if self.stand.meets is Meets.THROUGH and not steps.lasting and deed.act is not Act.SET_OFF:
             yield f"{go} until {self.stand.left} < brakingDistance(self) + 3"
+
+    def _goes_along(self) -> bool:
+        """Whether it is on the road, or faces along it: nothing is timed then by where its way and the ego's meet."""
+        facing = self.one.starts.facing
+        return self.one.starts.where is Where.AHEAD or facing in (Facing.ALONG, Facing.AGAINST)
 
     def _waits(self) -> str:
         stands = stands_first(self.one)
@@ -252,7 +263,7 @@ class Actor:
                 ahead = "-$Y" if self.stand.behind else "$Y"
                 if self.one.kind.row.body.row.manner is Moves.RIDES and not self.one.kind.row.body.row.motorised:
                     return f"PaceOnPath({{p}}, ego, {ahead}, $SPEED, 2)"
-                return f"PaceOnPath({{p}}, ego, {ahead}, 30)"
+                return f"PaceOnPath({{p}}, ego, {ahead}, 40, {LEAST * self.ego_speed:.3g})"
             case Meets.KERB:
                 return "Park()"
             case _:

@@ -152,7 +152,11 @@ def _stands_at_first(s: Seen) -> Iterable[Act]:
 
 
 def _moves_on(s: Seen) -> Iterable[Act]:
-    return ACTIONS[Action.FOLLOW](s)
+    """It gets on by its own length, or by two metres, where that is more."""
+    moved = np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0])
+    far = moved > max(2.0, s.track.length)
+    if far.any():
+        yield Act(_since_moving(s), int(np.argmax(far)))
 
 
 def _enters(s: Seen) -> Iterable[Act]:
@@ -358,8 +362,6 @@ class _Judge:
                 continue
             sees = _enters if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING else ACTS[act]
             found = [once for once in sees(seen) if self._counts(once, seen)]
-            if deed.to is not None and act in (Said.SWERVE, Said.DRIFT):
-                found = [once for once in found if _to(seen, once, deed.to)]
             after = [once for once in found if act.row.lasting or once.began >= latest - TOGETHER / seen.dt]
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
@@ -374,6 +376,10 @@ class _Judge:
             if not act.row.lasting:
                 latest, before = max(latest, once.began), str(act)
             yield Finding(path=f"{path}.act", shown=True, told=f"said {act}", at=once.began * seen.dt)
+            if deed.to is not None and act in (Said.SWERVE, Said.DRIFT):
+                left = _moved(seen, once)
+                right = (left > 0) == (deed.to is Side.LEFT)
+                yield Finding(path=f"{path}.to", shown=right, told=f"said {deed.to}, it goes to the {_side(left)}")
             yield from self._amounts(path, deed, once, seen)
             if deed.breaks is Breach.RED_LIGHT:
                 ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
@@ -493,10 +499,10 @@ def _striker(ego: Track, other: Track, step: int) -> Striker:
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
 
 
-def _to(seen: Seen, once: Act, side: Side) -> bool:
+def _moved(seen: Seen, once: Act) -> float:
+    """How far to the left [m] somebody goes by what is done."""
     end = once.done if once.done is not None else len(seen.drift) - 1
-    moved = float(seen.drift[end] - seen.drift[once.began])
-    return (moved > 0) == (side is Side.LEFT)
+    return float(seen.drift[end] - seen.drift[once.began])
 
 
 def _side(left: float) -> str:

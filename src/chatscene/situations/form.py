@@ -130,7 +130,7 @@ def with_fact(situation: Situation, path: str, value: object) -> Situation:
     Args:
         situation: What it was.
         path: Where the fact stands, as in ``others.A.does.0.speed`` or ``ego.route``.
-        value: As it stands in a file; None for what is not said.
+        value: As it stands in a file; None for what is not said. Somebody new comes with the path of the new id.
 
     Raises:
         SituationError: There is no such place, or it takes no such value.
@@ -183,6 +183,11 @@ def _put(here: Any, step: str, value: object, path: str) -> None:
             place.pop(step, None)
         else:
             place[step] = value
+        return
+    if isinstance(here, list) and isinstance(value, dict) and cast("dict[str, Any]", value).get("id") == step:
+        several = cast("list[Any]", here)
+        here = [one for one in several if cast("dict[str, Any]", one).get("id") != step]
+        several[:] = [*here, value]
         return
     at = _index(here, step, path)
     if value is None:
