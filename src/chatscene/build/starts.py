@@ -263,11 +263,11 @@ def _on_ramp(asked: Asked) -> Stand:
     return Stand(meets=Meets.ALONG, way='extended(neighbourPath(egoRoute, "right"), 60)', at=f"60 + $Y{asked.more}")
 
 
-def _roundabout(asked: Asked) -> Stand:  # noqa: ARG001 - as all of them
+def _roundabout(asked: Asked) -> Stand:
     return Stand(
         meets=Meets.THROUGH,
         way='trafficFrom(egoRoute, "left")[0]',
-        at="way{i}.entry - 2",
+        at=f"way{{i}}.entry - 2{asked.less}",
         lines=("meet{i} = way{i}.meets_at", "egoMeet{i} = way{i}.ego_meets_at"),
         ego_meets="egoMeet{i}",
         left="distanceLeft(way{i}, self, meet{i})",
