@@ -254,6 +254,6 @@ def test_that_the_time_for_a_map_is_up_is_no_fault_of_the_map(tmp_path: Path, mo
     def stopped(*_: object, **__: object) -> None:
         raise StuckBehavior("its time is up")
 
-    monkeypatch.setattr(network, "_parse_quietly", stopped)
+    monkeypatch.setattr(network, "parsed", stopped)
     with pytest.raises(StuckBehavior, match="its time is up"):
         load_network(_map(tmp_path))

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import difflib
 import hashlib
+import pickle
 import warnings
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as Xml
@@ -18,6 +20,7 @@ from xml.etree import ElementTree as Xml
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.files.atomic import write_whole
 from chatscene.files.caches import cache_folder, only_mine
+from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.unread import why_unread
 from chatscene.terms.scenario import Site
 
@@ -91,18 +94,42 @@ def map_digest(path: Path) -> str:
 @lru_cache(maxsize=8)
 def _parse(digest: str, path: Path) -> Any:
     root = check_opendrive(path)
+    copy = _private_copy(path, digest)
+    if takes_seconds(root) or digest in _packaged():
+        return furnished(path, root, lambda: parsed(copy or path, cached=copy is not None))
+    network = _kept(path, copy) or read_apart(path, root, partial(_taken, copy))
+    return furnished(path, root, lambda: network)
+
+
+@lru_cache(maxsize=1)
+def _packaged() -> frozenset[str]:
+    return frozenset(map_digest(path) for path in PACKAGED.values())
+
+
+def furnished(path: Path, root: Xml.Element, make: Callable[[], Any]) -> Any:
+    """Scenic's network of a map, with what stands on its roads.
+
+    Args:
+        path: The map.
+        root: What it holds.
+        make: Makes the network, or reads it.
+
+    Raises:
+        MapError: It cannot be made into lanes.
+        MemoryError: There is too little memory.
+    """
     from scenic.domains.driving.roads import Network
 
     from chatscene.maps.furniture import read_furniture
 
-    parse = _scenic_from_file()
-    copy = _private_copy(path, digest)
     try:
-        network = _parse_quietly(parse, copy or path, cached=copy is not None)
+        network = make()
         furniture = read_furniture(path, network)
-    except ChatSceneError:  # such as that the time for it is up
+    except (ChatSceneError, MemoryError):  # such as that the time for it is up
         raise
     except Exception as error:  # whatever a parser and its geometry library raise for a map they were not made for
+        if "bad_alloc" in str(error):  # how that library says it
+            raise MemoryError(str(error)) from error
         why = why_unread(root, error)
         raise MapError(
             f"map {path.name!r} is OpenDRIVE, but its roads cannot be made into lanes: {why} ({path})"
@@ -113,6 +140,33 @@ def _parse(digest: str, path: Path) -> Any:
     _remember_union(network)
     setattr(network, "furniture", furniture)  # noqa: B010 - a class of somebody else's
     return network
+
+
+def _kept(path: Path, copy: Path | None) -> Any:
+    """The network that was made of a map before, if it is still there and whole."""
+    from scenic.core.serialization import deterministicHash
+    from scenic.domains.driving.roads import Network
+
+    if copy is None:
+        return None
+    try:
+        return Network.fromPickle(
+            copy.with_suffix(Network.pickledExt),
+            originalDigest=hashlib.blake2b(path.read_bytes()).digest(),
+            optionsDigest=deterministicHash({}, digest_size=8),
+        )
+    except (OSError, pickle.UnpicklingError, Network.DigestMismatchError):
+        return None
+
+
+def _taken(copy: Path | None, made: Path) -> Any:
+    """The network that another process has written to a file, which is kept beside the copy of its map."""
+    from scenic.domains.driving.roads import Network
+
+    if copy is not None:
+        with suppress(OSError):  # a cache saves time; a run must not fail for want of one
+            write_whole(copy.with_suffix(Network.pickledExt), made.read_bytes())
+    return Network.fromPickle(made)
 
 
 def _remember_union(network: Any) -> None:
@@ -126,10 +180,16 @@ def _remember_union(network: Any) -> None:
     road.union = union
 
 
-def _parse_quietly(parse: Any, path: Path, *, cached: bool) -> Any:
-    """Scenic's network, without its warnings about shoulders it leaves out, and without a cache that fails."""
+def parsed(path: Path, *, cached: bool) -> Any:
+    """What Scenic makes of a file, without its warnings about shoulders it leaves out, and of a cache that fails.
+
+    Args:
+        path: OpenDRIVE that has been checked.
+        cached: Whether Scenic may keep the network beside it, and take it from there.
+    """
     from scenic.formats.opendrive.xodr_parser import OpenDriveWarning
 
+    parse = _scenic_from_file()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OpenDriveWarning)
         try:
