@@ -43,6 +43,7 @@ from chatscene.commands.library import (
     usable_map,
 )
 from chatscene.commands.maps import map_group
+from chatscene.commands.memory import lack_of_memory, require_memory
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.rate import rate
 from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
@@ -53,7 +54,7 @@ from chatscene.commands.situations import schema, situation_file
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
-from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits, SettingsError
+from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.situation import Situation
@@ -95,26 +96,6 @@ def _warn(otherwise: Callable[..., None], message: Warning | str, kind: type[War
         otherwise(message, kind, file, *more)
 
 
-_LEAST = 512 * 2**20  # bytes of address space; with three fifths of it a sentence is read for minutes
-
-
-def _require_memory() -> None:
-    """Refuse to begin where the system gives a process so little that it would all but stand still.
-
-    Raises:
-        SettingsError: It does.
-    """
-    if sys.platform != "win32":
-        import resource
-
-        limit, _ = resource.getrlimit(resource.RLIMIT_AS)
-        if limit != resource.RLIM_INFINITY and limit < _LEAST:
-            raise SettingsError(
-                f"a process may take {limit // 2**20} MiB here (ulimit -v), and at least {_LEAST // 2**20} are needed, "
-                "several times that for a run"
-            )
-
-
 class _Errors(click.Group):
     """Shows our own errors as one message and turns them into the exit status."""
 
@@ -128,16 +109,18 @@ class _Errors(click.Group):
         try:
             with warnings.catch_warnings():
                 warnings.showwarning = partial(_warn, warnings.showwarning)
-                _require_memory()
+                require_memory()
                 return super().invoke(ctx)
         except (NothingFits, MeansSomethingElse, EditRefused) as error:
             complain(error)
             ctx.exit(REFUSED)
-        except ChatSceneError as error:
-            complain(error)
-            ctx.exit(1)
-        except MemoryError:
-            say("there is too little memory; what was finished is kept: continue with chatscene resume DIR", err=True)
+        except (click.ClickException, click.exceptions.Exit, click.Abort):
+            raise
+        except Exception as error:
+            told = lack_of_memory(error) or error
+            if not isinstance(told, ChatSceneError):
+                raise
+            complain(told)
             ctx.exit(1)
         except KeyboardInterrupt:
             say("\ninterrupted; what was finished is kept: continue with chatscene resume DIR", err=True)

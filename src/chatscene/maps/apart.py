@@ -27,7 +27,7 @@ from xml.etree import ElementTree as Xml
 from chatscene.errors import MapError
 
 FEW_PARTS, FEW_ELEMENTS = 50, 500  # the worst map of so few that is known takes five seconds
-START = 5  # [s] of the processor that every map has
+START = 60  # [s] of the processor that every map has
 PER_PART = 0.1  # [s] for each piece and section: three times what the dearest kind takes
 LONGEST = 1800  # [s]; a city of 100 MB, written like CARLA's towns, takes a sixth of it
 

@@ -81,15 +81,15 @@ def read_furniture(path: Path, network: Any) -> Furniture:
     lines = {road.id: Polyline([p[:2] for p in road.centerline.points]) for road in network.roads}
     crosswalks: list[tuple[int, shapely.Polygon]] = []
     standing: list[StandingPlace] = []
-    lights: dict[tuple[int, bool], tuple[str, ...]] = {}
+    lights: dict[tuple[int, bool], list[str]] = {}
     for road in Xml.parse(path).getroot().iter("road"):
         number = int(road.get("id", "0"))
         for light, forward in _lights(road, inside=number not in lines):
-            lights[number, forward] = (*lights.get((number, forward), ()), light)
+            lights.setdefault((number, forward), []).append(light)
         if number in lines:
             standing += _standing(road, number)
             crosswalks += [(number, area) for area in _crosswalks(road, lines[number])]
-    return Furniture(tuple(crosswalks), tuple(standing), lights)
+    return Furniture(tuple(crosswalks), tuple(standing), {where: tuple(ids) for where, ids in lights.items()})
 
 
 def _lights(road: Xml.Element, *, inside: bool) -> Iterator[tuple[str, bool]]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from chatscene.errors import MapError, SettingsError
-from chatscene.maps.network import resolve_map
+from chatscene.maps.network import PACKAGED, load_network, resolve_map
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.carla.standin.files import Files
 from chatscene.simulate.carla.standin.server import Server
@@ -44,6 +44,9 @@ def serve(
         SettingsError: The simulator brings no bodies, or the port cannot be had.
     """
     paths = [resolve_map(name) for name in maps]
+    for path in paths:
+        if path not in PACKAGED.values():
+            load_network(path)  # refused here as everywhere, and within its time: the wheel's reading has none
     try:
         world = World({path.stem: path for path in paths}, paths[0].stem, _bodies_of(paths[0], settings), Files(files))
     except Refused as error:
