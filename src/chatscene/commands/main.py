@@ -43,7 +43,6 @@ from chatscene.commands.library import (
     usable_map,
 )
 from chatscene.commands.maps import map_group
-from chatscene.commands.memory import lack_of_memory, require_memory
 from chatscene.commands.proposal import COMMANDS, describe
 from chatscene.commands.rate import rate
 from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
@@ -55,6 +54,7 @@ from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
 from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, NothingFits
+from chatscene.memory import lack_of_memory, require_memory
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.situation import Situation

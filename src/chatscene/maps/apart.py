@@ -18,7 +18,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -83,7 +83,7 @@ def read_apart(path: Path, root: Xml.Element, load: Callable[[Path], Any]) -> An
 
 
 @contextmanager
-def _running(path: Path, made: Path, within: int, errors: Any) -> Iterator[subprocess.Popen[bytes]]:
+def _running(path: Path, made: Path, within: int, errors: Any) -> Generator[subprocess.Popen[bytes]]:
     # -P: the working folder is no place of modules
     command = [sys.executable, "-P", "-m", "chatscene.maps.reading", str(path), str(made), str(within)]
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors) as process:

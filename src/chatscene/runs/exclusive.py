@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from chatscene.errors import RunError
+from chatscene.memory import FOR_WORK, require_memory
 from chatscene.runs.atomic import writing
 
 _LOOK = 0.1  # [s]
@@ -24,7 +25,9 @@ def alone(folder: Path) -> Generator[None]:
 
     Raises:
         RunError: Another process works on it, or it cannot be made.
+        SettingsError: A process may take too little memory here to work on one.
     """
+    require_memory(FOR_WORK)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
     if os.name != "posix":

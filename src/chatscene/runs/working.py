@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator, Iterable
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits
@@ -45,6 +45,10 @@ def working(run: Workspace, progress: Progress) -> Generator[Progress]:
         raise
     except ChatSceneError as error:
         update(run, status=Status.FAILED, reason=str(error))
+        raise
+    except Exception as error:  # what nobody foresaw, such as that there is no memory, even to write this down
+        with suppress(ChatSceneError, MemoryError):
+            update(run, status=Status.FAILED, reason=f"{type(error).__name__}: {error}".rstrip(": "))
         raise
     clock()
 

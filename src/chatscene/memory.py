@@ -8,19 +8,23 @@ import sys
 from chatscene.errors import ChatSceneError, SettingsError
 
 LEAST = 512 * 2**20  # bytes of address space; with three fifths of it a sentence is read for minutes
-ENOUGH = 2 * 2**30  # bytes; a run of the packaged town ends with three quarters of it
+FOR_WORK = 1536 * 2**20  # bytes; with two thirds of it libraries that lack memory abort, which nobody can catch
+ENOUGH = 2 * 2**30  # bytes; two scenes in the packaged town and their report take two thirds of it
 
 
-def require_memory() -> None:
-    """Refuse to begin where the system gives a process so little that it would all but stand still.
+def require_memory(least: int = LEAST) -> None:
+    """Refuse to begin where the system gives a process so little that it would stand still, or end without a word.
+
+    Args:
+        least: How much it needs [bytes].
 
     Raises:
-        SettingsError: It does.
+        SettingsError: It has less.
     """
-    if (limit := _limit()) is not None and limit < LEAST:
+    if (limit := _limit()) is not None and limit < least:
+        needs = " to work on a run" if least > LEAST else ", several times that for a run"
         raise SettingsError(
-            f"a process may take {limit // 2**20} MiB here (ulimit -v), and at least {LEAST // 2**20} are needed, "
-            "several times that for a run"
+            f"a process may take {limit // 2**20} MiB here (ulimit -v), and at least {least // 2**20} are needed{needs}"
         )
 
 
