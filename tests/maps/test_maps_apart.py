@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -46,7 +50,7 @@ def test_a_map_that_takes_longer_than_it_is_given_is_refused_by_its_road(
 ) -> None:
     monkeypatch.setattr(apart, "START", 1)
     monkeypatch.setattr(apart, "PER_PART", 0)
-    offsets = "".join(f'<laneOffset s="{n / 10}" a="0" b="0" c="0" d="0"/>' for n in range(100_000))
+    offsets = "".join(f'<laneOffset s="{n / 10}" a="0" b="0" c="0" d="0"/>' for n in range(20_000))
     path = written(tmp_path, lanes=offsets, pieces=100)  # 2,000 points, and at each all offsets are looked through
     with pytest.raises(MapError) as refused:
         load_network(path)
@@ -118,3 +122,34 @@ def test_a_process_that_ends_early_is_a_fault_of_the_map(
     with pytest.raises(MapError) as refused:
         load_network(written(tmp_path))
     assert why in str(refused.value)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a process with the one that asked for it")
+def test_a_reading_ends_with_whoever_asked_for_it(tmp_path: Path) -> None:
+    offsets = "".join(f'<laneOffset s="{n / 10}" a="0" b="0" c="0" d="0"/>' for n in range(20_000))
+    path = written(tmp_path, lanes=offsets, pieces=100)
+    asks = (
+        "import os, subprocess, sys, signal\n"
+        "from chatscene.maps import apart\n"
+        "with apart._running(*map(__import__('pathlib').Path, sys.argv[1:]), 60, subprocess.DEVNULL) as process:\n"
+        "    process.stdout.readline()\n"  # it has begun
+        "    print(process.pid, flush=True)\n"
+        "    os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    asking = [sys.executable, "-c", asks, str(path), str(tmp_path / "made")]
+    reading = int(subprocess.run(asking, stdout=subprocess.PIPE, check=False).stdout)
+    for _ in range(1000):
+        if _state(reading) == "Z":
+            break
+        time.sleep(0.01)
+    else:
+        os.kill(reading, signal.SIGKILL)
+        pytest.fail("it goes on by itself")
+
+
+def _state(process: int) -> str:
+    """What the kernel says of a process: Z if it has ended."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(") ")[2][0]
+    except OSError:
+        return "Z"

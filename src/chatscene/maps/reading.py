@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 import json
 import math
 import os
 import resource
+import signal
 import sys
 import time
 from pathlib import Path
 from typing import Any
 
 from chatscene.errors import ChatSceneError
+
+_PR_SET_PDEATHSIG = 1
 
 
 def main() -> None:
@@ -66,7 +70,12 @@ def _make(path: Path, made: Path, within: int, tell: Any) -> None:
 
 
 def _hold(within: int) -> None:
-    """Let the kernel end this process after so much more processor time [s], or refuse it more than all memory."""
+    """Let the kernel end this process after so much more processor time [s], and refuse it more than all memory.
+
+    On Linux it also ends with who asked for it, whatever that was ended by.
+    """
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
     memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     for what, most in (
         (resource.RLIMIT_CPU, math.ceil(time.process_time()) + within),
