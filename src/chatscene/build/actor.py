@@ -20,6 +20,8 @@ from chatscene.terms.vocabulary import Act, Breach, Facing, Manner, Role, Side, 
 LEAST = 0.64  # of the ego's speed that whoever keeps its distance goes on at: else both slow down for each other
 SOME = 3  # of a group whose size was not said
 _STEP = 0.1  # [s], in which setting off is computed
+NEAR_LANE = 2.5  # [m] from the ego's line: so near it is seen that somebody means to cross
+_ON_ITS_WAY = frozenset((Act.SLOW_DOWN, Act.HESITATE, Act.ACCELERATE, Act.TURN_BACK, Act.U_TURN))
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _QUIET = frozenset((Act.STAND, Act.STOP))
 _SEEN = {
@@ -108,6 +110,9 @@ class Actor:
                 numbers.narrow("SPEED", low, high)
         if self.one.starts.speed is not None and not stands_first(self.one):
             numbers.bind("SPEED", self.one.starts.speed, self.ego_speed)
+        if any(deed.act is Act.SLOW_DOWN for deed in self.deeds):  # to what is seen to be slower than before
+            before, *_ = numbers.ranges["SPEED"]
+            numbers.narrow("SLOW", 0.3 * before, 0.6 * before)
         if self.stand.meets in (Meets.THROUGH, Meets.ACROSS):
             self._between()
 
@@ -244,6 +249,8 @@ class Actor:
             return
         yield f"{self._waits()} until {self._due()}"
         go = GO if self.stand.meets is not Meets.ACROSS else MOVE
+        if self.stand.meets is Meets.ACROSS and deed.act in _ON_ITS_WAY and self.stand.left != "0":
+            yield f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {NEAR_LANE}"  # it comes first, and does it then
         if self.stand.meets is Meets.TOWARD and not steps.lasting:  # it comes first, and does it when the ego is near
             yield f"{go} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * $LEAD_TIME"
         if self.stand.meets is Meets.THROUGH and not steps.lasting and deed.act is not Act.SET_OFF:
@@ -266,6 +273,8 @@ class Actor:
                 return f"PaceOnPath({{p}}, ego, {ahead}, 40, {LEAST * self.ego_speed:.3g})"
             case Meets.KERB:
                 return "Park()"
+            case Meets.ACROSS if self.one.starts.where is Where.AHEAD and not stands:
+                return MOVE  # on foot in the lane
             case _:
                 return "Halt()"
 

@@ -9,8 +9,10 @@ from chatscene.build.actor import Actor, name_of
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.facts import Ledger
 from chatscene.build.place import Found, find, started
+from chatscene.build.possible import impossible
 from chatscene.build.starts import Meets
 from chatscene.errors import NotBuilt
+from chatscene.situations.faults import dotted
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
@@ -49,6 +51,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     """
     if not situation.adversaries:
         raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+    if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
+        raise NotBuilt("this cannot be: " + "; ".join(cannot))
     ledger = Ledger(situation)
     found = find(ledger)
     ego = ego_of(ledger, found)

@@ -1,0 +1,62 @@
+"""What can be: which act from which place, and what can follow what; so that what is refused is refused by a rule.
+
+A row says where an act can be begun from, by whoever has done nothing before that took it elsewhere. An act without a
+row can be begun anywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from chatscene.situations.faults import Fault
+from chatscene.terms.situation import Situation
+from chatscene.terms.vocabulary import Act, Where
+
+_NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
+_OFF_ROAD = frozenset(
+    (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN, Where.KERB, Where.BUS_BAY)
+)
+_JOINS = frozenset((Where.ON_RAMP, Where.ROUNDABOUT_ENTRY))
+_AGAINST = frozenset((Where.ONCOMING,))
+
+FROM: dict[Act, frozenset[Where]] = {
+    Act.PULL_OUT: frozenset((Where.KERB, Where.DRIVEWAY, Where.BUS_BAY)),
+    Act.CUT_IN: _NEXT_LANE | _JOINS | _AGAINST,
+    Act.MERGE: _NEXT_LANE | _JOINS,
+    Act.ENTER: _NEXT_LANE | _JOINS | _OFF_ROAD | _AGAINST | {Where.ARM, Where.IN_ROUNDABOUT},
+    Act.OVERTAKE: frozenset((Where.BEHIND, Where.BEHIND_BESIDE, Where.BESIDE, Where.ONCOMING)),
+    Act.TAILGATE: frozenset((Where.BEHIND,)),
+    Act.KEEP_LEVEL: _NEXT_LANE,
+    Act.CROSS: _OFF_ROAD | {Where.ARM},
+    Act.CUT_OUT: frozenset((Where.AHEAD,)),
+    Act.LANE_CHANGE: _NEXT_LANE | _AGAINST | {Where.AHEAD, Where.ON_RAMP},
+    Act.TURN_LEFT: _NEXT_LANE | _AGAINST | {Where.ARM},
+    Act.TURN_RIGHT: _NEXT_LANE | _AGAINST | {Where.ARM},
+    Act.TURN_BACK: _OFF_ROAD | {Where.AHEAD, Where.ARM},
+    Act.DRIFT: frozenset(Where) - _OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
+}
+"""Where an act can be begun from."""
+_TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
+_STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
+_GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
+_OFF = frozenset(
+    (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
+) | {Act.TURN_LEFT, Act.TURN_RIGHT, Act.U_TURN, Act.CUT_IN, Act.LANE_CHANGE, Act.MERGE, Act.TURN_BACK, Act.STAND}
+
+
+def impossible(situation: Situation) -> Iterator[Fault]:
+    """Each deed that cannot be done from where somebody is, or after what was done before."""
+    for one in situation.others:
+        at = f"others.{one.id}.does"
+        stood = False
+        for k, deed in enumerate(one.does):
+            moved_away = any(other.act in FROM for other in one.does[:k])
+            if not moved_away and one.starts.where not in FROM.get(deed.act, frozenset(Where)):
+                yield Fault((f"{at}.{k}.act",), f"nobody who is {one.starts.where} can {deed.act}")
+            if stood and deed.act not in _OFF:
+                yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
+            stood = deed.act in _STILL
+        for k, (before, after) in enumerate(pairwise(one.does), 1):
+            if before.act in _TURNED and after.act not in _GOES:
+                yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")

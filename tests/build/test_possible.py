@@ -1,0 +1,46 @@
+"""What cannot be is refused by a rule, and what no rule refuses is built and seen."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from chatscene.build.build import build
+from chatscene.build.possible import FROM
+from chatscene.errors import NotBuilt
+from chatscene.situations.form import from_plain
+from chatscene.terms.vocabulary import Act, Where
+
+
+def refusal(where: str, *acts: str, kind: str = "car") -> str:
+    side = {"side": "right"} if Where(where).row.sided else {}
+    one: dict[str, Any] = {"id": "A", "kind": kind, "starts": {"where": where, **side}}
+    with pytest.raises(NotBuilt) as refused:
+        build(from_plain({"others": [one | {"does": [{"act": act} for act in acts]}]}))
+    return str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("where", "acts", "told"),
+    [
+        ("behind", ("pull-out",), "others.A.does.0.act: nobody who is behind can pull-out"),
+        ("ahead", ("cross",), "others.A.does.0.act: nobody who is ahead can cross"),
+        ("oncoming", ("tailgate",), "others.A.does.0.act: nobody who is oncoming can tailgate"),
+        ("ahead", ("stop", "swerve"), "others.A.does.1.act: who stands must set off before it can swerve"),
+        ("beside", ("turn-left", "cut-in"), "others.A.does.1.act: after turn-left it is elsewhere, and cannot cut-in"),
+    ],
+)
+def test_a_deed_that_cannot_be_is_refused_by_its_path(where: str, acts: tuple[str, ...], told: str) -> None:
+    assert refusal(where, *acts) == f"this cannot be: {told}"
+
+
+def test_an_act_can_be_begun_from_somewhere() -> None:
+    assert all(FROM[act] for act in FROM)
+    assert set(FROM) <= set(Act)
+
+
+def test_what_was_done_before_may_have_taken_it_elsewhere() -> None:
+    does = [{"act": "overtake"}, {"act": "cut-out", "to": "left"}]
+    behind = {"id": "A", "kind": "car", "starts": {"where": "behind-beside", "side": "left"}, "does": does}
+    assert "DoesA" in build(from_plain({"others": [behind]})).program.source
