@@ -97,6 +97,7 @@ def test_a_message_of_very_many_small_values_is_cut_off(port: int) -> None:
 def test_actors_their_attributes_and_commands_at_a_time_are_bounded(port: int) -> None:
     client, world = connected(port)
     car = spawned(world)
+    world.tick()  # until then the wheel does not know that it is alive
     place = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
     sensor = [0, "sensor.other.gnss", []]
     with opened(port) as connection:

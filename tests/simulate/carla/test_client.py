@@ -29,6 +29,7 @@ from chatscene.world.bodies import Placement
 
 carla: Any = pytest.importorskip("carla", reason="the extra 'carla' is not installed, or has no wheel for this Python")
 pytest.importorskip("msgpack", reason="the extra 'carla' is not installed")
+Connection: Any = importlib.import_module("chatscene.simulate.carla.connection").Connection
 physics: Any = importlib.import_module("chatscene.simulate.carla.physics")
 
 TOWN = resolve_map("town")
@@ -430,6 +431,20 @@ def test_every_kind_has_a_blueprint_with_a_size(simulator: Any) -> None:
     for kind in (*LIMITS, *PROPS):
         length, width = simulator.size_of(Placement(kind=kind, x=0.0, y=0.0, heading=0.0, length=2.0, width=1.0))
         assert 0.1 < width <= length < 15.0 or kind == "Pedestrian", kind
+
+
+def test_what_was_measured_is_taken_away_also_where_the_wheel_takes_it_for_dead(
+    settings: SimulationSettings, look: Callable[[], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(actor: Any) -> bool:  # the wheel does, for what is in no snapshot yet, if an unwritten byte happens so
+        return False
+
+    monkeypatch.setattr(carla.Actor, "destroy", refuse)
+    connection = Connection("127.0.0.1", int(settings.simulator.rpartition(":")[2]))
+    before = {actor.id for actor in look().get_actors()}
+    for name in ("vehicle.lincoln.mkz_2017", "vehicle.carlamotors.carlacola", "walker.pedestrian.0001"):
+        assert connection.measured(name).length > 0.0
+    assert {actor.id for actor in look().get_actors()} <= before
 
 
 def test_light_weather_and_road_show_and_leave_the_tyres_as_they_are(

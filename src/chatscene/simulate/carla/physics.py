@@ -233,13 +233,13 @@ class CarlaPhysics:
         if world is None or self._connection.lost:
             return
         self._compare()
-        with self._connection.asking("take actors away"):
-            if self._sensor is not None:
-                self._sensor.stop()
-                self._sensor.destroy()
+        sensors = [] if self._sensor is None else [self._sensor]
+        with self._connection.asking("stop its sensor and its recorder"):
+            for sensor in sensors:
+                sensor.stop()
             if self._recording is not None:
                 self._connection.client.stop_recorder()
-            self._connection.client.apply_batch_sync([carla.command.DestroyActor(a.handle.id) for a in self._actors])
+        self._connection.take_away(*(one.id for one in (*sensors, *(actor.handle for actor in self._actors))))
         self._connection.end(world)
 
     def _begin(self) -> Any:
