@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import re
-import tokenize
 from collections.abc import Iterator
 
 from chatscene.simulate.confined.plain_text import NOT_SCENIC, Refusal
@@ -35,6 +33,14 @@ _SPECIFIERS = frozenset(  # how they begin
 _PLACED = re.compile(  # as Scenic 2 has it, and with the word that Scenic 3 needs before it
     r"(?P<new>\bnew\s+)?(?<![\w.])(?P<kind>[A-Z]\w*)\s+"
     r"(?:at|ahead\s+of|behind|beyond|left\s+of|right\s+of|offset|following|facing|with|in|on|visible|apparently|not)\b"
+)
+_PAIRED = re.compile(  # whatever has two ends; comments and whole strings are read over, so that a quote begins none
+    r"""\#[^\n]*
+    | (?P<three>\"{3}|'{3}) (?:[^\\]|\\.)*? (?P=three)
+    | (?!\"{3}|'{3}) (?P<one>["']) (?:(?!(?P=one))[^\\\n]|\\.)* (?P=one)
+    | (?P<quote>["'])
+    | [()\[\]{}]""",
+    re.DOTALL | re.VERBOSE,
 )
 _CLOSES = {")": "(", "]": "[", "}": "{"}
 
@@ -81,25 +87,23 @@ def _without_new(source: str) -> Iterator[Refusal]:
 
 
 def _never_closed(source: str) -> Refusal | None:
-    """A bracket or a quote that is never closed, or a bracket that closes nothing."""
-    opened: list[tuple[str, int, int]] = []
-    try:
-        for token in tokenize.generate_tokens(io.StringIO(source).readline):
-            line, column = token.start
-            if token.type == tokenize.ERRORTOKEN and token.string[:1] in "\"'":
-                return _unpaired("this quote is never closed", line, column)
-            if token.string in _CLOSES.values():
-                opened.append((token.string, line, column))
-            elif (closes := _CLOSES.get(token.string)) and (not opened or opened.pop()[0] != closes):
-                return _unpaired(f"this {token.string} closes nothing", line, column)
-    except tokenize.TokenError as error:  # the end of the text within brackets; from Python 3.12 also an open quote
-        message, (line, column) = error.args
-        if "string" in message and not opened:
-            return _unpaired("this quote is never closed", line, max(0, column - 1))
-    except (SyntaxError, ValueError):  # what the parser says is more
-        return None
-    return _unpaired(f"this {opened[-1][0]} is never closed", *opened[-1][1:]) if opened else None
+    """A bracket or a quote that is never closed, or a bracket that closes nothing.
+
+    Python's own tokenizer is not asked: where it sees an open quote, and whether it goes on behind it, is another
+    matter in each version.
+    """
+    opened: list[tuple[str, int]] = []
+    for found in _PAIRED.finditer(source):
+        sign, at = found[0], found.start()
+        if found["quote"]:
+            return _unpaired("this quote is never closed", source, at)
+        if sign in _CLOSES.values():
+            opened.append((sign, at))
+        elif sign in _CLOSES and (not opened or opened.pop()[0] != _CLOSES[sign]):
+            return _unpaired(f"this {sign} closes nothing", source, at)
+    return _unpaired(f"this {opened[-1][0]} is never closed", source, opened[-1][1]) if opened else None
 
 
-def _unpaired(why: str, line: int, column: int) -> Refusal:
-    return Refusal(line, NOT_SCENIC, why, column + 1, faulty=True)
+def _unpaired(why: str, source: str, at: int) -> Refusal:
+    line, column = source.count("\n", 0, at) + 1, at - source.rfind("\n", 0, at)
+    return Refusal(line, NOT_SCENIC, why, column, faulty=True)
