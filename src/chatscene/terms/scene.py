@@ -45,7 +45,9 @@ class ScenicProgram:
     own: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "digest", hashlib.blake2b(self.source.encode(), digest_size=8).hexdigest())
+        object.__setattr__(
+            self, "digest", hashlib.blake2b(self.source.encode(errors="surrogatepass"), digest_size=8).hexdigest()
+        )
         found = None if self.drawn else _WANTED.search(self.source)
         object.__setattr__(self, "wanted_speed", float(found[1]) if found else None)
 
