@@ -40,7 +40,9 @@ def test_everybody_but_the_ego_is_where_its_track_has_it_at_every_step() -> None
     root = written(LONG)
     obstacles = {int(one.attrib["id"]): one for one in root if one.tag.endswith("Obstacle")}
     for one, track in zip((obstacles[i] for i in sorted(obstacles)), LONG.episode.tracks[1:], strict=True):
-        rows = [state(found) for found in (one.find("initialState"), *one.findall("trajectory/state")) if found]
+        rows = [
+            state(found) for found in (one.find("initialState"), *one.findall("trajectory/state")) if found is not None
+        ]
         heading = np.remainder(track.heading + np.pi, 2 * np.pi) - np.pi
         driven = np.column_stack((track.x, track.y, heading, track.speed))
         assert np.allclose(rows, driven[: len(rows)], atol=1e-8, rtol=0)
