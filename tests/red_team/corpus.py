@@ -90,6 +90,7 @@ ATTACKS: tuple[Attack, ...] = (
     _attack("fork-bomb", "make processes without end", "import os\nwhile True:\n    os.fork()"),
     _attack("fork-by-multiprocessing", "make a process by a library", "import multiprocessing\nmultiprocessing.Process(target=print).start()"),
     _attack("thread", "go on in a thread", "import threading\nthreading.Thread(target=open, args=('@target@', 'w')).start()"),
+    _attack("another-interpreter", "go on where nobody watches", "import _xxsubinterpreters as inner\ninner.run_string(inner.create(), \"open('@target@', 'w')\")"),
     _attack("kill-the-parent", "end the process that started it", "import os\nos.kill(@parent@, 9)"),
     _attack("trace-the-parent", "read another process' memory", "raise ValueError(open('/proc/@parent@/environ').read())"),
     _attack("ignore-alarms", "take away the clock that stops behaviors", "import signal\nfor s in (signal.SIGALRM, signal.SIGXCPU, signal.SIGTERM):\n    signal.signal(s, signal.SIG_IGN)\nwhile True:\n    pass"),

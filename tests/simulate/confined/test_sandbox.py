@@ -264,6 +264,23 @@ def test_every_kind_of_syntax_has_a_name_in_the_words_of_the_language() -> None:
     assert refused - inner <= set(KINDS)
 
 
+@pytest.mark.skipif(sys.version_info < (3, 12), reason="before Python 3.12 it is no syntax at all")
+@pytest.mark.parametrize(
+    ("line", "what"),
+    [
+        ("type Speed = int", {"a type alias"}),
+        ("def f[T](x):\n    return x", {"a type parameter", "a function"}),
+        ("def f[*T, **P](x):\n    return x", {"a type parameter", "a function"}),
+        ("class Van[T]:\n    pass", {"a class"}),
+    ],
+)
+@pytest.mark.parametrize("model", [OWN_MODEL, "scenic.simulators.carla.model"])
+def test_types_and_their_parameters_are_refused_whatever_the_model(line: str, what: set[str], model: str) -> None:
+    found = {refusal.what for refusal in check_foreign(f"model {model}\nego = new Car\n{line}\n")}
+    assert found
+    assert found <= what
+
+
 @settings(max_examples=60)
 @given(st.text(max_size=200))
 def test_any_text_is_either_refused_or_fine(text: str) -> None:
@@ -368,9 +385,30 @@ print(*sorted(sys.modules))
 """
 
 
+EVENTS = ["_thread.start_new_thread", "_thread.start_joinable_thread", "sys.monitoring.register_callback"]
+WATCHED = """
+import sys
+from chatscene.simulate.confined.audit import watch
+
+told = []
+watch(sys.path, told.append)
+for event in sys.argv[1:]:
+    sys.audit(event)
+try:
+    import _interpreters
+except ImportError:
+    pass
+print(*told, sep="\\n")
+"""
+
+
 def _told(script: str, *arguments: str) -> str:
     command = [sys.executable, "-c", script, *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=True, timeout=120).stdout
+
+
+def test_the_watchman_knows_what_other_versions_of_python_call_a_thread_a_trace_and_an_interpreter() -> None:
+    assert _told(WATCHED, *EVENTS).split("\n") == [*EVENTS, "import _interpreters", ""]
 
 
 def test_a_module_that_is_imported_late_comes_in_where_no_bytecode_was_kept(tmp_path: Path) -> None:

@@ -20,15 +20,17 @@ _ENDING = (
     "smtplib.", "telnetlib.", "poplib.", "imaplib.", "nntplib.", "webbrowser.", "syslog.", "fcntl.", "msvcrt.",
     "winreg.", "shutil.", "tempfile.", "sqlite3.", "pickle.find_class", "ctypes.dlopen", "ctypes.dlsym",
     "ctypes.call_function", "ctypes.cdata", "ctypes.string_at", "ctypes.wstring_at", "ctypes.set_errno",
-    "mmap.", "resource.", "signal.pthread_kill", "_thread.start_new_thread", "gc.get_objects", "gc.get_referrers",
-    "gc.get_referents", "sys.addaudithook", "sys.settrace", "sys.setprofile", "sys._current_frames", "code.__new__",
-    "function.__new__", "cpython.run_", "builtins.breakpoint", "builtins.input",
+    "mmap.", "resource.", "signal.pthread_kill", "_thread.", "gc.get_objects", "gc.get_referrers",
+    "gc.get_referents", "sys.addaudithook", "sys.settrace", "sys.setprofile", "sys.monitoring.", "sys._current_frames",
+    "code.__new__", "function.__new__", "cpython.run_", "cpython.PyInterpreterState_New", "builtins.breakpoint",
+    "builtins.input",
 )  # fmt: skip
 _LISTING = ("os.listdir", "os.scandir", "glob.glob", "os.walk")
 _NEVER_IMPORTED = (
     "asyncio", "ctypes", "_ctypes", "dill", "ftplib", "http", "imaplib", "joblib", "mmap", "multiprocessing", "pdb",
     "poplib", "pty", "requests", "smtplib", "socket", "_socket", "socketserver", "ssl", "subprocess",
     "_posixsubprocess", "telnetlib", "urllib", "webbrowser",
+    "_interpreters", "_xxsubinterpreters",  # in another interpreter nobody watches
 )  # fmt: skip
 
 
