@@ -23,6 +23,7 @@ from chatscene.terms.situation import (
 from chatscene.terms.surroundings import Light, Surface, Weather
 from chatscene.terms.vocabulary import (
     Act,
+    Breach,
     EgoLight,
     EgoRoute,
     Facing,
@@ -59,18 +60,20 @@ def amounts(draw: st.DrawFn, kind: type[Amount]) -> Amount:
 
 
 @st.composite
-def deeds(draw: st.DrawFn, acts: list[Act], earlier: list[str]) -> Deed:
-    """What somebody does who can do some acts, perhaps after or while something that was done earlier."""
+def deeds(draw: st.DrawFn, acts: list[Act], earlier: list[str], whom: list[str], breaches: list[Breach]) -> Deed:
+    """What somebody does who can do some acts, perhaps to some, and after or while something that was done earlier."""
     act = draw(st.sampled_from(acts))
     said = {name: draw(maybe(amounts(_KINDS_OF_AMOUNT[name]))) for name in sorted(act.row.takes)}
     when = None
     if draw(st.booleans()):
         names = maybe(st.sampled_from(earlier)) if earlier else st.none()
-        when = When(after=draw(names), ego_within=draw(maybe(amounts(Length) | amounts(Duration))))
+        when = When(after=draw(names), during=draw(names), ego_within=draw(maybe(amounts(Length) | amounts(Duration))))
     return Deed(
         act=act,
         to=draw(maybe(st.sampled_from(Side))) if act.row.sided else None,
+        whom=draw(maybe(st.sampled_from(whom))) if act.row.whom and whom else None,
         manner=draw(maybe(st.sampled_from(Manner))),
+        breaks=draw(maybe(st.sampled_from(breaches))),
         when=when,
         **said,
     )
@@ -97,14 +100,17 @@ def situations(draw: st.DrawFn) -> Situation:
     at_junction = road.kind is None or road.kind in JUNCTIONS
     routes = [route for route in EgoRoute if at_junction or route not in TURNS]
     earlier: list[str] = []
-    own = draw(st.lists(deeds([act for act in Act if act.row.ego], []), max_size=2))
+    lit = road.control in (None, RightOfWay.SIGNAL)
+    breaches = [one for one in Breach if lit or one is not Breach.RED_LIGHT]
+    own = draw(st.lists(deeds([act for act in Act if act.row.ego], [], [], breaches), max_size=2))
     earlier += [f"ego.{i}" for i in range(len(own))]
     others: list[Other] = []
     for name in "ABC"[: draw(st.integers(0, 3))]:
         kind = draw(st.sampled_from(UserKind))
         where = draw(st.sampled_from([one for one in Where if at_junction or not one.row.junction]))
         acts = [act for act in Act if kind.moves in act.row.by]
-        does = draw(st.lists(deeds(acts, list(earlier)), max_size=4))
+        whom = ["ego", *(one.id for one in others)]
+        does = draw(st.lists(deeds(acts, list(earlier), whom, breaches), max_size=4))
         earlier += [f"{name}.{i}" for i in range(len(does))]
         start = Start(
             where=where,

@@ -96,6 +96,29 @@ def test_a_situation_is_explained_without_running_and_its_facts_are_set_by_path(
     assert "model chatscene.world.model" in shown
 
 
+WORDS = (
+    "We drive at 25 km/h. The road has a school beside it. A van is at the kerb. "
+    "It stands still, then suddenly pulls out into our lane."
+)
+
+
+def test_a_situation_is_explained_in_words_before_its_facts(finished: Path) -> None:
+    shown = CliRunner().invoke(main, ["explain", str(finished / "van.yaml")]).output
+    assert shown.splitlines()[0] == WORDS
+    as_json = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--json", "--set", "others.A.kind=car"])
+    assert json.loads(as_json.stdout)["told"] == WORDS.replace("van", "car")
+
+
+def test_a_run_of_what_nobody_gave_a_name_is_called_by_its_first_sentences(tmp_path: Path) -> None:
+    (tmp_path / "van.yaml").write_text(WRITTEN.partition("\n")[2], encoding="utf-8")
+    situation = chatscene.read_situation(tmp_path / "van.yaml")
+    assert situation.about == ""
+    run = chatscene.run(situation, tmp_path / "run", scenes=1, set={"others.A.kind": "car"})
+    record = read_record(Workspace(run.folder))
+    assert record.title == WORDS.replace("van", "car")
+    assert read_file(tmp_path / "run" / "situation.yaml").about == ""
+
+
 def test_from_python_it_is_a_value(finished: Path) -> None:
     situation = chatscene.read_situation(finished / "van.yaml")
     assert situation["A"].kind is UserKind.VAN

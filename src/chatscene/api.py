@@ -485,16 +485,14 @@ def run(
 
 
 def read_situation(file: Name) -> Situation:
-    """The situation in a file of YAML or JSON; what it is called is the file's name, where it does not say.
+    """The situation in a file of YAML or JSON.
 
     Raises:
         SituationError: It cannot be read, or is none; the message lists each fault with its line.
     """
     from chatscene.report.stated import stated
 
-    path = _path(file)
-    made = stated(path)
-    return made if made.about else replace(made, about=path.stem)
+    return stated(_path(file))
 
 
 def explain(
@@ -1089,11 +1087,13 @@ def _situation(
     from chatscene.report.stated import stated
     from chatscene.search.generators.situated import on_its_map
     from chatscene.situations.file import read_text
+    from chatscene.situations.words import title
 
     if _names(edit):
         raise SettingsError("an edit in words is of a sentence; set facts of a situation by their paths")
-    text = on_its_map(stated(said, facts), None if map_name is None else str(map_name))
-    return said.about or "a situation", text, read_text(text).map or TOWN
+    made = stated(said, facts)
+    text = on_its_map(made, None if map_name is None else str(map_name))
+    return made.about or title(made), text, read_text(text).map or TOWN
 
 
 def _generator_of(situation: object | None, own: ForeignProgram | None, *, trusted: bool, as_written: bool) -> str:

@@ -230,7 +230,7 @@ def run(
         raise click.UsageError("--trust and --as-written are about a --program")
     asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
     if text is not None and (stated := situation_file(text)) is not None:
-        asked = [(stated.about, stated, None)]
+        asked = [(stated.about or Path(text).stem, stated, None)]
     if report is not None:
         asked = [(f"conflict-{one.number}", one, None) for one in found_in(report, reading, as_json)]
     elif program is not None:

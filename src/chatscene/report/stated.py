@@ -10,6 +10,7 @@ from typing import Any
 from chatscene.build.build import Built, build
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain, with_fact
+from chatscene.situations.words import told
 from chatscene.terms.situation import Situation
 
 
@@ -28,6 +29,7 @@ class Stated:
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
         return {
+            "told": told(self.situation),
             "situation": to_plain(self.situation),
             "map": self.built.map,
             "assumed": list(self.built.assumed),
@@ -44,8 +46,9 @@ class Stated:
         )
 
     def __str__(self) -> str:
-        """For a person: what is otherwise than was said, the situation, and its map."""
-        return "\n".join((*self.told_first, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
+        """For a person: the situation in words, what is otherwise than was said, its facts, and its map."""
+        words = filter(None, (told(self.situation),))
+        return "\n".join((*words, *self.told_first, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
 
 
 def stated(

@@ -1,0 +1,358 @@
+"""The phrase of each word of a situation, one table for each enumeration: a new word is a row here, and no code.
+
+A verb stands in brackets in its three forms, ``[stop/stops/stopping]``. Braces are filled in: ``{ego}`` is us or the
+SV, ``{egos}`` our or the SV's, others are facts. What stands between ``<`` and ``>`` is told only where its fact was
+said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.terms.surroundings import Light, Surface, Weather
+from chatscene.terms.vocabulary import (
+    Act,
+    Breach,
+    EgoLight,
+    EgoRoute,
+    Facing,
+    Feature,
+    Manner,
+    Part,
+    RightOfWay,
+    RoadKind,
+    Role,
+    Setting,
+    Side,
+    Striker,
+    UserKind,
+    Where,
+)
+
+
+class Voice(StrEnum):
+    """Who speaks."""
+
+    PLAIN = "plain"
+    """Somebody in the ego: we and a truck."""
+    PROTOCOL = "protocol"
+    """Somebody who writes down a test: the subject vehicle and target A."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Me:
+    """What a voice calls the ego.
+
+    Attributes:
+        does: As who does something.
+        object: As whom something is done to.
+        own: Before what is its own.
+        its: What is its own, of several of a kind.
+        itself: As whom it does something to.
+        several: Whether its verbs are those of several.
+    """
+
+    does: str
+    object: str
+    own: str
+    its: str
+    itself: str
+    several: bool
+
+
+VOICES: Mapping[Voice, Me] = {
+    Voice.PLAIN: Me(does="we", object="us", own="our", its="ours", itself="ourselves", several=True),
+    Voice.PROTOCOL: Me(
+        does="the SV", object="the SV", own="the SV's", its="the one of the SV", itself="itself", several=False
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Way:
+    """How a route is told.
+
+    Attributes:
+        does: What the ego does.
+        paced: Whether a speed stands behind it; else it drives at that speed, and does this.
+        at: The place that the words name already.
+    """
+
+    does: str
+    paced: bool = False
+    at: RoadKind | None = None
+
+
+ROUTES: Mapping[EgoRoute, Way] = {
+    EgoRoute.STRAIGHT: Way(does="[drive/drives/driving] straight on", paced=True),
+    EgoRoute.LEFT_TURN: Way(does="[turn/turns/turning] left"),
+    EgoRoute.RIGHT_TURN: Way(does="[turn/turns/turning] right"),
+    EgoRoute.TURN: Way(does="[make/makes/making] a turn"),
+    EgoRoute.U_TURN: Way(does="[make/makes/making] a U-turn"),
+    EgoRoute.LANE_CHANGE_LEFT: Way(does="[change/changes/changing] lanes to the left"),
+    EgoRoute.LANE_CHANGE_RIGHT: Way(does="[change/changes/changing] lanes to the right"),
+    EgoRoute.LANE_CHANGE: Way(does="[change/changes/changing] lanes"),
+    EgoRoute.BYPASS: Way(does="[swing/swings/swinging] out round what stands in {egos} lane"),
+    EgoRoute.OVERTAKE: Way(does="[overtake/overtakes/overtaking]"),
+    EgoRoute.MERGE: Way(does="[merge/merges/merging]"),
+    EgoRoute.EXIT: Way(does="[leave/leaves/leaving] the road by a ramp", at=RoadKind.RAMP),
+    EgoRoute.ROUNDABOUT: Way(does="[drive/drives/driving] through a roundabout", paced=True, at=RoadKind.ROUNDABOUT),
+    EgoRoute.REVERSE: Way(does="[drive/drives/driving] backwards", paced=True),
+    EgoRoute.LEAVE_PARKING: Way(does="[leave/leaves/leaving] a parking place"),
+    EgoRoute.PARK: Way(does="[park/parks/parking]"),
+    EgoRoute.ENTER_DRIVEWAY: Way(does="[turn/turns/turning] into a driveway"),
+    EgoRoute.LEAVE_DRIVEWAY: Way(does="[come/comes/coming] out of a driveway"),
+}
+
+ROADS: Mapping[RoadKind, str] = {
+    RoadKind.ROAD: "on a road between junctions",
+    RoadKind.CURVE: "in a bend",
+    RoadKind.LEFT_CURVE: "in a left-hand bend",
+    RoadKind.RIGHT_CURVE: "in a right-hand bend",
+    RoadKind.JUNCTION: "at a junction",
+    RoadKind.THREE_WAY: "at a three-way junction",
+    RoadKind.FOUR_WAY: "at a four-way junction",
+    RoadKind.ROUNDABOUT: "at a roundabout",
+    RoadKind.MOTORWAY: "on a motorway",
+    RoadKind.RAMP: "on a ramp",
+    RoadKind.PARKING_LOT: "in a car park",
+    RoadKind.RAIL_CROSSING: "at a railway crossing",
+}
+
+SETTINGS: Mapping[Setting, str] = {
+    Setting.TOWN: "in a town",
+    Setting.RESIDENTIAL: "in a residential area",
+    Setting.RURAL: "in the country",
+}
+
+CONTROLS: Mapping[RightOfWay, str] = {
+    RightOfWay.SIGNAL: "there are traffic lights",
+    RightOfWay.STOP_SIGN: "there is a stop sign",
+    RightOfWay.YIELD_SIGN: "there is a give-way sign",
+    RightOfWay.NONE: "there are neither traffic lights nor signs",
+}
+
+EGO_LIGHTS: Mapping[EgoLight, str] = {
+    EgoLight.GREEN: "is green",
+    EgoLight.RED: "is red",
+    EgoLight.YELLOW: "is yellow",
+    EgoLight.TURNS_GREEN: "turns from red to green",
+    EgoLight.TURNS_RED: "turns from green to red",
+}
+
+FEATURES: Mapping[Feature, str] = {
+    Feature.CROSSWALK: "a crosswalk",
+    Feature.BUS_STOP: "a bus stop",
+    Feature.BUS_BAY: "a bus bay",
+    Feature.PARKED_CARS: "parked cars along the kerb",
+    Feature.PARKING_PLACES: "parking places beside the lane",
+    Feature.CYCLE_LANE: "a cycle lane",
+    Feature.TRAM_TRACK: "tram tracks",
+    Feature.ROADWORKS: "roadworks",
+    Feature.LANE_DROP: "a lane that ends",
+    Feature.ON_RAMP: "an on-ramp",
+    Feature.OFF_RAMP: "an off-ramp",
+    Feature.HILL: "a hill",
+    Feature.SCHOOL: "a school beside it",
+}
+
+LIGHTS: Mapping[Light, str] = {
+    Light.DAY: "it is daytime",
+    Light.DUSK: "it is dusk",
+    Light.NIGHT: "it is night",
+}
+WEATHERS: Mapping[Weather, str] = {
+    Weather.CLEAR: "the weather is clear",
+    Weather.RAIN: "it is raining",
+    Weather.SNOW: "it is snowing",
+    Weather.FOG: "it is foggy",
+}
+SURFACES: Mapping[Surface, str] = {
+    Surface.DRY: "the road is dry",
+    Surface.WET: "the road is wet",
+    Surface.SNOW: "the road is covered with snow",
+    Surface.ICE: "the road is icy",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Noun:
+    """What a kind is called.
+
+    Attributes:
+        one: One of them, with its article.
+        many: More than one.
+        goes: The verb for its way of moving.
+        somebody: Whether it is a person, whom nobody calls *it*.
+    """
+
+    one: str
+    many: str
+    goes: str
+    somebody: bool = False
+
+
+_DRIVES, _RIDES = "[drive/drives/driving]", "[ride/rides/riding]"
+_WALKS, _RUNS, _MOVES = "[walk/walks/walking]", "[run/runs/running]", "[move/moves/moving]"
+
+KINDS: Mapping[UserKind, Noun] = {
+    UserKind.CAR: Noun(one="a car", many="cars", goes=_DRIVES),
+    UserKind.VAN: Noun(one="a van", many="vans", goes=_DRIVES),
+    UserKind.TRUCK: Noun(one="a truck", many="trucks", goes=_DRIVES),
+    UserKind.BUS: Noun(one="a bus", many="buses", goes=_DRIVES),
+    UserKind.TRAM: Noun(one="a tram", many="trams", goes=_RUNS),
+    UserKind.MOTORCYCLE: Noun(one="a motorcyclist", many="motorcyclists", goes=_RIDES, somebody=True),
+    UserKind.BICYCLE: Noun(one="a cyclist", many="cyclists", goes=_RIDES, somebody=True),
+    UserKind.E_SCOOTER: Noun(one="an e-scooter rider", many="e-scooter riders", goes=_RIDES, somebody=True),
+    UserKind.EMERGENCY_VEHICLE: Noun(one="an emergency vehicle", many="emergency vehicles", goes=_DRIVES),
+    UserKind.VEHICLE: Noun(one="a vehicle", many="vehicles", goes=_DRIVES),
+    UserKind.PEDESTRIAN: Noun(one="a pedestrian", many="pedestrians", goes=_WALKS, somebody=True),
+    UserKind.CHILD: Noun(one="a child", many="children", goes=_WALKS, somebody=True),
+    UserKind.WHEELCHAIR: Noun(one="a wheelchair user", many="wheelchair users", goes=_MOVES, somebody=True),
+    UserKind.DOG: Noun(one="a dog", many="dogs", goes=_RUNS),
+    UserKind.DEER: Noun(one="a deer", many="deer", goes=_RUNS),
+    UserKind.ANIMAL: Noun(one="an animal", many="animals", goes=_MOVES),
+    UserKind.OBJECT: Noun(one="an object", many="objects", goes=_MOVES),
+    UserKind.DEBRIS: Noun(one="a piece of debris", many="pieces of debris", goes=_MOVES),
+    UserKind.CONE: Noun(one="a traffic cone", many="traffic cones", goes=_MOVES),
+    UserKind.ROAD_USER: Noun(one="a road user", many="road users", goes=_MOVES, somebody=True),
+}
+
+ROLES: Mapping[Role, str | None] = {
+    Role.ADVERSARY: None,  # as everybody is of whom nothing else is told
+    Role.SUPPORTING: "[are/is] not the danger",
+    Role.HIDES: "only [block/blocks] the view",
+}
+
+SIDES: Mapping[Side, str] = {Side.LEFT: "left", Side.RIGHT: "right"}
+
+_ON = "< on {egos} {side}>"
+_AWAY = "<, {distance} away>"
+_IN_FRONT = "<, {distance} ahead>"
+
+PLACES: Mapping[Where, str] = {
+    Where.AHEAD: "<{distance} >ahead of {ego} in {egos} lane",
+    Where.AHEAD_BESIDE: f"<{{distance}} >ahead of {{ego}} in the next lane{_ON}",
+    Where.BESIDE: f"beside {{ego}}{_ON}{_AWAY}",
+    Where.BEHIND: "<{distance} >behind {ego} in {egos} lane",
+    Where.BEHIND_BESIDE: f"<{{distance}} >behind {{ego}} in the next lane{_ON}",
+    Where.ONCOMING: f"coming the other way{_AWAY}",
+    Where.ONCOMING_IN_OUR_LANE: f"coming the other way in {{egos}} lane{_AWAY}",
+    Where.ARM: f"on a side road of the junction{_ON}{_AWAY}",
+    Where.ROADSIDE: f"at the roadside{_ON}{_IN_FRONT}",
+    Where.KERB: f"at the kerb{_ON}{_IN_FRONT}",
+    Where.DRIVEWAY: f"in a driveway{_ON}{_IN_FRONT}",
+    Where.CROSSING: f"at a crosswalk in front of {{ego}}{_ON}{_AWAY}",
+    Where.EXIT: f"in {{egos}} new lane beyond the junction{_AWAY}",
+    Where.EXIT_CROSSING: f"at the crosswalk just after {{egos}} turn{_ON}{_AWAY}",
+    Where.MEDIAN: f"on the median{_IN_FRONT}",
+    Where.ON_RAMP: f"on an on-ramp{_AWAY}",
+    Where.OFF_RAMP: f"on an off-ramp{_AWAY}",
+    Where.IN_ROUNDABOUT: f"in the roundabout{_AWAY}",
+    Where.ROUNDABOUT_ENTRY: f"at another entry of the roundabout{_AWAY}",
+    Where.BUS_BAY: f"in a bus bay{_IN_FRONT}",
+}
+
+FACINGS: Mapping[Facing, str] = {
+    Facing.ALONG: "facing the same way as {ego}",
+    Facing.AGAINST: "facing {ego}",
+    Facing.ACROSS: "facing {egos} lane",
+}
+
+MANNERS: Mapping[Manner, str] = {
+    Manner.SUDDEN: "suddenly {does}",
+    Manner.SLOW: "slowly {does}",
+    Manner.FAST: "{does} fast",
+    Manner.HARD: "{does} hard",
+    Manner.SLIGHT: "{does} slightly",
+}
+"""Before or behind what is done."""
+
+BREACHES: Mapping[Breach, str] = {
+    Breach.RED_LIGHT: "against a red light",
+    Breach.STOP_SIGN: "without stopping at the stop sign",
+    Breach.RIGHT_OF_WAY: "without giving way",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Doing:
+    """How an act is told; what was not said of it is left out.
+
+    Attributes:
+        does: The act itself, also where another deed waits for it.
+        to: Its side.
+        whom: Whom it is done to, where that stands behind the manner.
+        speed: Its speed: ``{pace}`` is *at 50 km/h*, ``{speed}`` *50 km/h*.
+        acceleration: How hard.
+        distance: How far.
+        time: How long.
+    """
+
+    does: str
+    to: str = " to {egos} {to}"
+    whom: str = ""
+    speed: str = " {pace}"
+    acceleration: str = " at {acceleration}"
+    distance: str = " over {distance}"
+    time: str = " for {time}"
+
+
+_TO, _OVER, _GAP = " to {speed}", " over {time}", " with a gap of {distance}"
+
+ACTS: Mapping[Act, Doing] = {
+    Act.STAND: Doing(does="[stand/stands/standing] still"),
+    Act.GO_ALONG: Doing(does="{goes} along the road"),
+    Act.GO_STRAIGHT: Doing(does="[go/goes/going] straight on"),
+    Act.TURN_LEFT: Doing(does="[turn/turns/turning] left"),
+    Act.TURN_RIGHT: Doing(does="[turn/turns/turning] right"),
+    Act.U_TURN: Doing(does="[make/makes/making] a U-turn"),
+    Act.CROSS: Doing(does="[cross/crosses/crossing] {egos} path"),
+    Act.ENTER: Doing(does="[come/comes/coming] into {egos} lane"),
+    Act.SET_OFF: Doing(does="[set/sets/setting] off", speed=" and [reach/reaches/reaching] {speed}"),
+    Act.ACCELERATE: Doing(does="[accelerate/accelerates/accelerating]", speed=_TO, time=_OVER),
+    Act.SLOW_DOWN: Doing(does="[slow/slows/slowing] down", speed=_TO, time=_OVER),
+    Act.BRAKE: Doing(does="[brake/brakes/braking]", speed=_TO, time=_OVER),
+    Act.STOP: Doing(does="[stop/stops/stopping]", distance=" within {distance}", time=" within {time}"),
+    Act.HESITATE: Doing(does="[hesitate/hesitates/hesitating]"),
+    Act.REVERSE: Doing(does="[back/backs/backing] up"),
+    Act.PULL_OUT: Doing(does="[pull/pulls/pulling] out into {egos} lane"),
+    Act.CUT_IN: Doing(does="[cut/cuts/cutting] in", whom=" ahead of {whom}", distance=_GAP, time=_OVER),
+    Act.LANE_CHANGE: Doing(does="[change/changes/changing] lanes", time=_OVER),
+    Act.CUT_OUT: Doing(does="[move/moves/moving] out of {egos} lane", time=_OVER),
+    Act.MERGE: Doing(does="[merge/merges/merging] into {egos} lane"),
+    Act.OVERTAKE: Doing(does="[overtake/overtakes/overtaking] {whom}", distance=_GAP),
+    Act.DRIFT: Doing(does="[drift/drifts/drifting]", time=_OVER),
+    Act.SWERVE: Doing(does="[swerve/swerves/swerving]", time=_OVER),
+    Act.WEAVE: Doing(does="[weave/weaves/weaving] from side to side"),
+    Act.KEEP_LEVEL: Doing(does="[stay/stays/staying] level with {whom}"),
+    Act.FOLLOW: Doing(does="[follow/follows/following] {whom}", distance=" at a distance of {distance}"),
+    Act.TAILGATE: Doing(does="[tailgate/tailgates/tailgating] {whom}", distance=" at a distance of {distance}"),
+    Act.TURN_BACK: Doing(does="[turn/turns/turning] back"),
+    Act.PARK: Doing(does="[park/parks/parking]"),
+    Act.EXIT: Doing(does="[take/takes/taking] the exit"),
+    Act.YIELD: Doing(does="[give/gives/giving] way to {whom}"),
+    Act.OPEN_DOOR: Doing(does="[open/opens/opening] a door"),
+    Act.DROP_LOAD: Doing(does="[drop/drops/dropping] something onto the road"),
+    Act.FALL: Doing(does="[fall/falls/falling] over"),
+}
+
+PARTS: Mapping[Part, str] = {
+    Part.FRONT: "front",
+    Part.LEFT_FRONT: "left front",
+    Part.RIGHT_FRONT: "right front",
+    Part.LEFT: "left side",
+    Part.RIGHT: "right side",
+    Part.REAR: "rear",
+    Part.LEFT_REAR: "left rear",
+    Part.RIGHT_REAR: "right rear",
+}
+
+STRIKERS: Mapping[Striker | None, str] = {
+    Striker.EGO: "[run/runs/running] into",
+    Striker.OTHER: "[run/runs/running] into",
+    None: "[touch/touches/touching]",
+}
+"""What who runs into the other does; else what the ego does."""
