@@ -22,7 +22,16 @@ from chatscene.maps.network import TOWN, map_with
 from chatscene.runs.executor import Workers
 from chatscene.runs.progress import Progress, silent
 from chatscene.runs.trust import Repeated, follow
-from chatscene.settings import EGO, EXECUTOR, SIMULATOR, RetrievalSettings, Settings, SimulationSettings
+from chatscene.settings import (
+    EGO,
+    EXECUTOR,
+    OFFLINE,
+    READERS,
+    SIMULATOR,
+    RetrievalSettings,
+    Settings,
+    SimulationSettings,
+)
 from chatscene.terms.conflict import Conflict
 from chatscene.terms.description import Description
 from chatscene.terms.episode import Episode
@@ -388,7 +397,7 @@ def run(
     program: Name | None = None,
     trust: bool = False,
     as_written: bool = False,
-    edit: Names = (),
+    edit: Names | None = None,
     map: Name | None = None,  # noqa: A002 - the word of the command line
     ego: Name = EGO,
     scenes: int | None = None,
@@ -418,7 +427,8 @@ def run(
         program: File of a Scenic program of one's own, in place of the sentence.
         trust: Whether the program may use all of Scenic and Python, in this process; else it runs in the sandbox.
         as_written: Whether the program's own ego drives; else `ego` does, on a route that follows from the program.
-        edit: What is to be another than the sentence says, in words, edit by edit.
+        edit: What is to be another than the sentence says, in words, edit by edit. A text with edits, and be it none
+            of them (``[]``), is read as a sentence that can be edited, also by a language model.
         map: Packaged ``town`` or ``outskirts``, or an ``.xodr`` file; None for the town, or for the outskirts where
             the text names what the town has not, such as a motorway. Where a program names a map that is there, that
             one is taken.
@@ -432,11 +442,11 @@ def run(
         physics: How bodies answer to pedals and wheel: ``kinematic`` or ``lagged``.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
-        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
         reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
-        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, by path:
-            ``{"others.A.starts.side": "left"}``.
+        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or
+            filled, by path: ``{"others.A.starts.side": "left"}``.
         settings: All other settings; the keywords above come before them.
         jobs: How many work at a time; any number gives the same files. A script that starts more than one needs the
             guard ``if __name__ == "__main__":``.
@@ -444,18 +454,25 @@ def run(
         progress: Told what is done.
 
     Raises:
-        NothingFits: The library cannot serve the sentence.
+        NothingFits: The library cannot serve the sentence, or a language model says that it tells no situation.
         ChatSceneError: Anything else that went wrong; the folder can be resumed.
     """
     from chatscene import pipeline
 
-    said = text if isinstance(text, Situation) else None
-    sentence = "" if isinstance(text, Situation) else text
     if sum((bool(text), report is not None, program is not None)) > 1:
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
-    facts = None if said is not None else set
-    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, facts)
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
+    read_by = chosen.language_model if _is_filled(text, chosen, edit) else ""
+    if read_by:
+        from chatscene.report.filled import filled, read_already
+
+        text, set = filled(str(text), chosen, set, None if map is None else str(map)), None  # noqa: A001
+        chosen = read_already(chosen)
+    said = text if isinstance(text, Situation) else None
+    sentence = "" if isinstance(text, Situation) else text
+    if said is None:
+        chosen = _reading(chosen, stated=set)
     if report is not None:
         sentence = _only_conflict(report, chosen)
     looking = _changed(
@@ -469,16 +486,18 @@ def run(
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
-    situation = None if said is None else _situation(said, set, edit, map)
+    situation = None if said is None else _situation(said, set, edit or (), map)
     asked = runs.asked_run(
         sentence,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
-        situation=None if situation is None else runs.SituationRecord(name=situation[0], text=situation[1]),
+        situation=None
+        if situation is None
+        else runs.SituationRecord(name=situation[0], text=situation[1], read_by=read_by),
         map_name=situation[2] if situation is not None else None if map is None else str(map),
         ego=str(ego),
         generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
-        edits=_names(edit),
+        edits=_names(edit or ()),
     )
     pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
     return Run(where, ego=ego, simulator=simulation.simulator, library=chosen.library or ())
@@ -499,7 +518,7 @@ def explain(
     text: str | Conflict | Situation = "",
     *,
     report: Name | None = None,
-    edit: Names = (),
+    edit: Names | None = None,
     library: Name | None = None,
     embedder: str | None = None,
     language_model: str | None = None,
@@ -515,18 +534,19 @@ def explain(
     Args:
         text: The sentence, a conflict of a report (`conflicts`), or a situation, of which the program is built.
         report: File of a report that tells one conflict, in place of the sentence; of several, see `conflicts`.
-        edit: What is to be another than it says, in words, edit by edit; `Understood.edit` does the same.
+        edit: What is to be another than it says, in words, edit by edit, as in `run`; `Understood.edit` does the same.
         library: Folder of one's own snippets, beside the packaged ones.
         embedder: Who measures wording.
-        language_model: ``openai:MODEL``, ``gguf:FILE``, or ``offline``.
+        language_model: ``openai:MODEL`` or ``gguf:FILE``, which fills a situation from the text; or ``offline``.
         reader: ``facts``, or ``paper`` for the paper's own way, by wording alone, which refuses nothing.
         reading: Which of the readings that are offered is taken whole, from 1.
-        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``.
+        set: Facts beside the text, by name, which are sure: ``{"side": "left"}``; of a situation, stated or filled, by
+            path.
         settings: All other settings; the keywords above come before them.
 
     Raises:
         EditRefused: An edit was not understood.
-        NothingFits: The library cannot serve it.
+        NothingFits: The library cannot serve it, or a language model says that it tells no situation.
     """
     from chatscene.report.understood import understand
 
@@ -535,10 +555,16 @@ def explain(
 
         return explain_stated(stated(text, set))
     settings = settings or Settings()
-    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading, set)
+    chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
+    if _is_filled(text, chosen, edit):
+        from chatscene.report.filled import filled
+        from chatscene.report.stated import explain_stated
+
+        return explain_stated(filled(str(text), chosen, set), chosen.language_model)
+    chosen = _reading(chosen, stated=set)
     if report is not None:
         text = _only_conflict(report, chosen)
-    return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit))
+    return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit or ()))
 
 
 def conflicts(
@@ -1018,9 +1044,9 @@ def _changed(settings: Any, **given: Any) -> Any:
 
 def _reading(
     settings: RetrievalSettings,
-    library: Name | None,
-    embedder: str | None,
-    language_model: str | None,
+    library: Name | None = None,
+    embedder: str | None = None,
+    language_model: str | None = None,
     reader: str | None = None,
     reading: int | None = None,
     stated: Mapping[str, object] | None = None,
@@ -1035,6 +1061,17 @@ def _reading(
         reader=reader,
         reading=reading,
         stated=facts,
+    )
+
+
+def _is_filled(text: object, reading: RetrievalSettings, edit: Names | None) -> bool:
+    """Whether a language model fills a situation from a text; what is edited in words is read as sentences are."""
+    return (
+        isinstance(text, str)
+        and bool(text)
+        and edit is None
+        and reading.language_model != OFFLINE
+        and reading.reader == READERS[0]
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from chatscene import api, runs
 from chatscene.errors import EditRefused, NothingFits
@@ -123,7 +123,8 @@ class Talk:
 
     def _understand(self, text: str, answer: Answer, edits: list[str]) -> Shown:
         try:
-            first = now = api.explain(text, **self._reading, **answer.options())
+            heard = api.explain(text, edit=[], **self._reading, **answer.options())
+            first = now = cast("Understood", heard)  # a sentence that can be edited
         except NothingFits:
             self._asked = text, answer  # one fact may not be enough
             raise

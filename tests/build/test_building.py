@@ -12,7 +12,7 @@ from hypothesis import given, settings
 
 from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
-from chatscene.build.facts import LEFT_OUT, said_in
+from chatscene.build.facts import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting
@@ -22,6 +22,7 @@ from chatscene.program.sample import draw
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import AMOUNTS
+from chatscene.situations.facts import said_in
 from chatscene.situations.form import from_plain
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Speed

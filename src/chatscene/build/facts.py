@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import cast
 
 from chatscene.errors import NotBuilt
-from chatscene.situations.form import to_plain
+from chatscene.situations.facts import said_in, within
 from chatscene.terms.situation import Situation
 
-_NAMES = re.compile(
-    r"(?:^version|^about|^map|^evidence.*|\.id|\.role)$"
-)  # what is no fact, or is one wherever somebody is built
 LEFT_OUT = re.compile(r"^(?:road\.(?:has\.\d+|setting|speed_limit)|contact\.(?:ego|other|happens|striker)|.*\.manner)$")
 """Facts that a scene may lack and still show the conflict: they are told as left out, not refused."""
 
@@ -53,24 +48,4 @@ class Ledger:
         return tuple(f"{path}: {value}" for path, value in left.items())
 
     def _is_built(self, path: str) -> bool:
-        steps = path.split(".")
-        return any(".".join(steps[: i + 1]) in self.built for i in range(len(steps)))
-
-
-def said_in(situation: Situation) -> Iterator[tuple[str, object]]:
-    """Each fact of a situation by its path, others by their ids."""
-    for path, value in _leaves(to_plain(situation), ()):
-        if not _NAMES.search(path):
-            yield path, value
-
-
-def _leaves(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, object]]:
-    if isinstance(value, Mapping):
-        for name, part in cast("Mapping[str, object]", value).items():
-            yield from _leaves(part, (*path, name))
-    elif isinstance(value, Sequence) and not isinstance(value, str):
-        for i, part in enumerate(cast("Sequence[object]", value)):
-            named = cast("Mapping[str, object]", part).get("id", i) if isinstance(part, Mapping) else i
-            yield from _leaves(part, (*path, str(named)))
-    else:
-        yield ".".join(path), value
+        return within(path, self.built)

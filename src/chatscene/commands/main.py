@@ -62,6 +62,8 @@ from chatscene.terms.situation import Situation
 if TYPE_CHECKING:
     from chatscene.api import Run
     from chatscene.learn.train import Trained
+    from chatscene.report.stated import Stated
+    from chatscene.report.understood import Understood
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
 
@@ -248,7 +250,7 @@ def run(
                 program=own,
                 trust=trust,
                 as_written=as_written,
-                edit=edit,
+                edit=edit or None,
                 map=map_name,
                 ego=ego,
                 scenes=scenes,
@@ -667,6 +669,7 @@ def explain(
     chatscene explain --report claim.txt
     """
     from chatscene import api
+    from chatscene.report.understood import Understood
 
     if (text is None) == (report is None):
         raise click.UsageError("say what to explain: a TEXT or --report FILE")
@@ -674,19 +677,26 @@ def explain(
         explain_report(report or Path(), reading, edit=edit, program=show_program, as_json=as_json)
         return
     if (stated := situation_file(text)) is not None:
-        built = api.explain(stated, set=reading["set"])
-        say(json.dumps(built.as_dict(), indent=1) if as_json else str(built))
-        if show_program and not as_json:
-            say(built.as_dict()["program"])
+        _say_stated(api.explain(stated, set=reading["set"]), show_program, as_json)
         return
     with refusing(text, reading["embedder"], as_json):
-        understood = api.explain(text, edit=edit, **reading)
+        understood = api.explain(text, edit=edit or None, **reading)
+    if not isinstance(understood, Understood):
+        _say_stated(understood, show_program, as_json)
+        return
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
         return
     from chatscene.report.terminal import print_understanding
 
     print_understanding(console(), understood, show_program=show_program)
+
+
+def _say_stated(built: Understood | Stated, show_program: bool, as_json: bool) -> None:
+    """Say what becomes of a situation."""
+    say(json.dumps(built.as_dict(), indent=1) if as_json else str(built))
+    if show_program and not as_json:
+        say(built.as_dict()["program"])
 
 
 for command in COMMANDS:

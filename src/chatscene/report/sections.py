@@ -321,6 +321,8 @@ def provenance(record: RunRecord) -> Markup:
         told = record.report
         facts["Report"] = f"{told.name}, conflict {told.number} of {told.of}"
         facts["Left out of the report"] = " … ".join(told.left_out) or "nothing"
+    if record.situation is not None and record.situation.read_by:
+        facts["Read by"] = record.situation.read_by
     if left := _without_option(record):
         facts["Set from Python, as the command has no option for it"] = left
     return fill_section("provenance", command(record), list(facts.items()))

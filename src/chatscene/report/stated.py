@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from chatscene.build.build import Built, build
+from chatscene.read.quotes import left_over, not_in_words
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain, with_fact
 from chatscene.situations.words import told
@@ -21,10 +22,12 @@ class Stated:
     Attributes:
         situation: What was said.
         built: The program, what was assumed and what is left out.
+        reader: Who read it in a text; empty if it was stated.
     """
 
     situation: Situation
     built: Built
+    reader: str = ""
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
@@ -34,6 +37,8 @@ class Stated:
             "map": self.built.map,
             "assumed": list(self.built.assumed),
             "left_out": list(self.built.left_out),
+            "not_read": list(left_over(self.situation)),
+            "reader": self.reader,
             "program": self.built.program.source,
         }
 
@@ -41,6 +46,7 @@ class Stated:
     def told_first(self) -> tuple[str, ...]:
         """What the program has that was not said, and what it lacks, in lines."""
         return (
+            *not_in_words(self.situation),
             *(f"assumed: {one}" for one in self.built.assumed),
             *(f"left out: {one}" for one in self.built.left_out),
         )
@@ -69,10 +75,14 @@ def stated(
     return made
 
 
-def explain_stated(situation: Situation) -> Stated:
+def explain_stated(situation: Situation, reader: str = "") -> Stated:
     """What becomes of a situation.
+
+    Args:
+        situation: What is to happen.
+        reader: Who read it in a text; empty if it was stated.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
     """
-    return Stated(situation=situation, built=build(situation))
+    return Stated(situation=situation, built=build(situation), reader=reader)

@@ -84,10 +84,12 @@ class SituationRecord(_Frozen):
     Attributes:
         name: What it is called.
         text: All of it, in YAML, with the map that it is built on.
+        read_by: The language model that read it in the text by which it is called; empty if it was stated.
     """
 
     name: str
     text: str
+    read_by: str = ""
 
 
 class ReportRecord(_Frozen):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -44,29 +44,31 @@ class CheckedModel:
         """What it has cost so far."""
         return self._spending
 
-    def reply(self, prompt: Prompt, schema: type[Answer]) -> Reply[Answer]:
+    def reply(
+        self, prompt: Prompt, schema: type[Answer], *, check: Callable[[Answer], str] | None = None
+    ) -> Reply[Answer]:
         """Answer from the cache, or ask and ask again with the reason, `Limits.reasks` times.
 
         Raises:
-            LanguageModelError: No reply, none that fits the schema, or none within the budget.
+            LanguageModelError: No reply, none that fits the schema and passes the check, or none within the budget.
         """
         begun, before = time.monotonic(), self._spending
-        wanted, messages = strict_schema(schema), _conversation(prompt)
+        wanted, messages = strict_schema(schema) if prompt.form is None else dict(prompt.form), _conversation(prompt)
         key = question_key(self.identity, messages, wanted)
         kept = read_reply(self._cache, key) if self._cache else None
-        if kept is not None and not isinstance(answer := read_answer(kept, schema), Unusable):
+        if kept is not None and not isinstance(answer := read_answer(kept, schema, check), Unusable):
             self._spending = replace(before, from_cache=before.from_cache + 1)
             return self._reply(answer, before, begun)
         reason = ""
         for _ in range(1 + self._limits.reasks):
             completion = self._call(messages, wanted)
-            answer = read_answer(completion.text, schema)
+            answer = read_answer(completion.text, schema, check)
             if not isinstance(answer, Unusable):
                 if self._cache:
                     write_reply(self._cache, key, completion.text)
                 return self._reply(answer, before, begun)
             reason = _cut_reason(self._limits) if completion.cut else answer.reason
-            messages = [*messages, *_ask_again(completion.text, reason, wanted)]
+            messages = [*messages, *_ask_again(completion.text, reason, wanted if prompt.form is None else None)]
         raise LanguageModelError(
             f"{self.name} gave no usable reply in {1 + self._limits.reasks} attempts; the last one: {reason}. "
             "Try again with a larger model"
@@ -127,8 +129,10 @@ def _conversation(prompt: Prompt) -> list[Message]:
     return [*system, *shots, Message("user", prompt.text)]
 
 
-def _ask_again(text: str, reason: str, schema: JsonSchema) -> tuple[Message, Message]:
-    asked = f"That reply cannot be used: {reason}.\n{instruction(schema)}"
+def _ask_again(text: str, reason: str, schema: JsonSchema | None) -> tuple[Message, Message]:
+    """The reply and what is wrong with it; the schema only where nothing before told it."""
+    wanted = instruction(schema) if schema else "Reply with the whole JSON object again, mended, and nothing else."
+    asked = f"That reply cannot be used: {reason}.\n{wanted}"
     return Message("assistant", text[:_SHOWN_AGAIN] or "(nothing)"), Message("user", asked)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
@@ -37,6 +37,8 @@ class Prompt:
         system: What the model is to do.
         examples: Questions with their replies, shown before the question.
         text: The question itself.
+        form: The JSON schema that a reply is held to, where `system` tells in words what it may say, so that it is not
+            put beside them again; None for that of the answer, with every field written.
 
     Raises:
         SettingsError: The question is empty, or a text cannot be written as UTF-8.
@@ -45,6 +47,7 @@ class Prompt:
     system: str
     text: str
     examples: tuple[Example, ...] = ()
+    form: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
         if not self.text.strip():
@@ -165,8 +168,15 @@ class LanguageModel(Protocol):
         """What it has cost so far."""
         ...
 
-    def reply(self, prompt: Prompt, schema: type[Answer]) -> Reply[Answer]:
+    def reply(
+        self, prompt: Prompt, schema: type[Answer], *, check: Callable[[Answer], str] | None = None
+    ) -> Reply[Answer]:
         """Ask, and validate what comes back.
+
+        Args:
+            prompt: What is asked.
+            schema: What an answer is.
+            check: What else is wrong with one, in words for the model; empty if nothing is.
 
         Raises:
             LanguageModelError: No usable reply, or none within the budget.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ from chatscene.models.language.protocol import Answer
 
 LONGEST_REPLY = 200_000  # characters; no answer we ask for comes near
 _MOST_OBJECTS = 20  # places in a reply at which an answer is looked for
+_LONGEST_REASON = 1000  # characters of why a reply cannot be used
 _NOT_IN_STRICT = ("default", "title")  # words that strict endpoints refuse or that only cost tokens
 
 
@@ -50,8 +51,8 @@ def instruction(schema: JsonSchema) -> str:
     return "Reply with one JSON object and nothing else. It must fit this JSON schema:\n" + json.dumps(schema)
 
 
-def read_answer(text: str, schema: type[Answer]) -> Answer | Unusable:
-    """The first object in a reply that fits `schema`, or why there is none.
+def read_answer(text: str, schema: type[Answer], check: Callable[[Answer], str] | None = None) -> Answer | Unusable:
+    """The first object in a reply that fits `schema` and passes `check`, or why there is none.
 
     Text around it, code fences and a model's thoughts are passed over.
     """
@@ -60,9 +61,13 @@ def read_answer(text: str, schema: type[Answer]) -> Answer | Unusable:
     failure = Unusable("the reply holds no JSON object" if text.strip() else "the reply is empty")
     for candidate in _objects(after_thoughts(text)):
         try:
-            return schema.model_validate_json(candidate)
+            answer = schema.model_validate_json(candidate)
         except ValidationError as error:
             failure = Unusable(_in_words(error))
+            continue
+        if not (wrong := check(answer) if check else ""):
+            return answer
+        failure = Unusable(printable(wrong, _LONGEST_REASON))
     return failure
 
 
@@ -95,7 +100,7 @@ def _in_words(error: ValidationError) -> str:
     """The first faults of a reply, without its contents."""
     faults = error.errors(include_url=False, include_context=False, include_input=False)
     said = [f"{'.'.join(map(str, f['loc'])) or 'the object'}: {f['msg']}" for f in faults[:5]]
-    return printable("; ".join(said), 1000)
+    return printable("; ".join(said), _LONGEST_REASON)
 
 
 def printable(text: str, longest: int) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from chatscene.build.build import Built, build
 from chatscene.build.slots import as_slots
+from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
 from chatscene.settings import RetrievalSettings, SearchSettings
 from chatscene.situations.file import read_text, to_yaml
@@ -63,7 +64,8 @@ class Situated:
         """
         built = _built(scenario.text, scenario.id)
         lost = tuple(f"left out, since nothing builds it yet: {one}" for one in built.left_out)
-        return Written(program=built.program, retrieval=None, left_out=(*built.assumed, *lost))
+        told = (*not_in_words(read_text(scenario.text)), *built.assumed, *lost)
+        return Written(program=built.program, retrieval=None, left_out=told)
 
     def write_again(self, scenario: Scenario, choice: Choice | None, settings: RetrievalSettings) -> ScenicProgram:  # noqa: ARG002
         """The program that is built of it."""

@@ -1,0 +1,172 @@
+"""A reader that asks a language model: it fills a whole situation from a text, in one question.
+
+What it writes is data, and it is held to everything that a situation is held to: its form, its contradictions, the
+text that it quotes, and what the caller can build. What is wrong goes back to it in words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, fields, replace
+from typing import Any, cast, get_args, get_type_hints
+
+from pydantic import BaseModel, ConfigDict
+
+from chatscene.errors import LanguageModelError, SettingsError
+from chatscene.models.language.protocol import LanguageModel, Limits, Prompt
+from chatscene.models.language.structured import printable
+from chatscene.read.decompose import LONGEST
+from chatscene.read.quotes import faults_of_quotes, unread, without_words
+from chatscene.read.situation_prompt import EXAMPLES, form, system
+from chatscene.situations.facts import NO_FACTS
+from chatscene.situations.faults import Fault, Malformed, Path, by_name
+from chatscene.situations.form import parsed
+from chatscene.terms.amount import Amount
+from chatscene.terms.reading import Ranked, SituationReading, Verdict
+from chatscene.terms.situation import Deed, Ego, Evidence, Road, Situation, Start, When
+
+LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
+_LONGEST_REASON = 300  # characters of a model's own words that a message repeats
+_MOST = 20  # road users, how many one stands for, and deeds of one: a text of `LONGEST` characters names fewer
+_NOT_THE_MODELS = NO_FACTS - {"evidence"}  # a map, for one, is a file: nobody but the user names one
+_AMOUNTS = frozenset(
+    one.name
+    for noun in (Ego, Road, Start, Deed, When)
+    for one in fields(noun)
+    if any(isinstance(kind, type) and issubclass(kind, Amount) for kind in get_args(get_type_hints(noun)[one.name]))
+)
+
+
+class Answer(BaseModel):
+    """What a model is asked for; what is wrong with the situation is told with its paths, beside what it is."""
+
+    model_config = ConfigDict(extra="ignore")
+
+    verdict: Verdict
+    reason: str | None = ""
+    situation: dict[str, Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ModelReader:
+    """Reads by a language model; see `chatscene.read.reader.Reader` for the contract.
+
+    Attributes:
+        model: Who is asked.
+        cannot_build: Says why a situation cannot be built; empty if it can.
+    """
+
+    model: LanguageModel
+    cannot_build: Callable[[Situation], str] = lambda _: ""
+
+    @property
+    def name(self) -> str:
+        """That of the model."""
+        return self.model.name
+
+    def read(self, text: str) -> SituationReading:
+        """What a text tells.
+
+        A situation that still cannot be built when the model was told so twice is given as it is: whoever builds it
+        refuses it by its fact.
+
+        Raises:
+            SettingsError: The text is empty or longer than `LONGEST`.
+            LanguageModelError: The model gave no situation that is one; the message names the last faults.
+        """
+        if len(text) > LONGEST:
+            raise SettingsError(f"the text has {len(text)} characters; describe one situation in at most {LONGEST}")
+        sound: list[Situation] = []  # but for what cannot be built, the last one last
+
+        def check(answer: Answer) -> str:
+            if answer.verdict is not Verdict.SITUATION:
+                return "" if (answer.reason or "").strip() else "reason: say in one sentence why it is no situation"
+            try:
+                situation = _situation(answer.situation)
+            except Malformed as error:
+                return "; ".join(
+                    f"{at}: {said}" if at else said for at, said in by_name(answer.situation, error.faults)
+                )
+            if faults := [*_too_much(situation), *faults_of_quotes(situation, text)]:
+                return "; ".join(faults)
+            sound.append(situation)
+            if why := self.cannot_build(situation):
+                return (
+                    f"it cannot be built: {why}. If the text can be told in other words of the form, use those; never "
+                    "leave out or change what the text says: if it needs this fact, the verdict is out-of-reach"
+                )
+            return ""
+
+        asked = Prompt(system=system(), examples=EXAMPLES, text=text, form=form())
+        try:
+            answer = self.model.reply(asked, Answer, check=check).answer
+        except LanguageModelError:
+            if not sound:
+                raise
+            return self._reading(text, sound[-1])
+        if answer.verdict is not Verdict.SITUATION:
+            reason = printable(answer.reason or "", _LONGEST_REASON)
+            return SituationReading(text=text, reader=self.name, verdict=answer.verdict, reason=reason)
+        return self._reading(text, sound[-1])
+
+    def _reading(self, text: str, situation: Situation) -> SituationReading:
+        evidence = Evidence(quoted=situation.evidence.quoted, assumed=without_words(situation))
+        made = replace(situation, about=text, evidence=evidence)
+        return SituationReading(
+            text=text,
+            reader=self.name,
+            verdict=Verdict.SITUATION,
+            ranked=(Ranked(situation=made, probability=1.0),),
+            unread=unread(made, text),
+        )
+
+
+def _situation(written: dict[str, Any] | None) -> Situation:
+    """The situation that a model wrote; null says as little as nothing.
+
+    Raises:
+        Malformed: It is none, or nobody is in it.
+    """
+    if not written:
+        raise Malformed([Fault(("situation",), "is missing")])
+    said = {name: value for name, value in _said(written).items() if name not in _NOT_THE_MODELS}
+    if bare := list(_without_unit(said, ())):
+        raise Malformed(
+            Fault(path, f"{value!r} has no unit; write it as in '50 km/h', '20 m', '2 s'") for path, value in bare
+        )
+    situation = parsed(said)
+    if not situation.others:
+        raise Malformed([Fault(("others",), "nobody is there whom the ego meets; without one there is no situation")])
+    return situation
+
+
+def _said(value: Any) -> Any:
+    """A value without what is null."""
+    if isinstance(value, dict):
+        named = cast("dict[str, Any]", value)
+        return {name: _said(one) for name, one in named.items() if one is not None}
+    return [_said(one) for one in cast("list[Any]", value)] if isinstance(value, list) else value
+
+
+def _without_unit(value: Any, path: Path) -> Iterator[tuple[Path, Any]]:
+    """The amounts that are numbers alone, of which a model thinks in whatever unit the text has."""
+    if isinstance(value, dict):
+        for name, one in cast("dict[str, Any]", value).items():
+            yield from _without_unit(one, (*path, name))
+    elif isinstance(value, list):
+        for i, one in enumerate(cast("list[Any]", value)):
+            yield from _without_unit(one, (*path, i))
+    elif path and path[-1] in _AMOUNTS and "evidence" not in path and not any(c.isalpha() for c in str(value)):
+        yield path, value
+
+
+def _too_much(situation: Situation) -> Iterator[str]:
+    """What is more than any text tells, so that nothing without end is built."""
+    if len(situation.others) > _MOST:
+        yield f"others: {len(situation.others)} are too many; tell at most {_MOST}"
+    for one in situation.others:
+        if one.count > _MOST:
+            yield f"others.{one.id}.count: {one.count} are too many; tell at most {_MOST}, or 0 for several"
+    for who, does in situation.everybody():
+        if len(does) > _MOST:
+            yield f"{who}: {len(does)} deeds are too many; tell at most {_MOST}"

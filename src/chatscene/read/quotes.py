@@ -1,0 +1,91 @@
+"""The words that a situation was read from, held against its text: which are not in it, and which gave no fact."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from chatscene.situations.facts import is_said, said_in, within
+from chatscene.terms.situation import Situation
+
+# The closed classes of English words: alone none of them tells a fact. Negations are not among them.
+_FUNCTION = """
+    a an the this that these those such
+    i me my mine myself we us our ours ourselves you your yours he him his she her hers it its they them their theirs
+    who whom whose which what itself himself herself themselves one
+    am is are was were be been being do does did have has had having will would shall should can could may might must
+    's 'm 're 've 'd 'll
+    and or but so if because although though while when whenever where whereas as than then until till
+    of to in on at by for from with into onto upon about off out up down over through
+    just also too very there here
+"""
+_FUNCTION_WORDS = frozenset(_FUNCTION.split())
+_WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
+_APOSTROPHES = "['\u2019\u2018]"
+
+
+def faults_of_quotes(situation: Situation, text: str) -> Iterator[str]:
+    """What is wrong with the evidence of a situation that was read from a text, in words; nothing if all is well."""
+    evidence = situation.evidence
+    if not evidence.quoted:
+        yield "evidence.quoted is empty; give for each fact its path and the words of the text"
+    for path, words in evidence.quoted.items():
+        if not is_said(situation, path):
+            yield f"evidence.quoted: {path!r} leads to no fact of the situation; write paths as in others.A.kind"
+        if not _spans(words, text):
+            yield f"evidence.quoted.{path}: {words!r} is not in the text; copy its words exactly"
+
+
+def without_words(situation: Situation) -> tuple[str, ...]:
+    """The paths of facts for which no words are quoted."""
+    return tuple(path for path, _ in said_in(situation) if not within(path, situation.evidence.quoted))
+
+
+def unread(situation: Situation, text: str) -> tuple[str, ...]:
+    """The words of a text that are in no quote of a situation, each run of them as it stands, without function words.
+
+    Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
+    """
+    read = bytearray(len(text))
+    for words in situation.evidence.quoted.values():
+        for start, end in _spans(words, text):
+            read[start:end] = b"\1" * (end - start)
+    runs: list[tuple[int, int]] = []
+    open_run = False  # whether all words since the last run are unread and only white space lies between
+    end = 0
+    for word in _WORD.finditer(text):
+        told = all(read[word.start() : word.end()])
+        open_run = open_run and not told and not text[end : word.start()].strip()
+        end = word.end()
+        if told or word[0].lower().replace("\u2019", "'") in _FUNCTION_WORDS:
+            continue
+        if open_run:
+            runs[-1] = (runs[-1][0], end)
+        else:
+            runs.append(word.span())
+        open_run = True
+    return tuple(dict.fromkeys(" ".join(text[start:end].split()) for start, end in runs))
+
+
+def left_over(situation: Situation) -> tuple[str, ...]:
+    """The words that gave no fact, of a situation that is called by the text it was read in; else none."""
+    quoted = situation.evidence.quoted.values()
+    text = situation.about
+    return unread(situation, text) if quoted and all(_spans(words, text) for words in quoted) else ()
+
+
+def not_in_words(situation: Situation) -> tuple[str, ...]:
+    """What a situation lacks of its text, and what it has beyond it, in lines for a person."""
+    over = ", ".join(map(repr, left_over(situation)))
+    facts = ", ".join(f"{path}: {value}" for path, value in said_in(situation) if path in situation.evidence.assumed)
+    return (*([f"not read: {over}"] if over else []), *([f"no words of the text say {facts}"] if facts else []))
+
+
+def _spans(words: str, text: str) -> list[tuple[int, int]]:
+    """Where words stand in a text as whole words, in whatever case, and with whatever white space and apostrophes."""
+    pieces = [re.sub(_APOSTROPHES, _APOSTROPHES, re.escape(piece)) for piece in words.split()]
+    if not pieces:
+        return []
+    begins = r"(?<!\w)" if pieces[0][0].isalnum() else ""
+    ends = r"(?!\w)" if pieces[-1][-1].isalnum() else ""
+    return [found.span() for found in re.finditer(begins + r"\s+".join(pieces) + ends, text, re.IGNORECASE)]
