@@ -359,6 +359,8 @@ def _caught(words: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[str, 
 
 def _other(option: click.Option) -> list[str]:
     """An option with a value that is not its default."""
+    if option.name == "language_model":  # else it is asked at once, and what it read is run as a situation
+        return [option.opts[0], "some 'thing else", "--reader", "paper"]
     if option.is_flag:
         return [option.opts[0]]
     if option.multiple:
