@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from chatscene import runs
 from chatscene.errors import EditRefused, RunError, SettingsError, no_such
@@ -514,7 +514,15 @@ def read_situation(file: Name) -> Situation:
     return stated(_path(file))
 
 
+@overload
+def explain(text: Situation, *, set: Mapping[str, object] | None = None) -> Stated: ...
+@overload
+def explain(text: str | Conflict = "", *, language_model: None = None, **options: Any) -> Understood: ...
+@overload
 def explain(
+    text: str | Conflict | Situation = "", *, language_model: str | None = None, **options: Any
+) -> Understood | Stated: ...
+def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its keywords
     text: str | Conflict | Situation = "",
     *,
     report: Name | None = None,

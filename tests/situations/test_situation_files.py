@@ -88,6 +88,7 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
         ("id: B", "id: ego", "'ego' is no name"),
         ("kind: truck", "kind: cone, hidden_by: D", "there is no 'D' in it, but A, B"),
         ("kind: truck", "kind: truck, hidden_by: B", "nobody hides itself"),
+        ("kind: truck", "kind: truck, count: 1000000000", "is more than 20"),
         ("kind: truck", "kind: truck, count: -1", "-1 is no number of road users"),
         ("act: brake", "act: cut-in", "cut-in has no acceleration, but distance and speed and time"),
         ("act: brake", "act: brake, whom: B", "brake is done to nobody"),

@@ -56,7 +56,8 @@ def _make(path: Path, made: Path, within: int, tell: Any) -> None:
         tell(at=JOINING)  # unless another road follows
         return done
 
-    xodr_parser.Road.calculate_geometry = calculate_geometry
+    road_type: Any = xodr_parser.Road
+    road_type.calculate_geometry = calculate_geometry
     root = network.check_opendrive(path)
     digest = hashlib.blake2b(path.read_bytes()).digest()
 

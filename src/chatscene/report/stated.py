@@ -52,9 +52,9 @@ class Stated:
         )
 
     def __str__(self) -> str:
-        """For a person: the situation in words, what is otherwise than was said, its facts, and its map."""
+        """For a person: what is otherwise than was said, the situation in words, its facts, and its map."""
         words = filter(None, (told(self.situation),))
-        return "\n".join((*words, *self.told_first, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
+        return "\n".join((*self.told_first, *words, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
 
 
 def stated(

@@ -16,6 +16,7 @@ JUNCTIONS = frozenset(
     (RoadKind.JUNCTION, RoadKind.THREE_WAY, RoadKind.FOUR_WAY, RoadKind.ROUNDABOUT, RoadKind.RAIL_CROSSING)
 )
 TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
+MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _MOVING = "drives, rides or walks"
@@ -25,6 +26,8 @@ _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Mov
 def faults_of(situation: Situation) -> Iterator[Fault]:
     """What is wrong in a situation, whatever could be built of it; nothing if all is well."""
     ids = Counter(one.id for one in situation.others)
+    if len(situation.others) > MOST:
+        yield Fault(("others",), f"there are {len(situation.others)} of them, and {MOST} at most")
     for i, one in enumerate(situation.others):
         at: Path = ("others", i)
         if not _NAME.fullmatch(one.id) or one.id == EGO:
@@ -49,6 +52,8 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
 
 
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
+    if one.count > MOST:
+        yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind")
     if one.count < 0:
         yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
     if one.starts.side is not None and not one.starts.where.row.sided:

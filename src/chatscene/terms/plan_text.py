@@ -115,6 +115,10 @@ def _lines(source: str) -> Iterator[_Line]:
         raise SnippetError(f"line {error.args[1][0]}: {error.args[0]}") from error
     except SyntaxError as error:
         raise SnippetError(f"line {error.lineno}: {error.msg}") from error
+    except UnicodeEncodeError as error:  # from Python 3.12 on; before, half a character is a token like others
+        at = next(at for at, sign in enumerate(source) if "\ud800" <= sign <= "\udfff")
+        line = source.count("\n", 0, at) + 1
+        raise SnippetError(f"line {line}: U+{ord(source[at]):04X} is no character") from error
 
 
 def _plan_in(lines: Iterator[_Line]) -> Plan:

@@ -89,7 +89,7 @@ def _lexed(source: str, lines: Sequence[str]) -> tuple[list[str], list[tokenize.
             if token.type == tokenize.COMMENT:
                 row, column = token.start
                 code[row - 1] = lines[row - 1][:column]
-    except (tokenize.TokenError, SyntaxError):
+    except (tokenize.TokenError, SyntaxError, UnicodeError):  # the last from Python 3.12 on, of half a character
         read = tokens[-1].end[0] if tokens else 0
         code[read:] = [line.partition("#")[0] for line in lines[read:]]
     return code, tokens
