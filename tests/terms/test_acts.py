@@ -23,6 +23,7 @@ ELSEWHERE = {
     "library/act_steps.py": "how each is done",
     "library/compose.py": "which is a part of which, and which go together",
     "program/deeds.py": "a test on tracks for each",
+    "build/slots.py": "which act of a situation is which of these",
     "library/plan_check.py": "acts that a plan shows before it is driven",
     "read/parse.py": "which say where somebody starts, or where they lead",
     "read/phrases.py": "what is said before a noun",
