@@ -577,3 +577,37 @@ def test_what_the_ego_is_to_do_in_init_is_noted(beside: Path) -> None:
     aside = '<PrivateAction><LateralAction><LaneOffsetAction continuous="true"/></LateralAction></PrivateAction>'
     text = scenario().replace('<Private entityRef="ego">', f'<Private entityRef="ego">{aside}')
     assert any("what the ego does is left to the ego under test" in note for note in read(beside, text).notes)
+
+
+DECLARED = '<ParameterDeclaration name="{}" parameterType="double" value="{}"/>'
+
+
+def declaring(*parameters: tuple[str, str]) -> str:
+    """A scenario in which somebody slows down to $mps, with these parameters."""
+    text = scenario(events=event(speeds_to("$mps")))
+    return text.replace(
+        "<ParameterDeclarations>", "<ParameterDeclarations>" + "".join(DECLARED.format(*one) for one in parameters)
+    )
+
+
+def test_the_value_of_a_parameter_may_be_an_expression_of_others(beside: Path) -> None:
+    by_number = plan(beside, declaring(("mps", "5")))
+    assert plan(beside, declaring(("kph", "18"), ("factor", "3.6"), ("mps", "${$kph/$factor}"))) == by_number
+
+
+@pytest.mark.parametrize(
+    ("parameters", "told"),
+    [
+        ((("kph", "${$mps*3.6}"), ("mps", "${$kph/3.6}")), r"\$mps is an expression of itself"),
+        ((("mps", "${$kph/3.6}"),), r"it speaks of \$kph, which the file does not declare"),
+        (
+            (("p0", "1"), *((f"p{i + 1}", f"${{$p{i} + $p{i}}}") for i in range(14)), ("mps", "$p14")),
+            "is longer than 4000 characters with its parameters",
+        ),
+    ],
+)
+def test_a_parameter_of_itself_of_nothing_or_without_end_is_refused(
+    parameters: tuple[tuple[str, str], ...], told: str, beside: Path
+) -> None:
+    with pytest.raises(ScenarioError, match=told):
+        read(beside, declaring(*parameters))

@@ -16,6 +16,7 @@ from chatscene.terms.snippet import ParameterRange
 from chatscene.terms.sums import Sum, number, sum_of, valued
 
 REPORTED = 20  # refusals in one message
+MOST_CHARACTERS = 4_000  # of an expression with its parameters: each may name another twice
 _REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
 _RANGED = frozenset(("double", "int", "integer", "unsignedInt", "unsignedShort"))
 _LOWER, _UPPER = frozenset(("greaterOrEqual", "greaterThan")), frozenset(("lessOrEqual", "lessThan"))
@@ -95,9 +96,8 @@ class Given:
         written = written.strip()
         if not written.startswith("$"):
             return number(self._float(element, written))
-        inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
         try:
-            expression = parse_expression(_REFERENCE.sub(lambda one: self._spelled(element, one[1]), inner))
+            expression = parse_expression(self._filled(element, written, ()))
             found = sum_of(expression)
         except (SnippetError, ZeroDivisionError) as error:
             raise Refused(element, f"{written[:60]!r} is no number that can be said here ({error})") from error
@@ -112,12 +112,25 @@ class Given:
         ends = [[(r.name, r.low), (r.name, r.high)] for r in self.ranges.values() if r.name in read]
         return min(valued(expression, dict(corner)) for corner in product(*ends))
 
-    def _spelled(self, element: Element, name: str) -> str:
+    def _filled(self, element: Element, written: str, within: tuple[str, ...]) -> str:
+        """An expression with what each parameter stands for, which may be an expression of others."""
+        inner = written[2:-1] if written.startswith("${") and written.endswith("}") else written
+        filled = _REFERENCE.sub(lambda one: self._spelled(element, one[1], within), inner)
+        if len(filled) > MOST_CHARACTERS:
+            raise Refused(element, f"{written[:40]!r} is longer than {MOST_CHARACTERS} characters with its parameters")
+        return filled
+
+    def _spelled(self, element: Element, name: str, within: tuple[str, ...]) -> str:
         if name in self.ranges:
             return f"{PARAMETERS}.{self.ranges[name].name}"
         if name not in self.values:
             raise Refused(element, f"it speaks of ${name}, which the file does not declare")
-        return f"({self._float(element, self.values[name])!r})"
+        if name in within:
+            raise Refused(element, f"${name} is an expression of itself")
+        value = self.values[name].strip()
+        if value.startswith("$"):
+            return f"({self._filled(element, value, (*within, name))})"
+        return f"({self._float(element, value)!r})"
 
     def number(self, element: Element, name: str, default: str | None = None) -> float:
         """The number that an attribute says, which may not vary."""
