@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import re
 import shlex
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import click
 
 from chatscene.commands.main import main
+from chatscene.errors import MapError
 
 _BLOCK = re.compile(r"(?:^<!-- (not run|file): (.*?) -->\n)?^```(\w+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 _SHELLS = ("console", "bash")
@@ -83,7 +85,8 @@ def check_options(command: str) -> None:
             raise click.UsageError(f"no command {verb!r}")
         if not isinstance(found, click.Group):
             try:
-                found.make_context(verb, words, parent=context)
+                with suppress(MapError):  # its map is one of whoever follows the page
+                    found.make_context(verb, words, parent=context)
             except click.BadParameter as error:
                 if "does not exist" not in error.message:  # a file of whoever follows the page
                     raise

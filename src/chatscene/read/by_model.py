@@ -27,7 +27,6 @@ from chatscene.terms.situation import Deed, Ego, Evidence, Road, Situation, Star
 
 LIMITS = Limits(reply_tokens=2048)  # a situation of four road users with three deeds each has some 1,500
 _LONGEST_REASON = 300  # characters of a model's own words that a message repeats
-_MOST = 20  # road users, how many one stands for, and deeds of one: a text of `LONGEST` characters names fewer
 _NOT_THE_MODELS = NO_FACTS - {"evidence"}  # a map, for one, is a file: nobody but the user names one
 _AMOUNTS = frozenset(
     one.name
@@ -87,7 +86,7 @@ class ModelReader:
                 return "; ".join(
                     f"{at}: {said}" if at else said for at, said in by_name(answer.situation, error.faults)
                 )
-            if faults := [*_too_much(situation), *faults_of_quotes(situation, text)]:
+            if faults := list(faults_of_quotes(situation, text)):
                 return "; ".join(faults)
             sound.append(situation)
             if why := self.cannot_build(situation):
@@ -158,15 +157,3 @@ def _without_unit(value: Any, path: Path) -> Iterator[tuple[Path, Any]]:
             yield from _without_unit(one, (*path, i))
     elif path and path[-1] in _AMOUNTS and "evidence" not in path and not any(c.isalpha() for c in str(value)):
         yield path, value
-
-
-def _too_much(situation: Situation) -> Iterator[str]:
-    """What is more than any text tells, so that nothing without end is built."""
-    if len(situation.others) > _MOST:
-        yield f"others: {len(situation.others)} are too many; tell at most {_MOST}"
-    for one in situation.others:
-        if one.count > _MOST:
-            yield f"others.{one.id}.count: {one.count} are too many; tell at most {_MOST}, or 0 for several"
-    for who, does in situation.everybody():
-        if len(does) > _MOST:
-            yield f"{who}: {len(does)} deeds are too many; tell at most {_MOST}"

@@ -26,8 +26,7 @@ _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Mov
 def faults_of(situation: Situation) -> Iterator[Fault]:
     """What is wrong in a situation, whatever could be built of it; nothing if all is well."""
     ids = Counter(one.id for one in situation.others)
-    if len(situation.others) > MOST:
-        yield Fault(("others",), f"there are {len(situation.others)} of them, and {MOST} at most")
+    yield from _too_many(situation)
     for i, one in enumerate(situation.others):
         at: Path = ("others", i)
         if not _NAME.fullmatch(one.id) or one.id == EGO:
@@ -51,9 +50,20 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
         yield from _somebody(situation, contact.whom, ("contact", "whom"), ego=False)
 
 
+def _too_many(situation: Situation) -> Iterator[Fault]:
+    """What is more than anybody means, so that nothing without end is built."""
+    if len(situation.others) > MOST:
+        yield Fault(("others",), f"there are {len(situation.others)} of them, and {MOST} at most")
+    for who, does in situation.everybody():
+        if len(does) > MOST:
+            yield Fault(
+                ("ego", "does") if who == EGO else ("others", who, "does"), f"{len(does)} deeds are more than {MOST}"
+            )
+
+
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
     if one.count > MOST:
-        yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind")
+        yield Fault((*at, "count"), f"{one.count} is more than {MOST}, the most of a kind; 0 is several")
     if one.count < 0:
         yield Fault((*at, "count"), f"{one.count} is no number of road users; 0 is several")
     if one.starts.side is not None and not one.starts.where.row.sided:
