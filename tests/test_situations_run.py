@@ -12,7 +12,7 @@ from click.testing import CliRunner
 import chatscene
 from chatscene import runs
 from chatscene.commands.main import main
-from chatscene.errors import EditRefused, NotBuilt, SituationError
+from chatscene.errors import EditRefused, NotBuilt, RunError, SituationError
 from chatscene.report.sections import command
 from chatscene.report.stated import Stated
 from chatscene.runs import read_record
@@ -145,3 +145,9 @@ def test_a_fault_of_a_file_ends_the_command_with_its_line(tmp_path: Path) -> Non
 
 def test_the_command_schema_prints_the_schema() -> None:
     assert json.loads(CliRunner().invoke(main, ["schema"]).stdout) == schema()
+
+
+def test_another_situation_does_not_go_on_in_the_folder_of_one(finished: Path) -> None:
+    other = chatscene.read_situation(finished / "van.yaml")
+    with pytest.raises(RunError, match="situation"):
+        chatscene.run(other, finished / "run", scenes=4, set={"others.A.kind": "truck"})

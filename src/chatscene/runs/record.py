@@ -272,7 +272,7 @@ class RunRecord(MapRecord):
     @classmethod
     def asked(cls) -> frozenset[str]:
         """The fields that say what was asked for."""
-        return super().asked() | {"edits"}
+        return super().asked() | {"edits", "situation"}
 
     @property
     def ego(self) -> str:
