@@ -230,7 +230,7 @@ class Desk:
             MapError: The map has no such place.
         """
         settings, generator, simulator = self._common.settings, self._generator, self._simulator
-        progress("understanding the sentence", 0, 0)
+        progress("understanding what was said", 0, 0)
         scenario = scenario_of(record, generator)
         keep(scenario, None)
         written = generator.write(scenario, settings.retrieval)
