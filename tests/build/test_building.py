@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -23,15 +24,17 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import AMOUNTS
 from chatscene.situations.facts import said_in
-from chatscene.situations.form import from_plain
+from chatscene.situations.form import from_plain, with_fact
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Speed
 from chatscene.terms.episode import Episode, Role
+from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Where
 from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.testing.simulators import differences
+from chatscene.world.places import secondsTo
 from drawn import situations
 from places import TESTS
 
@@ -161,10 +164,21 @@ def test_a_fact_that_cannot_be_built_is_refused_by_its_path(changed: dict[str, A
 def test_what_was_not_said_and_had_to_be_something_is_told() -> None:
     assert built("a van ahead in the next lane, side unsaid, cuts in").assumed == (
         "A is on the right, which was not said",
+        "the ego wants 28 km/h, which was not said",
         "A is a car, since nothing is built as a van",
     )
     several = built("we turn left, people cross the road we turn into").assumed
-    assert several == ("of A there are 3, since their number was not said",)
+    assert several[-1] == "of A there are 3, since their number was not said"
+
+
+def test_others_are_timed_by_the_speed_that_the_ego_wants() -> None:
+    name = "we turn right, a cyclist beside us goes straight on"
+    assert "with wantedSpeed 7.8" in built(name).program.source
+    for speed, wanted in (("50 km/h", 50 / 3.6), (None, 7.8)):
+        source = build(with_fact(situation("a cyclist crosses when we are 4 s away"), "ego.speed", speed)).program
+        assert source.wanted_speed == pytest.approx(wanted, abs=0.01)
+    ego = SimpleNamespace(wantedSpeed=10.0, pose=(0.0, 0.0, 0.0, 10.0))
+    assert secondsTo(Polyline([(0.0, 0.0), (100.0, 0.0)]), ego, 50.0) == pytest.approx(5.0)
 
 
 def test_the_same_situation_is_the_same_program() -> None:

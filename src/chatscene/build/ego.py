@@ -41,11 +41,12 @@ def ego_of(ledger: Ledger, found: Found) -> BuiltEgo:
     situation = ledger.situation
     ego, junction = situation.ego, at_junction(situation)
     speed = NOMINAL.speed
-    wanted = ""
     if ego.speed is not None:
         speed = ego.speed.high if ego.speed.high < float("inf") else ego.speed.low
         ledger.take("ego.speed")
-        wanted = f", with wantedSpeed {speed:.4g}"
+    else:  # others are timed by it, so that it is wanted of every ego
+        ledger.assume(f"the ego wants {3.6 * speed:.0f} km/h, which was not said")
+    wanted = f", with wantedSpeed {speed:.4g}"
     stop = found.route.eventAt - (LINE if junction else 0.0)
     orders = list(_orders(ledger, ego.does, stop, speed))
     stands = bool(ego.does) and ego.does[0].act is Act.STAND

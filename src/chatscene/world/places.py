@@ -24,7 +24,7 @@ from chatscene.maps.neighbours import neighbour_line, opposes, section_beside
 from chatscene.maps.onward import route_through
 from chatscene.maps.routes import CrossingPath, conflicting_paths, find_routes, from_line
 from chatscene.terms.actors import LIMITS, kind_of
-from chatscene.terms.pace import NOMINAL
+from chatscene.terms.pace import Pace
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.route import Route, RouteQuery
 from chatscene.terms.scenario import Control, Maneuver, Place, Site
@@ -434,8 +434,9 @@ def unplaced() -> Vector:
 
 def secondsTo(path: Any, agent: Any, to: float) -> float:  # noqa: N802
     """How long [s] an ego that nothing holds needs until arc length `to`, by the pace of such egos; below 0 past it."""
-    missing = max(0.0, NOMINAL.speed - agent.pose[3])
-    return distanceLeft(path, agent, to) / NOMINAL.speed + missing * missing * NOMINAL.loss
+    pace = Pace.of(agent)
+    missing = max(0.0, pace.speed - agent.pose[3])
+    return distanceLeft(path, agent, to) / pace.speed + missing * missing * pace.loss
 
 
 def brakingDistance(agent: Any) -> float:  # noqa: N802

@@ -9,7 +9,7 @@ from typing import Any
 
 from chatscene.simulate.native.engine import STACK, Code, Instruction
 from chatscene.terms.actors import LIMITS, kind_of
-from chatscene.terms.pace import NOMINAL
+from chatscene.terms.pace import Pace
 from chatscene.terms.plan import (
     FUNCTIONS,
     AnyOf,
@@ -370,11 +370,12 @@ class Compiler:
 
     def _seconds(self, path: Expression, actor: Expression, to: Expression) -> int:
         """As `chatscene.world.places.secondsTo` computes it, operation by operation."""
+        pace = Pace.of(self.value(actor))
         left = Call("distanceLeft", (path, actor, to))
-        missing = Call("max", (Number(0.0), Arithmetic("-", Number(NOMINAL.speed), Call("speed", (actor,)))))
+        missing = Call("max", (Number(0.0), Arithmetic("-", Number(pace.speed), Call("speed", (actor,)))))
         square = Arithmetic("*", missing, missing)
-        late = Arithmetic("*", square, Number(NOMINAL.loss))
-        return self._emit(Arithmetic("+", Arithmetic("/", left, Number(NOMINAL.speed)), late))
+        late = Arithmetic("*", square, Number(pace.loss))
+        return self._emit(Arithmetic("+", Arithmetic("/", left, Number(pace.speed)), late))
 
     def _braked(self, actor: Expression) -> None:
         index = self.actor(actor)
