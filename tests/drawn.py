@@ -49,21 +49,28 @@ def maybe(what: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
 
 
 @st.composite
-def amounts(draw: st.DrawFn, kind: type[Amount]) -> Amount:
+def amounts(draw: st.DrawFn, kind: type[Amount], of_ego: bool = False) -> Amount:
     """One as people say it."""
     unit = draw(st.sampled_from([unit for unit in kind.UNITS if unit]))
     low, more = draw(st.integers(1, 90)), draw(st.sampled_from((0, 0, 5)))
     number = f"{low} to {low + more}" if more else str(low)
     bound = "" if more else draw(st.sampled_from(("", "", "at most ", "at least ")))
-    than = draw(st.sampled_from(("", "", " more than the ego", " less than the ego"))) if not bound else ""
+    than = draw(st.sampled_from(("", "", " more than the ego", " less than the ego"))) if not (bound or of_ego) else ""
     return kind.of(f"{bound}{number} {unit}{than}")
 
 
 @st.composite
-def deeds(draw: st.DrawFn, acts: list[Act], earlier: list[str], whom: list[str], breaches: list[Breach]) -> Deed:
+def deeds(
+    draw: st.DrawFn,
+    acts: list[Act],
+    earlier: list[str],
+    whom: list[str],
+    breaches: list[Breach],
+    of_ego: bool = False,
+) -> Deed:
     """What somebody does who can do some acts, perhaps to some, and after or while something that was done earlier."""
     act = draw(st.sampled_from(acts))
-    said = {name: draw(maybe(amounts(_KINDS_OF_AMOUNT[name]))) for name in sorted(act.row.takes)}
+    said = {name: draw(maybe(amounts(_KINDS_OF_AMOUNT[name], of_ego))) for name in sorted(act.row.takes)}
     when = None
     if draw(st.booleans()):
         names = maybe(st.sampled_from(earlier)) if earlier else st.none()
@@ -102,7 +109,7 @@ def situations(draw: st.DrawFn) -> Situation:
     earlier: list[str] = []
     lit = road.control in (None, RightOfWay.SIGNAL)
     breaches = [one for one in Breach if lit or one is not Breach.RED_LIGHT]
-    own = draw(st.lists(deeds([act for act in Act if act.row.ego], [], [], breaches), max_size=2))
+    own = draw(st.lists(deeds([act for act in Act if act.row.ego], [], [], breaches, of_ego=True), max_size=2))
     earlier += [f"ego.{i}" for i in range(len(own))]
     others: list[Other] = []
     for name in "ABC"[: draw(st.integers(0, 3))]:
@@ -140,7 +147,9 @@ def situations(draw: st.DrawFn) -> Situation:
         surface=maybe(st.sampled_from(Surface)),
     )
     return Situation(
-        ego=Ego(route=draw(maybe(st.sampled_from(routes))), speed=draw(maybe(amounts(Speed))), does=tuple(own)),
+        ego=Ego(
+            route=draw(maybe(st.sampled_from(routes))), speed=draw(maybe(amounts(Speed, of_ego=True))), does=tuple(own)
+        ),
         road=road,
         others=tuple(others),
         contact=draw(maybe(contact)),

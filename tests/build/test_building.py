@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import yaml
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
@@ -17,13 +18,14 @@ from chatscene.build.facts import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import MapError, NotBuilt, SituationError
 from chatscene.maps.network import resolve_map
 from chatscene.program.sample import draw
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import AMOUNTS
 from chatscene.situations.facts import said_in
+from chatscene.situations.file import read_text
 from chatscene.situations.form import from_plain, with_fact
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Speed
@@ -31,7 +33,7 @@ from chatscene.terms.episode import Episode, Role
 from chatscene.terms.polyline import Polyline
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Situation
-from chatscene.terms.vocabulary import Where
+from chatscene.terms.vocabulary import Act, Where
 from chatscene.terms.written_plans import WrittenPlan, written_plans
 from chatscene.testing.simulators import differences
 from chatscene.world.places import secondsTo
@@ -70,9 +72,9 @@ def drive(one: Built, by: str = "native", seed: int = 1, ego: str = "idm") -> Ep
     return simulate(simulator(one.map, by), one.program, scene, driver)
 
 
-def ahead(deed: dict[str, Any]) -> dict[str, Any]:
+def ahead(*deeds: dict[str, Any]) -> dict[str, Any]:
     """A car ahead that does something."""
-    return {"others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": [deed]}]}
+    return {"others": [{"id": "A", "kind": "car", "starts": {"where": "ahead"}, "does": list(deeds)}]}
 
 
 @pytest.mark.parametrize("name", WRITTEN)
@@ -201,3 +203,70 @@ def test_of_whatever_can_be_said_each_fact_is_built_or_left_out_with_a_word_or_r
         assert isinstance(plan, WrittenPlan), (behavior, plan)
     read = set(re.findall(r"globalParameters\.(\w+)", one.program.source))
     assert read == {parameter.name for parameter in one.program.parameters}
+
+
+FACTS: tuple[tuple[str, object], ...] = (
+    ("starts.distance", "57 m"),
+    ("starts.speed", "2.2 m/s"),
+    ("starts.facing", "against"),
+    ("does.0.manner", "fast"),
+    ("does.0.manner", "hard"),
+    ("does.0.speed", "2.1 m/s"),
+    ("does.0.acceleration", "2.1 m/s²"),
+    ("does.0.distance", "4.4 m"),
+    ("does.0.time", "3.3 s"),
+    ("does.0.to", "right"),
+    ("does.0.when", {"ego_within": "21 m"}),
+    ("does.0.when", {"ego_within": "2.7 s"}),
+)
+
+
+@given(
+    st.sampled_from(("car", "bicycle", "pedestrian")),
+    st.sampled_from(Where),
+    st.sampled_from(Act),
+    st.sampled_from(FACTS),
+)
+@settings(max_examples=150, deadline=None)
+def test_a_fact_more_is_another_program_or_is_left_out_with_a_word_or_refused(
+    kind: str, where: Where, act: Act, fact: tuple[str, object]
+) -> None:
+    path, value = fact
+    start: dict[str, str] = {"where": where, **({"side": "right"} if where.row.sided else {})}
+    plain = {"others": [{"id": "A", "kind": kind, "starts": start, "does": [{"act": act}]}]}
+    try:
+        said = from_plain(plain)
+        without, with_it = build(said), build(with_fact(said, f"others.A.{path}", value))
+    except (NotBuilt, MapError, SituationError):
+        return
+    assert with_it.program.source != without.program.source or with_it.left_out
+
+
+CAR = "others: [{id: A, kind: car, starts: {where: "
+
+
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("ego: {route: bypass}\nroad: {two_way: false}\n" + CAR + "oncoming}}]", "road.two_way: False"),
+        (
+            "contact: {whom: B}\n" + CAR + "ahead}}, {id: B, kind: car, role: supporting, starts: {where: behind}}]",
+            "contact.whom: B",
+        ),
+        (
+            CAR + "ahead}, does: [{act: brake, when: {after: A.1}}, {act: go-along}]}]",
+            "others.A.does.0.when.after: A.1",
+        ),
+        (
+            "road: {kind: four-way, control: signal}\n"
+            + CAR
+            + "arm, side: left}, does: [{act: go-straight, breaks: stop-sign}]}]",
+            "others.A.does.0.breaks: stop-sign",
+        ),
+        (CAR + "arm, side: left, speed: 36 km/h}, does: [{act: go-straight}]}]", "others.A.starts.speed: 36 km/h"),
+    ],
+)
+def test_a_fact_that_the_program_would_not_have_is_refused(written: str, told: str) -> None:
+    with pytest.raises(NotBuilt) as refused:
+        build(read_text(written))
+    assert told in str(refused.value)

@@ -15,13 +15,14 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.actors import LIMITS, AdversaryKind, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, When
-from chatscene.terms.vocabulary import Act, Breach, Facing, Manner, Role, Side, Striker, UserKind, Where
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, Facing, Manner, Role, Side, Striker, UserKind, Where
 
 LEAST = 0.64  # of the ego's speed that whoever keeps its distance goes on at: else both slow down for each other
 SOME = 3  # of a group whose size was not said
 _STEP = 0.1  # [s], in which setting off is computed
 NEAR_LANE = 2.5  # [m] from the ego's line: so near it is seen that somebody means to cross
 _ON_ITS_WAY = frozenset((Act.SLOW_DOWN, Act.HESITATE, Act.ACCELERATE, Act.TURN_BACK, Act.U_TURN))
+_PACES: dict[Manner | None, str] = {Manner.SLOW: "SLOW", Manner.FAST: "FAST"}
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _QUIET = frozenset((Act.STAND, Act.STOP))
 _SEEN = {
@@ -67,7 +68,9 @@ class Actor:
         self.deeds = self.one.does
         self.named = {}
         at = f"others.{self.one.id}"
-        self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts", f"{at}.hidden_by")
+        self.ledger.take(f"{at}.kind", f"{at}.count", f"{at}.starts.where", f"{at}.starts.side")
+        if self.stand.faces:
+            self.ledger.take(f"{at}.starts.facing")
         if self.one.kind.row.stands_in:
             self.ledger.assume(f"{self.one.id} is a {row.scenic.lower()}, since nothing is built as a {self.one.kind}")
         if self.one.count == SEVERAL:
@@ -103,13 +106,12 @@ class Actor:
 
     def _bind(self) -> None:
         numbers = self.numbers
-        manners = {deed.manner for deed in self.deeds}
-        for manner, name in ((Manner.SLOW, "SLOW"), (Manner.FAST, "FAST")):
-            if manner in manners:
-                low, high, *_ = numbers.ranges[name]
-                numbers.narrow("SPEED", low, high)
-        if self.one.starts.speed is not None and not stands_first(self.one):
-            numbers.bind("SPEED", self.one.starts.speed, self.ego_speed)
+        if (paces := {deed.manner for deed in self.deeds if deed.manner in _PACES}) and len(paces) == 1:
+            low, high, *_ = numbers.ranges[_PACES[paces.pop()]]
+            numbers.narrow("SPEED", low, high)
+        start = self.one.starts.speed
+        if start is not None and not stands_first(self.one):
+            numbers.bind("SPEED", start, self.ego_speed)
         if any(deed.act is Act.SLOW_DOWN for deed in self.deeds):  # to what is seen to be slower than before
             before, *_ = numbers.ranges["SPEED"]
             numbers.narrow("SLOW", 0.3 * before, 0.6 * before)
@@ -133,17 +135,22 @@ class Actor:
     def _of_deed(self, k: int, text: str, steps: Steps) -> str:
         """A phase of a deed, with the numbers that were said of that deed and of no other."""
         deed = self.deeds[k]
+        at = f"{self.path}.does.{k}"
         for amount, name in steps.binds.items():
             if (said := getattr(deed, amount)) is not None:
                 own = name if name == "SPEED" and self._one_speed() else f"{name}_{k}"
-                self.numbers.bind(own, said, self.ego_speed)
-                text = re.sub(rf"\${name}(?![A-Z0-9_])", f"${own}", text)
-                self.ledger.take(f"{self.path}.does.{k}.{amount}")
-        firm = FIRM.get(deed.manner) if deed.manner and deed.act in (Act.BRAKE, Act.STOP) else None
-        if firm is not None and deed.acceleration is None:
-            self.numbers.narrow("BRAKE", firm, 1.0)
-        if firm is not None or deed.manner in (Manner.SLOW, Manner.FAST):
-            self.ledger.take(f"{self.path}.does.{k}.manner")
+                self.numbers.bind(own, said, self.ego_speed, f"{at}.{amount}")
+                text = _renamed(text, name, own)
+        if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
+            self.numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
+            text = _renamed(text, "BRAKE", f"BRAKE_{k}")
+            self.ledger.take(f"{at}.manner")
+        if deed.manner in _PACES and deed.speed is None and "$SPEED" in text:
+            if len({one.manner for one in self.deeds if one.manner in _PACES}) > 1:
+                low, high, *_ = self.numbers.ranges[_PACES[deed.manner]]
+                self.numbers.narrow(f"SPEED_{k}", low, high)
+                text = _renamed(text, "SPEED", f"SPEED_{k}")
+            self.ledger.take(f"{at}.manner")
         return text
 
     def _one_speed(self) -> bool:
@@ -164,9 +171,18 @@ class Actor:
         return tuple(self.filled(text) for text in phases)
 
     def _breaks(self, deed: Deed) -> bool:
-        """Whether the rule that is broken is: who comes through a junction heeds neither light nor sign."""
-        red = deed.breaks is Breach.RED_LIGHT and self.found.query.get("control") != "signal"
-        return deed.breaks is not None and self.stand.meets in (Meets.THROUGH, Meets.ACROSS) and not red
+        """Whether the rule that is broken is there, and is broken by what is done."""
+        moves = self.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in _QUIET | {Act.HESITATE}
+        control = self.found.query.get("control")
+        match deed.breaks:
+            case Breach.RED_LIGHT:
+                with_us = self.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
+                red = (self.ledger.situation.road.ego_light is EgoLight.RED) == with_us
+                return moves and control == "signal" and (red or with_us)
+            case Breach.STOP_SIGN:
+                return moves and control == "stop-sign"
+            case _:
+                return moves
 
     def _steps(self, deed: Deed) -> Steps:
         table = steps_for(self.stand.meets, walks=self.walks, beside=self.one.starts.where in NEXT_LANE)
@@ -205,8 +221,9 @@ class Actor:
                 meanwhile = GO.replace("{p}", way)
 
     def _of(self, k: int, steps: Steps, way: str | None, *, last: bool, go: str = "") -> Iterator[str]:
-        phases = steps.last if last and steps.last else steps.does
-        if last and not steps.last and go:
+        ends = last and bool(steps.last) and self.deeds[k].time is None
+        phases = steps.last if ends else steps.does
+        if last and not ends and go:
             own = steps.way or way
             phases = (*phases, GO.replace("{p}", own) if own and self.stand.meets is not Meets.ACROSS else go)
         deed = self.deeds[k]
@@ -218,7 +235,8 @@ class Actor:
             said = self._of_deed(k, text, steps)
             yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
         if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
-            self.named["side"] = str(deed.to)
+            if self.named.setdefault("side", str(deed.to)) != str(deed.to):
+                raise NotBuilt(f"nothing builds yet: {self.path}.does.{k}.to: {deed.to}, after the other side")
             self.ledger.take(f"{self.path}.does.{k}.to")
         if deed.whom == EGO:
             self.ledger.take(f"{self.path}.does.{k}.whom")
@@ -312,7 +330,7 @@ class Actor:
         for name, reference in (("after", when.after), ("during", when.during)):
             if reference is None:
                 continue
-            if condition := self._seen(reference, during=name == "during"):
+            if condition := self._seen(k, name, reference):
                 yield f"{meanwhile} until {condition}"
             self.ledger.take(f"{at}.{name}")
         if when.ego_within is not None:
@@ -320,28 +338,28 @@ class Actor:
             unit = when.ego_within.QUANTITY
             near = f"NEAR_{k}"
             least = low if low > 0 else high
-            self.numbers.ranges[near] = (
-                max(least, 0.0),
-                high if high < float("inf") else least,
-                "s" if unit == "duration" else "m",
-                "how near the ego is when it acts",
+            most = high if high < float("inf") else least
+            of = "s" if unit == "duration" else "m"
+            self.numbers.measure(
+                near, max(least, 0.0), most, of, "how near the ego is when it acts", f"{at}.ego_within"
             )
             there = (
                 "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])" if unit == "duration" else "gap(self, ego)"
             )
             yield f"{meanwhile} until {there} < ${near}"
-            self.ledger.take(f"{at}.ego_within")
 
-    def _seen(self, reference: str, *, during: bool) -> str:
-        """What shows that a deed of somebody has begun, or is done; empty where it goes without a condition."""
+    def _seen(self, k: int, name: str, reference: str) -> str:
+        """What shows that a deed of somebody is done, or goes on; empty for a deed of its own before this one."""
         who, _, _ = reference.partition(".")
-        if who == self.one.id:
-            return ""  # its own deeds come one after the other
         deed = self.ledger.situation.deed(reference)
+        if who == self.one.id:
+            if name == "after" and any(deed is earlier for earlier in self.deeds[:k]):
+                return ""  # its own deeds come one after the other
+            raise NotBuilt(f"nothing builds yet: {self.path}.does.{k}.when.{name}: {reference}, of its own")
+        if who == EGO and name == "during" and deed.act.row.lasting and len(self.ledger.situation.ego.does) == 1:
+            return ""  # what the ego does all the time
         if deed.act not in _SEEN:
-            if during:
-                return ""
-            raise NotBuilt(f"nothing builds yet: a deed that begins after {who} did {deed.act}")
+            raise NotBuilt(f"nothing builds yet: {self.path}.does.{k}.when.{name}: {reference}, which is {deed.act}")
         seen = _SEEN[deed.act].format(who=who if who == EGO else name_of(who))
         return f"{seen} and progressOn(egoRoute, ego)[0] > 4" if who == EGO and deed.act in _QUIET else seen
 
@@ -380,6 +398,9 @@ class Actor:
             said = f"{one if n == 0 else f'{one}_{n}'} = new {cls} at {place}, facing {facing}"
             said += f", with label '{self.one.id}'" + self._role()
             lines.append(said + self._moving(phases) + (f", with behavior Does{one}()" if phases else ""))
+        if self.one.starts.speed is not None and self.one.starts.speed.high <= 0.0:
+            self.ledger.take(f"{self.path}.starts.speed")  # it stands
+        self.ledger.take(*self.numbers.built())
         return [f"## {self.one.id}: {self.said()}", *lines]
 
     def _moving(self, phases: Sequence[str]) -> str:
@@ -391,6 +412,8 @@ class Actor:
             or phases[0].startswith("DrivePath")
             or not self.one.kind.row.body.row.motorised
         )
+        if self.one.starts.speed is not None:
+            self.ledger.take(f"{self.path}.starts.speed")
         return self.filled(", with speed $SPEED") if own else f", with speed {self.ego_speed:g}"
 
     def _role(self) -> str:
@@ -405,7 +428,7 @@ class Actor:
             aside = f" + {1.3 * ((n + 1) // 2) * (-1 if n % 2 else 1):g}" if n else ""
             point, facing = (text.replace("level{i}", f"level{{i}}{aside}") for text in (stand.point, stand.facing))
             return self.filled(point), self.filled(facing)
-        sign = "+" if stand.meets is Meets.ALONG and stands_first(self.one) else "-"
+        sign = "+" if stand.meets is Meets.ALONG and not stand.behind else "-"  # away from the ego
         at = self.filled(stand.at) + (f" {sign} {n * (length + 2.5):g}" if n else "")
         aside = f", {stand.aside:g}" if stand.aside else ""
         return f"pointOn(way{one}, {at}{aside})", f"directionOn(way{one}, {at})"
@@ -414,6 +437,9 @@ class Actor:
         """Where it stands between the ego and whom it hides."""
         if hidden.stand.meets is not Meets.ACROSS or "level" not in hidden.stand.point:
             raise NotBuilt(f"nothing builds yet: {self.one.id}, which hides somebody who is {hidden.one.starts.where}")
+        if self.count > 1 or self.one.starts.side not in (None, hidden.one.starts.side):
+            raise NotBuilt(f"nothing builds yet: {self.path}, which hides {hidden.one.id} alone and from its side")
+        self.ledger.take(f"{hidden.path}.hidden_by")
         back = 2.6 + 0.5 * (self.limits.length or 1.2)
         one = name_of(hidden.one.id)
         side = str(hidden.one.starts.side)
@@ -425,6 +451,11 @@ class Actor:
         side = f" {self.one.starts.side}" if self.one.starts.side else ""
         does = ", then ".join(deed.act for deed in self.deeds) or "nothing said"
         return f"{self.one.kind} {self.one.starts.where}{side}: {does}"
+
+
+def _renamed(text: str, name: str, own: str) -> str:
+    """A text that reads another parameter in the place of one."""
+    return re.sub(rf"\${name}(?![A-Z0-9_])", f"${own}", text)
 
 
 def name_of(one: str) -> str:

@@ -60,7 +60,8 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
-    ledger.take("contact.whom")  # whom the ego meets is the adversary, and only that is asked
+    if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
+        ledger.take("contact.whom")
     declared = [f"param {one.name} = Range({one.low}, {one.high})" for one in numbers]
     query = ", ".join(f"{key}={value!r}" for key, value in found.query.items())
     source = "\n".join(
@@ -91,7 +92,8 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
         place = (str(one.starts.where), str(one.starts.side))
-        first, room = rows.get(place, (None, 0.0)) if hidden is None else (None, 0.0)
+        shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
+        first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         actor = Actor(ledger, found, started(one, found.sides), ego.speed, room, first)
         built[one.id] = actor
         if hidden is None:

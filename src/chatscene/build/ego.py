@@ -80,11 +80,11 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
         match deed.act:
             case Act.STAND:
                 wait = _seconds(ledger, deed, at)
-                yield f"Order(at_most=0, till={wait:g})" if again else "Order(at_most=0)"
+                yield f"Order(at_most=0, till={wait:g})" if again or deed.time is not None else "Order(at_most=0)"
             case Act.STOP:
                 till = max(stop, 0.0) / speed + speed / 6.0 + _seconds(ledger, deed, at)
                 braking = _braking(ledger, deed, at, 3.0)
-                ending = f", till={till:.1f}" if again else ""
+                ending = f", till={till:.1f}" if again or deed.time is not None else ""
                 yield f"Order(at_most=0, place={stop:.1f}{braking}{ending})"
             case Act.SLOW_DOWN | Act.BRAKE:
                 hard = deed.act is Act.BRAKE
@@ -94,7 +94,7 @@ def _orders(ledger: Ledger, deeds: tuple[Deed, ...], stop: float, speed: float) 
                 braking = _braking(ledger, deed, at, 6.0 if hard else 2.5)
                 yield f"Order(at_most={to:.4g}, place={stop:.1f}{braking})"
             case Act.GO_ALONG if deed.manner is Manner.SLOW or deed.speed is not None:
-                ledger.take(f"{at}.manner", f"{at}.speed")
+                ledger.take(f"{at}.speed" if deed.speed is not None else f"{at}.manner")
                 yield f"Order(at_most={deed.speed.high if deed.speed is not None else SLOW:.4g})"
             case Act.GO_ALONG | Act.SET_OFF | Act.YIELD | Act.FOLLOW:
                 pass  # which is left to the ego

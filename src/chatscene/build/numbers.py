@@ -56,11 +56,16 @@ class Numbers:
         name: Whose; stands in the name of each.
         row: What holds of its kind.
         ranges: For each that is used, from where to where, its unit and meaning.
+        bound: For each that was said, the path of the fact.
+        read: Those that a text reads.
     """
 
     name: str
     row: RoadUser
     ranges: dict[str, tuple[float, float, str, str]] = field(default_factory=dict[str, tuple[float, float, str, str]])
+
+    bound: dict[str, str] = field(default_factory=dict[str, str])
+    read: set[str] = field(default_factory=set[str])
 
     def __post_init__(self) -> None:
         # A watcher calls it slow below one speed and fast from another on: what is neither lies between.
@@ -70,12 +75,13 @@ class Numbers:
         self.ranges["SLOW"] = (0.5 * slow, 0.9 * slow, "m/s", "how slow it then is")
         self.ranges["FAST"] = (min(fast, top), min(1.25 * fast, top), "m/s", "how fast it then is")
 
-    def bind(self, name: str, amount: Amount, ego: float) -> None:
+    def bind(self, name: str, amount: Amount, ego: float, path: str = "") -> None:
         """Let a parameter be what was said.
 
         Args:
             name: The parameter.
             amount: What was said of it.
+            path: The fact that says it.
             ego: What the ego has of it, where an amount is measured against that.
 
         Raises:
@@ -91,15 +97,22 @@ class Numbers:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"
             raise NotBuilt(f"{amount} is more than a {self.row.scenic.lower()} can: {most_told}")
         self.ranges[name] = (least, min(most, top), unit, meaning)
+        self.bound[name] = path
+
+    def built(self) -> tuple[str, ...]:
+        """The paths of the facts whose numbers a text reads."""
+        return tuple(path for name, path in self.bound.items() if name in self.read)
 
     def narrow(self, name: str, low: float, high: float) -> None:
         """Give a parameter another range, where no number was said of it."""
         _, _, unit, meaning = self._range(name)
         self.ranges[name] = (low, high, unit, meaning)
 
-    def place(self, name: str, low: float, high: float, meaning: str) -> None:
-        """A parameter that says where it is [m]."""
-        self.ranges[name] = (low, high, "m", meaning)
+    def measure(self, name: str, low: float, high: float, unit: str, meaning: str, path: str = "") -> None:
+        """A parameter that says where it is or when it acts, with the path of the fact if it was said."""
+        self.ranges[name] = (low, high, unit, meaning)
+        if path:
+            self.bound[name] = path
 
     def middle(self, name: str) -> float:
         """The middle of the range of a parameter."""
@@ -120,6 +133,7 @@ class Numbers:
     def value(self, name: str) -> str:
         """What stands for a parameter in a program."""
         low, high, *_ = self.ranges.setdefault(name, self._range(name))
+        self.read.add(name)
         return f"globalParameters.{self.called(name)}" if high > low else f"{low:.6g}"
 
     def called(self, name: str) -> str:

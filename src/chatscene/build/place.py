@@ -16,7 +16,7 @@ from chatscene.terms.scenario import Control, Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
-from chatscene.world.places import choose_route
+from chatscene.world.places import choose_route, lanesBeside
 
 MANEUVERS: dict[EgoRoute | None, Maneuver] = {
     None: Maneuver.STRAIGHT,
@@ -107,7 +107,16 @@ _OF_KIND: dict[RoadKind | None, tuple[Site, ...]] = {
     RoadKind.MOTORWAY: _MOTORWAYS,
     RoadKind.RAMP: _MOTORWAYS,
 }
+_SITES_OF: dict[EgoRoute | None, Site] = {
+    EgoRoute.ROUNDABOUT: Site.ROUNDABOUT,
+    EgoRoute.MERGE: Site.ON_RAMP,
+    EgoRoute.EXIT: Site.OFF_RAMP,
+}
 _ROUND = (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY)
+
+
+def _in_roundabout(others: Sequence[Other]) -> bool:
+    return any(one.starts.where in _ROUND for one in others)
 
 
 def rides_at_edge(one: Other) -> bool:
@@ -208,7 +217,7 @@ def _on_road(
     road, route, others = situation.road, situation.ego.route, situation.others
     if at_junction(situation):
         yield from _at_junction(situation, sides, base, lanes)
-    elif road.kind is RoadKind.ROUNDABOUT or route is EgoRoute.ROUNDABOUT:
+    elif road.kind is RoadKind.ROUNDABOUT or route is EgoRoute.ROUNDABOUT or _in_roundabout(others):
         yield base | {"site": Site.ROUNDABOUT.value}
     elif any(one.starts.where is Where.ON_RAMP for one in others):
         yield base | {"site": Site.PAST_ON_RAMP.value, "beside": "right"}
@@ -274,24 +283,36 @@ def _at_kerb(one: Other) -> bool:
 
 def _take(ledger: Ledger, found: Found) -> None:
     """What of the road is as it was said, once a route is found; and what was chosen."""
-    situation, query = ledger.situation, found.query
-    road = situation.road
-    ledger.take("ego.route", "road.lanes", "road.ego_lane")
-    if _is_kind(road.kind, found):
-        ledger.take("road.kind")
-    if road.control in CONTROLS and "control" in query:
-        ledger.take("road.control")
-    if road.two_way is None or "opposite" in query or found.route.route.junction is not None:
-        ledger.take("road.two_way")
-    if road.setting is Setting.TOWN or (road.setting is Setting.RURAL and query.get("site") == Site.RURAL):
-        ledger.take("road.setting")
-    for i, one in enumerate(road.has):
-        if one in SITES and query.get("site") == SITES[one]:
-            ledger.take(f"road.has.{i}")
+    situation = ledger.situation
+    ledger.take(*_as_said(situation, found))
     for name, side in found.sides.items():
         ledger.assume(f"{name} is on the {side}, which was not said")
     if situation.ego.route in (EgoRoute.TURN, EgoRoute.LANE_CHANGE):
         ledger.assume(f"the ego's {situation.ego.route} is to the left, which was not said")
+
+
+def _as_said(situation: Situation, found: Found) -> Iterator[str]:
+    """The paths of facts that hold on the route that was found."""
+    road, query = situation.road, found.query
+    site = query.get("site")
+    against = any(against for _, against in lanesBeside(found.route))
+    settings = {Setting.TOWN: found.map == PACKAGED[0], Setting.RURAL: site == Site.RURAL}
+    holds = {
+        "ego.route": situation.ego.route not in _SITES_OF or site == _SITES_OF[situation.ego.route],
+        "road.lanes": road.lanes == _lanes_there(found),
+        "road.ego_lane": query.get("lane") == road.ego_lane,
+        "road.kind": _is_kind(road.kind, found),
+        "road.control": road.control in CONTROLS and "control" in query,
+        "road.two_way": road.two_way is against,
+        "road.setting": road.setting is not None and settings.get(road.setting, False),
+    }
+    yield from (path for path, right in holds.items() if right)
+    yield from (f"road.has.{i}" for i, one in enumerate(road.has) if one in SITES and site == SITES[one])
+
+
+def _lanes_there(found: Found) -> int:
+    """How many lanes go the ego's way where its route begins."""
+    return len(found.route.network.elements[found.route.route.lane_ids[0]].group.lanes)
 
 
 def _is_kind(kind: RoadKind | None, found: Found) -> bool:

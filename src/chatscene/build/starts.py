@@ -40,6 +40,7 @@ class Stand:
         ego_meets: Arc length [m] on the ego's route where they would meet.
         left: How far [m] it has to there.
         behind: Whether it is behind the ego.
+        faces: Whether it faces as was said.
     """
 
     meets: Meets
@@ -52,6 +53,7 @@ class Stand:
     ego_meets: str = "egoRoute.eventAt"
     left: str = "0"
     behind: bool = False
+    faces: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,7 +103,8 @@ class Asked:
         """From where to where [m] it may be, if that was not said."""
         if (said := self.one.starts.distance) is not None:
             low, high = said.within(low, max(high, said.low)) if not said.exact else (said.low, said.low)
-        self.numbers.place("Y", low, max(low, high), meaning)
+        path = f"others.{self.one.id}.starts.distance" if said is not None else ""
+        self.numbers.measure("Y", low, max(low, high), "m", meaning, path)
 
     @property
     def more(self) -> str:
@@ -121,18 +124,27 @@ def stands_first(one: Other) -> bool:
     return still or first in (Act.STAND, Act.SET_OFF, Act.PULL_OUT) or one.kind.moves is Moves.LIES
 
 
+def _faces(asked: Asked, there: str, usual: Facing, side: str) -> str:
+    """Which way somebody faces, level with a place on the ego's route; from a side, where it faces across."""
+    match asked.one.starts.facing or usual:
+        case Facing.ALONG:
+            return f"directionOn(egoRoute, {there})"
+        case Facing.AGAINST:
+            return f"directionOn(egoRoute, {there}, 3.14159)"
+        case Facing.ACROSS:
+            return f'crossingDirection(egoRoute, {there}, "{side}")'
+
+
 def _ahead(asked: Asked) -> Stand:
     if asked.walks:
         asked.reach(30, 50)
-        facing = {Facing.ALONG: "0", Facing.AGAINST: "3.14159"}.get(asked.one.starts.facing or Facing.ALONG)
-        turned = f", {facing}" if facing else ""
+        there = f"$Y{asked.more}"
         return Stand(
             meets=Meets.ACROSS,
-            point=f"pointOn(egoRoute, $Y{asked.more})",
-            facing=f"directionOn(egoRoute, $Y{asked.more}{turned})"
-            if facing
-            else f'crossingDirection(egoRoute, $Y{asked.more}, "right")',
+            point=f"pointOn(egoRoute, {there})",
+            facing=_faces(asked, there, Facing.ALONG, Side.RIGHT),
             ego_meets="progressOn(egoRoute, self)[0]",
+            faces=True,
         )
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
@@ -210,14 +222,11 @@ def _beside_road(asked: Asked) -> Stand:
         asked.reach(34, 50)
         level = "shortOfJunction(egoRoute, $Y)"
     there = f"level{{i}}{asked.more}"
-    facing = {
-        Facing.ALONG: f"directionOn(egoRoute, {there})",
-        Facing.AGAINST: f"directionOn(egoRoute, {there}, 3.14159)",
-    }.get(asked.one.starts.facing or Facing.ACROSS, f'crossingDirection(egoRoute, {there}, "{asked.side}")')
     return Stand(
         meets=Meets.ACROSS,
         point=f'besideRoad(egoRoute, {there}, "{asked.side}", $X)',
-        facing=facing,
+        facing=_faces(asked, there, Facing.ACROSS, asked.side),
+        faces=True,
         lines=(f"level{{i}} = {level}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",

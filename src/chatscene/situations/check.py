@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from chatscene.situations.faults import Fault, Path
 from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.amount import Amount
 from chatscene.terms.pointing import meant
 from chatscene.terms.situation import EGO, Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, RightOfWay, RoadKind
@@ -27,6 +28,7 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
     """What is wrong in a situation, whatever could be built of it; nothing if all is well."""
     ids = Counter(one.id for one in situation.others)
     yield from _too_many(situation)
+    yield from _against_itself(situation)
     for i, one in enumerate(situation.others):
         at: Path = ("others", i)
         if not _NAME.fullmatch(one.id) or one.id == EGO:
@@ -48,6 +50,16 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
     yield from _of_road(situation)
     if (contact := situation.contact) and contact.whom is not None:
         yield from _somebody(situation, contact.whom, ("contact", "whom"), ego=False)
+
+
+def _against_itself(situation: Situation) -> Iterator[Fault]:
+    """Numbers of the ego that are measured against the ego's, or leave open how fast it drives at most."""
+    said: list[tuple[Path, Amount | None]] = [(("ego", "speed"), situation.ego.speed)]
+    for i, deed in enumerate(situation.ego.does):
+        said += [(("ego", "does", i, name), getattr(deed, name)) for name in AMOUNTS]
+    for path, amount in said:
+        if amount is not None and amount.than_ego:
+            yield Fault(path, f"{amount}: the ego is not measured against itself")
 
 
 def _too_many(situation: Situation) -> Iterator[Fault]:
