@@ -151,3 +151,15 @@ def test_another_situation_does_not_go_on_in_the_folder_of_one(finished: Path) -
     other = chatscene.read_situation(finished / "van.yaml")
     with pytest.raises(RunError, match="situation"):
         chatscene.run(other, finished / "run", scenes=4, set={"others.A.kind": "truck"})
+
+
+def test_an_edit_in_words_of_a_situation_is_refused_wherever_it_is_asked(finished: Path) -> None:
+    for verb in ("explain", "run"):
+        refused = CliRunner().invoke(main, [verb, str(finished / "van.yaml"), "--edit", "make it a truck"])
+        assert "an edit in words is of a sentence" in " ".join(refused.output.split())
+
+
+def test_a_map_that_no_path_can_name_is_refused_in_words(finished: Path) -> None:
+    refused = CliRunner().invoke(main, ["explain", str(finished / "van.yaml"), "--set", f"map={'m' * 300}.xodr"])
+    assert refused.exit_code != 0
+    assert "MapError" in refused.output

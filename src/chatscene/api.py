@@ -486,15 +486,13 @@ def run(
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
-    situation = None if said is None else _situation(said, set, edit or (), map)
+    situation, where_built = (None, map) if said is None else _situation(said, set, edit or (), map, read_by)
     asked = runs.asked_run(
         sentence,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
-        situation=None
-        if situation is None
-        else runs.SituationRecord(name=situation[0], text=situation[1], read_by=read_by),
-        map_name=situation[2] if situation is not None else None if map is None else str(map),
+        situation=situation,
+        map_name=None if where_built is None else str(where_built),
         ego=str(ego),
         generator=_generator_of(situation, own, trusted=trust, as_written=as_written),
         edits=_names(edit or ()),
@@ -515,7 +513,7 @@ def read_situation(file: Name) -> Situation:
 
 
 @overload
-def explain(text: Situation, *, set: Mapping[str, object] | None = None) -> Stated: ...
+def explain(text: Situation, **options: Any) -> Stated: ...
 @overload
 def explain(text: str | Conflict = "", *, language_model: None = None, **options: Any) -> Understood: ...
 @overload
@@ -561,6 +559,9 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
     if isinstance(text, Situation):
         from chatscene.report.stated import explain_stated, stated
 
+        if report is not None:
+            raise SettingsError("say what to explain: a situation or a report, and only one of them")
+        _not_in_words(edit or ())
         return explain_stated(stated(text, set))
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
@@ -1126,19 +1127,28 @@ def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
 
 
 def _situation(
-    said: Situation, facts: Mapping[str, object] | None, edit: Names, map_name: Name | None
-) -> tuple[str, str, str]:
-    """What a situation is called, its text, and the map that it is built on."""
+    said: Situation, facts: Mapping[str, object] | None, edit: Names, map_name: Name | None, read_by: str
+) -> tuple[runs.SituationRecord, Name]:
+    """A situation as a run keeps it, and the map that it is built on."""
     from chatscene.report.stated import stated
     from chatscene.search.generators.situated import on_its_map
-    from chatscene.situations.file import read_text
+    from chatscene.situations.file import to_yaml
     from chatscene.situations.words import title
 
+    _not_in_words(edit)
+    made = on_its_map(stated(said, facts), None if map_name is None else str(map_name))
+    record = runs.SituationRecord(name=made.about or title(made), text=to_yaml(made), read_by=read_by)
+    return record, made.map or TOWN
+
+
+def _not_in_words(edit: Names) -> None:
+    """Refuse an edit of a situation.
+
+    Raises:
+        SettingsError: There is one.
+    """
     if _names(edit):
         raise SettingsError("an edit in words is of a sentence; set facts of a situation by their paths")
-    made = stated(said, facts)
-    text = on_its_map(made, None if map_name is None else str(map_name))
-    return made.about or title(made), text, read_text(text).map or TOWN
 
 
 def _generator_of(situation: object | None, own: ForeignProgram | None, *, trusted: bool, as_written: bool) -> str:

@@ -85,6 +85,8 @@ def test_every_fault_of_a_file_is_told_with_its_line_and_with_what_was_meant() -
         ("{after: ego.set-off}", "{after: A.1}", "a deed cannot wait for itself"),
         ("{where: ahead}", "{where: ahead, side: left}", "line 7, others.B.starts.side: ahead has no side"),
         ("id: B", "id: A", "'A' is the name of two"),
+        ("id: B", "id: a", "'a' is the name of two"),
+        ("id: B", "id: A-1", "'A-1' is what one of several is called"),
         ("id: B", "id: ego", "'ego' is no name"),
         ("kind: truck", "kind: cone, hidden_by: D", "there is no 'D' in it, but A, B"),
         ("kind: truck", "kind: truck, hidden_by: B", "nobody hides itself"),

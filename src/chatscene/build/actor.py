@@ -460,4 +460,5 @@ def _renamed(text: str, name: str, own: str) -> str:
 
 def name_of(one: str) -> str:
     """What somebody of an id is called in a program."""
-    return one.replace("-", "_") if one[0].isupper() else f"A_{one.replace('-', '_')}"
+    plain = one.replace("-", "_")
+    return plain if len(plain) == 1 and plain.isupper() else f"The_{plain}"  # no word of Scenic or of the world

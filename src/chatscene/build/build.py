@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from chatscene.build.actor import Actor, name_of
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.facts import Ledger
-from chatscene.build.place import Found, find, started
+from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import impossible
 from chatscene.build.starts import Meets
 from chatscene.errors import NotBuilt
@@ -49,8 +49,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
         NotBuilt: A fact of it cannot be built, or no map has such a place; the message names the fact.
         MapError: There is no such map.
     """
-    if not situation.adversaries:
-        raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+    met_first(situation)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
     ledger = Ledger(situation)
@@ -84,7 +83,7 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
 
 
 def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor, Actor | None]]:
-    """All others in an order in which each can speak of those before it, with whom each hides."""
+    """All others, those who hide somebody after whom they hide; with whom each hides."""
     situation = ledger.situation
     built: dict[str, Actor] = {}
     rows: dict[tuple[str, str], tuple[Actor, float]] = {}

@@ -12,43 +12,13 @@ from chatscene.errors import MapError, NotBuilt
 from chatscene.maps.crossings import conflicting_paths
 from chatscene.maps.network import load_network, resolve_map
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.scenario import Control, Maneuver, Place, Site
+from chatscene.terms.routing import CONTROLS, MANEUVERS, PLACES
+from chatscene.terms.scenario import Maneuver, Place, Site
 from chatscene.terms.situation import Other, Situation
-from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RightOfWay, RoadKind, Setting, Side, Where
+from chatscene.terms.vocabulary import Act, EgoRoute, Feature, RoadKind, Setting, Side, Where
 from chatscene.world.places import EgoRoute as Route
 from chatscene.world.places import choose_route, lanesBeside
 
-MANEUVERS: dict[EgoRoute | None, Maneuver] = {
-    None: Maneuver.STRAIGHT,
-    EgoRoute.STRAIGHT: Maneuver.STRAIGHT,
-    EgoRoute.LEFT_TURN: Maneuver.LEFT_TURN,
-    EgoRoute.RIGHT_TURN: Maneuver.RIGHT_TURN,
-    EgoRoute.TURN: Maneuver.LEFT_TURN,
-    EgoRoute.LANE_CHANGE_LEFT: Maneuver.LANE_CHANGE_LEFT,
-    EgoRoute.LANE_CHANGE_RIGHT: Maneuver.LANE_CHANGE_RIGHT,
-    EgoRoute.LANE_CHANGE: Maneuver.LANE_CHANGE_LEFT,
-    EgoRoute.BYPASS: Maneuver.BYPASS,
-    EgoRoute.OVERTAKE: Maneuver.BYPASS,
-    EgoRoute.ROUNDABOUT: Maneuver.STRAIGHT,
-    EgoRoute.MERGE: Maneuver.LANE_CHANGE_LEFT,
-    EgoRoute.EXIT: Maneuver.LANE_CHANGE_RIGHT,
-}
-"""What a route finder is asked for; for the ways of an ego that are not here, no map is asked."""
-
-CONTROLS = {
-    RightOfWay.SIGNAL: Control.SIGNAL,
-    RightOfWay.STOP_SIGN: Control.STOP_SIGN,
-    RightOfWay.NONE: Control.NONE,
-}
-PLACES = {
-    RoadKind.JUNCTION: Place.JUNCTION,
-    RoadKind.THREE_WAY: Place.THREE_WAY,
-    RoadKind.FOUR_WAY: Place.FOUR_WAY,
-    RoadKind.CURVE: Place.CURVE,
-    RoadKind.LEFT_CURVE: Place.LEFT_CURVE,
-    RoadKind.RIGHT_CURVE: Place.RIGHT_CURVE,
-    RoadKind.ROAD: Place.ROAD,
-}
 SITES = {
     Feature.CROSSWALK: Site.CROSSWALK,
     Feature.PARKING_PLACES: Site.PARKING,
@@ -78,6 +48,17 @@ class Found:
     query: dict[str, Any]
     route: Route
     sides: dict[str, Side]
+
+
+def met_first(situation: Situation) -> Other:
+    """The first of those who meet the ego.
+
+    Raises:
+        NotBuilt: Nobody does.
+    """
+    if not situation.adversaries:
+        raise NotBuilt("nobody meets the ego: others: nobody has the role adversary")
+    return situation.adversaries[0]
 
 
 def at_junction(situation: Situation) -> bool:

@@ -1,12 +1,13 @@
-"""What of a situation the judge of meaning can check today: its facts as slots.
+"""What of a situation has a slot: the facts that pages and tables list as what was read.
 
-Facts without a slot (numbers, contact, the order among several) are built, and no drive is checked for them yet.
+The page lists these; drives are held against the whole situation (`chatscene.program.judge`).
 """
 
 from __future__ import annotations
 
-from chatscene.build.place import CONTROLS, MANEUVERS, at_junction
+from chatscene.build.place import at_junction, met_first
 from chatscene.terms.acts import Action
+from chatscene.terms.routing import CONTROLS, MANEUVERS
 from chatscene.terms.scenario import Maneuver, Occluder, Position, Side, Slots
 from chatscene.terms.situation import Deed, Other, Situation
 from chatscene.terms.vocabulary import Act, Breach, EgoRoute, Manner, UserKind, Where
@@ -60,8 +61,12 @@ _ROUTES = frozenset(MANEUVERS) - {None, EgoRoute.ROUNDABOUT, EgoRoute.MERGE, Ego
 
 
 def as_slots(situation: Situation) -> Slots:
-    """The facts of its first adversary, of the ego's way and of the junction."""
-    one = situation.adversaries[0]
+    """The facts of its first adversary, of the ego's way and of the junction.
+
+    Raises:
+        NotBuilt: Nobody meets the ego.
+    """
+    one = met_first(situation)
     hides = next((other for other in situation.others if other.id == one.hidden_by), None)
     control = CONTROLS.get(situation.road.control) if situation.road.control is not None else None
     sided = one.starts.where is not Where.EXIT_CROSSING

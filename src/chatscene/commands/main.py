@@ -677,7 +677,7 @@ def explain(
         explain_report(report or Path(), reading, edit=edit, program=show_program, as_json=as_json)
         return
     if (stated := situation_file(text)) is not None:
-        _say_stated(api.explain(stated, set=reading["set"]), show_program, as_json)
+        _say_stated(api.explain(stated, edit=edit, set=reading["set"]), show_program, as_json)
         return
     with refusing(text, reading["embedder"], as_json):
         understood = api.explain(text, edit=edit or None, **reading)

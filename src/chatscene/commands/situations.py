@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from chatscene.commands.library import say
+from chatscene.files.bounded import is_there
 
 if TYPE_CHECKING:
     from chatscene.terms.situation import Situation
@@ -22,18 +23,11 @@ def situation_file(text: str) -> Situation | None:
     Raises:
         SituationError: It cannot be read, or is none.
     """
-    if not text.lower().endswith(SUFFIXES) or (" " in text and not _is_file(text)):
+    if not text.lower().endswith(SUFFIXES) or (" " in text and not is_there(Path(text))):
         return None
     from chatscene import api
 
     return api.read_situation(text)
-
-
-def _is_file(text: str) -> bool:
-    try:
-        return Path(text).is_file()
-    except (OSError, ValueError):  # too long for a name, or with a NUL
-        return False
 
 
 @click.command()

@@ -28,6 +28,14 @@ def parse_json(text: str | bytes, *, parse_constant: Callable[[str], Any] | None
         raise ValueError("its brackets are nested too deeply") from None
 
 
+def is_there(path: Path) -> bool:
+    """Whether a path, whoever named it, is a file; what no path can be is none."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # too long for a name, or with a NUL
+        return False
+
+
 def check_file(path: Path) -> None:
     """Refuse a file that is too large to be read, or never ends.
 

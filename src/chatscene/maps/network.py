@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import difflib
 import hashlib
+import os
 import pickle
 import warnings
 from collections.abc import Callable, Iterator
@@ -19,6 +20,7 @@ from xml.etree import ElementTree as Xml
 
 from chatscene.errors import ChatSceneError, MapError
 from chatscene.files.atomic import write_whole
+from chatscene.files.bounded import is_there
 from chatscene.files.caches import cache_folder, only_mine
 from chatscene.maps.apart import read_apart, takes_seconds
 from chatscene.maps.unread import why_unread
@@ -53,9 +55,9 @@ def resolve_map(name: str) -> Path:
     if name in PACKAGED:
         return PACKAGED[name]
     path = Path(name).expanduser()
-    if path.is_file():
+    if is_there(path):
         return path.resolve()
-    if path.is_dir():
+    if os.path.isdir(path):  # noqa: PTH112 - as `is_there`
         raise MapError(f"map {name!r} is a folder; give an .xodr file")
     beside = [p.name for p in path.parent.glob("*.xodr")] if path.parent.is_dir() else []
     near = difflib.get_close_matches(path.name, [*PACKAGED, *beside], n=1, cutoff=0.4)

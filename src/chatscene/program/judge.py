@@ -1,7 +1,7 @@
 """A situation and a drive: which facts are seen on the tracks, when, and which are not.
 
-Tracks, map and lights alone are read, never a program's text. A fact that no track can show, such as why somebody does
-something, has no finding.
+Tracks, map and lights alone are read, never a program's text. What has no test here has no finding: which way somebody
+faces, lanes, the ego's light, an opened door.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -19,18 +19,21 @@ from chatscene.program.meaning import (
     POSITIONS,
     TOGETHER,
     in_between,
+    is_place,
     left_of_ego,
     maneuver_of,
 )
 from chatscene.program.watching import Seen, watch
+from chatscene.terms.actors import manner_of
 from chatscene.terms.acts import Action
 from chatscene.terms.amount import Amount, Duration
 from chatscene.terms.episode import Array, Episode, Track
 from chatscene.terms.route import Route
-from chatscene.terms.scenario import Control, EgoState, Maneuver, Place, Position, includes
+from chatscene.terms.routing import CONTROLS, PLACES
+from chatscene.terms.scenario import EgoState, Maneuver, Position
 from chatscene.terms.situation import EGO, SEVERAL, Deed, Other, Situation, When
 from chatscene.terms.vocabulary import Act as Said
-from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RightOfWay, RoadKind, Side, Striker, Where
+from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RoadKind, Side, Striker, Where
 
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
@@ -83,18 +86,6 @@ _ROUTES: dict[EgoRoute | None, tuple[Maneuver, ...]] = {
     EgoRoute.LANE_CHANGE: (Maneuver.LANE_CHANGE_LEFT, Maneuver.LANE_CHANGE_RIGHT),
     EgoRoute.BYPASS: (Maneuver.BYPASS,),
     EgoRoute.OVERTAKE: (Maneuver.BYPASS,),
-}
-_CONTROLS: dict[RightOfWay | None, Control] = {
-    RightOfWay.SIGNAL: Control.SIGNAL,
-    RightOfWay.STOP_SIGN: Control.STOP_SIGN,
-    RightOfWay.NONE: Control.NONE,
-}
-_PLACES: dict[RoadKind | None, Place] = {
-    RoadKind.ROAD: Place.ROAD,
-    RoadKind.CURVE: Place.CURVE,
-    RoadKind.JUNCTION: Place.JUNCTION,
-    RoadKind.THREE_WAY: Place.THREE_WAY,
-    RoadKind.FOUR_WAY: Place.FOUR_WAY,
 }
 _EGO_ACTS = {
     Said.STOP: EgoState.STOPS,
@@ -253,6 +244,7 @@ class _Judge:
     episode: Episode
     route: Route
     through: bool
+    waits: list[tuple[str, When, Act, Seen]] = field(default_factory=list[tuple[str, When, Act, Seen]])
 
     @property
     def contact(self) -> int | None:
@@ -265,12 +257,14 @@ class _Judge:
         until = None if self.contact is None else self.contact + 1
         speed = self.episode.ego_track.speed[:until]
         if ego.speed is not None:
-            yield self._number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", least=False)
+            yield self._number("ego.speed", ego.speed, speed, SLACK_SPEED, "drives at", most=True)
         for k, deed in enumerate(ego.does):
             yield from self._of_ego(f"ego.does.{k}.act", deed, speed)
         done: dict[str, Act] = {}
         for one in self.situation.others:
             yield from self._of_other(one, done)
+        for path, when, once, seen in self.waits:  # once it is known when everybody did what
+            yield from self._when(path, when, once, seen, done)
         yield from self._of_contact()
 
     # The road and the ego
@@ -280,12 +274,12 @@ class _Judge:
         goes = maneuver_of(self.route)
         if route in _ROUTES:
             yield Finding(path="ego.route", shown=goes in _ROUTES[route], told=f"said {route}, its route goes {goes}")
-        if road.control in _CONTROLS:
+        if road.control is not None and road.control in CONTROLS:
             there = self.route.control
-            right = there is _CONTROLS[road.control]
+            right = there is CONTROLS[road.control]
             yield Finding(path="road.control", shown=right, told=f"said {road.control}, the junction has {there}")
-        if road.kind in _PLACES:
-            right = includes(_PLACES[road.kind], self.route.place)
+        if road.kind is not None and road.kind in PLACES:
+            right = is_place(PLACES[road.kind], self.route)
             right = right or (road.kind is RoadKind.ROAD and self.route.junction is None)
             yield Finding(
                 path="road.kind", shown=right, told=f"said {road.kind}, the route lies on a {self.route.place}"
@@ -316,7 +310,7 @@ class _Judge:
             return
         body = one.kind.row.body.row.scenic
         kind = tracks[0].kind
-        known = kind == body or one.kind.row.general or kind == "VendingMachine"
+        known = kind == body or (one.kind.row.general and manner_of(kind) in (one.kind.moves, None))
         yield Finding(path=f"{at}.kind", shown=known, told=f"said {one.kind}, it is a {kind}")
         enough = len(tracks) > 1 if one.count == SEVERAL else len(tracks) == one.count
         yield Finding(path=f"{at}.count", shown=enough, told=f"said {one.count or 'several'}, there are {len(tracks)}")
@@ -337,10 +331,12 @@ class _Judge:
             yield Finding(path=f"{at}.starts.side", shown=right, told=f"said {start.side}, {where}", at=0.0)
         if start.distance is not None and start.where not in (Where.ARM, Where.ONCOMING):
             lead = np.abs(seen.lead[:1])
-            yield self._number(f"{at}.starts.distance", start.distance, lead, SLACK_LENGTH, "starts this far:")
+            yield self._number(
+                f"{at}.starts.distance", start.distance, lead, SLACK_LENGTH, "starts this far:", cut=False
+            )
         if start.speed is not None:
             speed = np.abs(seen.track.speed[:3])
-            yield self._number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at")
+            yield self._number(f"{at}.starts.speed", start.speed, speed, SLACK_SPEED, "starts at", cut=False)
         if one.hidden_by is not None:
             yield Finding(
                 path=f"{at}.hidden_by",
@@ -355,13 +351,13 @@ class _Judge:
         return any(in_between(thing, seen.ego, seen.track, step) for thing in things for step in steps)
 
     def _deeds(self, one: Other, at: str, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
-        latest, before = 0, ""
+        latest, before, mine = 0, "", list[Act]()
         for k, deed in enumerate(one.does):
             path, act = f"{at}.does.{k}", deed.act
             if act not in ACTS:
                 continue
             sees = _enters if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING else ACTS[act]
-            found = [once for once in sees(seen) if self._counts(once, seen)]
+            found = [once for once in sees(seen) if self._counts(once, seen) and once not in mine]
             after = [once for once in found if act.row.lasting or once.began >= latest - TOGETHER / seen.dt]
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
@@ -371,6 +367,7 @@ class _Judge:
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
             once = min(after, key=lambda act: act.began)
+            mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
             if not act.row.lasting:
@@ -383,9 +380,13 @@ class _Judge:
             yield from self._amounts(path, deed, once, seen)
             if deed.breaks is Breach.RED_LIGHT:
                 ran = any(True for _ in ACTIONS[Action.RUN_LIGHT](seen))
-                yield Finding(path=f"{path}.breaks", shown=ran or None, told="said red-light, it passes no red light")
+                yield Finding(
+                    path=f"{path}.breaks",
+                    shown=ran or (None if self.contact is not None else False),
+                    told="said red-light, it passes no red light",
+                )
             if deed.when is not None:
-                yield from self._when(f"{path}.when", deed.when, once, seen, done)
+                self.waits.append((f"{path}.when", deed.when, once, seen))
 
     def _counts(self, once: Act, seen: Seen) -> bool:
         """Whether it is done, or under way where a contact cut it short."""
@@ -434,16 +435,24 @@ class _Judge:
             yield Finding(path=f"{path}.ego_within", shown=right, told=told, at=once.began * seen.dt)
 
     def _number(
-        self, path: str, said: Amount, seen: Array, least_slack: float, verb: str, *, least: bool = True
+        self,
+        path: str,
+        said: Amount,
+        seen: Array,
+        least_slack: float,
+        verb: str,
+        *,
+        most: bool = False,
+        cut: bool = True,
     ) -> Finding:
-        """Whether a number was reached at some time; that it was not says nothing where a contact cut it short."""
+        """Whether a number was reached at some time, or by the most of all; a contact may have cut it short."""
         base = float(np.median(self.episode.ego_track.speed)) if said.than_ego else 0.0
         low, high = said.low + base, said.high + base
         slack = max(least_slack, SLACK * abs(low if math.isfinite(low) else high))
-        values = seen if least else seen[-1:] if not seen.size else np.array([seen.max()])
+        values = seen.max(keepdims=True) if most and seen.size else seen
         right = bool(((values >= low - slack) & (values <= high + slack)).any())
         nearest = float(values[np.abs(values - (low if math.isfinite(low) else high)).argmin()]) if values.size else 0.0
-        short = self.contact is not None and nearest < low
+        short = cut and self.contact is not None and nearest < low
         return Finding(
             path=path, shown=right or (None if short else False), told=f"said {said}, it {verb} {nearest:.1f}"
         )

@@ -133,12 +133,13 @@ def _route_failures(slots: Slots, route: Route) -> list[str]:
         failures.append(f"control: said {slots.control}, the junction has {route.control}")
     if slots.site is not None and slots.site is not route.site:
         failures.append(f"site: said {slots.site}, the route was found for {route.site or 'none'}")
-    if slots.place is not None and not _is_place(slots.place, route):
+    if slots.place is not None and not is_place(slots.place, route):
         failures.append(f"place: said {slots.place}, the route lies on a {route.place}")
     return failures
 
 
-def _is_place(said: Place, route: Route) -> bool:
+def is_place(said: Place, route: Route) -> bool:
+    """Whether a route lies in such a place."""
     if route.place is Place.CURVE and said in (Place.LEFT_CURVE, Place.RIGHT_CURVE):
         heading = headings(route.line)
         return (said is Place.LEFT_CURVE) == (heading[-1] > heading[0])

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from chatscene.build.build import Built, build
+from chatscene.files.bounded import is_there
 from chatscene.read.quotes import left_over, not_in_words
 from chatscene.situations.file import read_file, to_yaml
 from chatscene.situations.form import to_plain, with_fact
@@ -66,10 +67,10 @@ def stated(
         SituationError: It is none, or a fact has no place in it.
     """
     made = situation if isinstance(situation, Situation) else read_file(situation)
-    if map_name is None and isinstance(situation, Path) and made.map and (situation.parent / made.map).is_file():
+    if map_name is None and isinstance(situation, Path) and made.map and is_there(situation.parent / made.map):
         map_name = str((situation.parent / made.map).resolve())
-    for path, value in ({} if map_name is None else {"map": map_name}).items():
-        made = with_fact(made, path, value)
+    if map_name is not None:
+        made = replace(made, map=map_name)
     for path, value in (facts or {}).items():
         made = with_fact(made, path, value)
     return made

@@ -26,7 +26,7 @@ _WAYS = {Moves.DRIVES: "drives", Moves.RIDES: "rides", Moves.WALKS: "walks", Mov
 
 def faults_of(situation: Situation) -> Iterator[Fault]:
     """What is wrong in a situation, whatever could be built of it; nothing if all is well."""
-    ids = Counter(one.id for one in situation.others)
+    ids = Counter(_plain(one.id) for one in situation.others)
     yield from _too_many(situation)
     yield from _against_itself(situation)
     for i, one in enumerate(situation.others):
@@ -35,8 +35,10 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
             yield Fault(
                 (*at, "id"), f"{one.id!r} is no name; take letters and digits, as in A or truck2, and not 'ego'"
             )
-        elif ids[one.id] > 1:
-            yield Fault((*at, "id"), f"{one.id!r} is the name of two")
+        elif ids[_plain(one.id)] > 1:
+            yield Fault((*at, "id"), f"{one.id!r} is the name of two, whether with capitals or not")
+        elif any(_plain(one.id) == f"{_plain(other.id)}-{n}" for other in situation.others for n in range(MOST)):
+            yield Fault((*at, "id"), f"{one.id!r} is what one of several is called; take another name")
         yield from _of_other(situation, one, at)
     if situation.others and not situation.adversaries:
         yield Fault(("others",), "nobody is the adversary; who meets the ego has the role 'adversary'")
@@ -60,6 +62,11 @@ def _against_itself(situation: Situation) -> Iterator[Fault]:
     for path, amount in said:
         if amount is not None and amount.than_ego:
             yield Fault(path, f"{amount}: the ego is not measured against itself")
+
+
+def _plain(name: str) -> str:
+    """A name as far as names are told apart."""
+    return name.lower().replace("_", "-")
 
 
 def _too_many(situation: Situation) -> Iterator[Fault]:

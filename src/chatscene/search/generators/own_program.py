@@ -6,25 +6,19 @@ that names it is not followed unless the user says so again, since it is not one
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from chatscene.search.generator import Choice, Written
+from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import RetrievalSettings, SearchSettings
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Said, Scenario, Slots, SubDescriptions
+from chatscene.terms.scenario import BaseScenario, Scenario, Slots, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
-
-if TYPE_CHECKING:
-    from chatscene.ego.policy import EgoPolicy
-    from chatscene.search.explore import Block
-    from chatscene.simulate.simulator import Simulator
 
 _PARTS = SubDescriptions(behavior="as programmed", geometry="as programmed", spawn="as programmed")
 
 
-class OwnProgram:
+class OwnProgram(Exploring):
     """Searches with a program as it is; see `chatscene.search.generator.Generator` for the contract.
 
     Args:
@@ -66,22 +60,6 @@ class OwnProgram:
     def is_trusted(self, settings: RetrievalSettings) -> bool:  # noqa: ARG002
         """Whether the user trusts who wrote it."""
         return self._trusted
-
-    def explore(
-        self,
-        program: ScenicProgram,
-        said: Said,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """Steps 5 and 6."""
-        from chatscene.search.explore import explore
-
-        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 def as_written() -> OwnProgram:

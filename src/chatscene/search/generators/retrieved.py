@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING
 
 from chatscene.errors import NothingFits, RunError
 from chatscene.library.bind import narrowed
@@ -16,19 +15,14 @@ from chatscene.maps.network import map_with
 from chatscene.program.assemble import assemble
 from chatscene.program.orders import ORDERS
 from chatscene.search.generator import Choice, Written
-from chatscene.settings import PAPER, RetrievalSettings, SearchSettings
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Said, Scenario, Site, Slots
+from chatscene.search.generators.exploring import Exploring
+from chatscene.settings import PAPER, RetrievalSettings
+from chatscene.terms.scenario import BaseScenario, Scenario, Site, Slots
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.snippet import Tried
 
-if TYPE_CHECKING:
-    from chatscene.ego.policy import EgoPolicy
-    from chatscene.search.explore import Block
-    from chatscene.simulate.simulator import Simulator
 
-
-class Retrieved:
+class Retrieved(Exploring):
     """ChatScene itself (paper, section 3.3); see `chatscene.search.generator.Generator` for the contract."""
 
     reference = PAPER
@@ -85,22 +79,6 @@ class Retrieved:
     def is_trusted(self, settings: RetrievalSettings) -> bool:
         """If all snippets are packaged ones, which are reviewed; those of a folder are a stranger's."""
         return not settings.library
-
-    def explore(
-        self,
-        program: ScenicProgram,
-        said: Said,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """Steps 5 and 6."""
-        from chatscene.search.explore import explore
-
-        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
 
 
 @cache

@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from chatscene.build.build import Built, build
 from chatscene.build.slots import as_slots
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
+from chatscene.search.generators.exploring import Exploring
 from chatscene.settings import RetrievalSettings, SearchSettings
-from chatscene.situations.file import read_text, to_yaml
-from chatscene.terms.outcome import Outcome
-from chatscene.terms.scenario import BaseScenario, Said, Scenario, SubDescriptions
+from chatscene.situations.file import read_text
+from chatscene.terms.scenario import BaseScenario, Scenario, SubDescriptions
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Situation
 from chatscene.terms.snippet import Tried
 from chatscene.terms.surroundings import FOLLOWS, Light, Surface, Surroundings, Weather
 
-if TYPE_CHECKING:
-    from chatscene.ego.policy import EgoPolicy
-    from chatscene.search.explore import Block
-    from chatscene.simulate.simulator import Simulator
-
 NAME = "situation"
 _PARTS = SubDescriptions(behavior="as stated", geometry="as stated", spawn="as stated")
 
 
-class Situated:
+class Situated(Exploring):
     """Searches with the program of a situation; see `chatscene.search.generator.Generator` for the contract."""
 
     reference = SearchSettings()
@@ -43,7 +37,7 @@ class Situated:
 
         Raises:
             SituationError: It is none.
-            NotBuilt: Nothing of it can be built.
+            NotBuilt: Nobody meets the ego.
         """
         situation = read_text(text)
         return Scenario(
@@ -51,7 +45,7 @@ class Situated:
             text=text,
             base=None,
             parts=_PARTS,
-            slots=as_slots(_whole(situation)),
+            slots=as_slots(situation),
             surroundings=_around(situation),
             situation=situation,
         )
@@ -75,48 +69,21 @@ class Situated:
         """Yes: its program is ours, whoever stated the facts."""
         return True
 
-    def explore(
-        self,
-        program: ScenicProgram,
-        said: Said,
-        route: int,
-        *,
-        simulator: Simulator,
-        ego: EgoPolicy,
-        settings: SearchSettings,
-        done: Sequence[Sequence[Outcome]],
-    ) -> Iterator[Block]:
-        """Steps 5 and 6."""
-        from chatscene.search.explore import explore
 
-        return explore(program, said, route, simulator=simulator, ego=ego, settings=settings, done=done)
-
-
-def on_its_map(situation: Situation, map_name: str | None) -> str:
-    """The text of a situation with the map on which it is built: the one that is named, or the first that has a place.
+def on_its_map(situation: Situation, map_name: str | None) -> Situation:
+    """A situation with the map on which it is built: the one that is named, or the first that has such a place.
 
     Raises:
         NotBuilt: No map has such a place, or a fact of it cannot be built.
         MapError: There is no such map.
     """
     named = replace(situation, map=map_name) if map_name is not None else situation
-    return to_yaml(replace(named, map=build(named, name=NAME).map))
+    return replace(named, map=build(named, name=NAME).map)
 
 
 @lru_cache(maxsize=8)
 def _built(text: str, name: str) -> Built:
     return build(read_text(text), name=name)
-
-
-def _whole(situation: Situation) -> Situation:
-    """A situation of which somebody meets the ego.
-
-    Raises:
-        NotBuilt: Nobody does.
-    """
-    if not situation.adversaries:
-        build(situation)
-    return situation
 
 
 def _around(situation: Situation) -> Surroundings:
