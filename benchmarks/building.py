@@ -21,6 +21,7 @@ import click
 from chatscene.build.build import build
 from chatscene.build.deeds import steps_for
 from chatscene.build.starts import STARTS, Meets
+from chatscene.commands.situations import SUFFIXES
 from chatscene.ego.policy import load_ego, wanting
 from chatscene.errors import DoesNotCompile, MapError, NotBuilt
 from chatscene.maps.network import resolve_map
@@ -29,7 +30,7 @@ from chatscene.program.sample import draw
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import faults_of
-from chatscene.situations.file import SUFFIXES, read_file
+from chatscene.situations.file import read_file
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.amount import Acceleration, Duration, Length, Speed
 from chatscene.terms.scene import Rejected, Scene

@@ -55,7 +55,11 @@ def amounts(draw: st.DrawFn, kind: type[Amount], of_ego: bool = False) -> Amount
     low, more = draw(st.integers(1, 90)), draw(st.sampled_from((0, 0, 5)))
     number = f"{low} to {low + more}" if more else str(low)
     bound = "" if more else draw(st.sampled_from(("", "", "at most ", "at least ")))
-    than = draw(st.sampled_from(("", "", " more than the ego", " less than the ego"))) if not (bound or of_ego) else ""
+    than = (
+        draw(st.sampled_from(("", "", " more than the ego", " less than the ego")))
+        if kind.RELATIVE and not (bound or of_ego)
+        else ""
+    )
     return kind.of(f"{bound}{number} {unit}{than}")
 
 
@@ -97,7 +101,7 @@ def situations(draw: st.DrawFn) -> Situation:
             control=maybe(st.sampled_from(RightOfWay)),
             lanes=maybe(st.integers(1, 4)),
             two_way=maybe(st.booleans()),
-            speed_limit=maybe(amounts(Speed)),
+            speed_limit=maybe(amounts(Speed, of_ego=True)),
             has=st.lists(st.sampled_from(Feature), unique=True, max_size=2).map(tuple),
         )
     )
@@ -108,7 +112,9 @@ def situations(draw: st.DrawFn) -> Situation:
     routes = [route for route in EgoRoute if at_junction or route not in TURNS]
     earlier: list[str] = []
     lit = road.control in (None, RightOfWay.SIGNAL)
-    breaches = [one for one in Breach if lit or one is not Breach.RED_LIGHT]
+    signed = road.control in (None, RightOfWay.STOP_SIGN)
+    ruled = {Breach.RED_LIGHT: lit, Breach.STOP_SIGN: signed}
+    breaches = [one for one in Breach if ruled.get(one, True)]
     own = draw(st.lists(deeds([act for act in Act if act.row.ego], [], [], breaches, of_ego=True), max_size=2))
     earlier += [f"ego.{i}" for i in range(len(own))]
     others: list[Other] = []

@@ -26,7 +26,8 @@
     ├ ScenarioError            a scenario of another format cannot be read, or says what cannot be said here
     ├ RunError                 a run folder cannot be written, read or continued
     ├ QueryError               a query over runs is no SQL, asks for what there is not, or is refused
-    └ LanguageModelError       a language model gave no usable reply, or none within its budget
+    └ LanguageModelError       a language model gave no reply, or none within its budget
+       └ NoUsableReply         it gave replies, and none that could be used
 
 A message says what happened, where, and what to do.
 """
@@ -240,6 +241,10 @@ class QueryError(ChatSceneError):
 
 class LanguageModelError(ChatSceneError):
     """A language model gave no usable reply in time, or could not within its budget."""
+
+
+class NoUsableReply(LanguageModelError):  # noqa: N818 - reads as what it says
+    """A language model replied as often as it was asked, and no reply could be used."""
 
 
 def no_such(what: str, name: str, known: Iterable[str]) -> str:

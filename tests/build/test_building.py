@@ -254,13 +254,7 @@ CAR = "others: [{id: A, kind: car, starts: {where: "
             "contact.whom: B",
         ),
         (
-            CAR + "ahead}, does: [{act: brake, when: {after: A.1}}, {act: go-along}]}]",
-            "others.A.does.0.when.after: A.1",
-        ),
-        (
-            "road: {kind: four-way, control: signal}\n"
-            + CAR
-            + "arm, side: left}, does: [{act: go-straight, breaks: stop-sign}]}]",
+            "road: {kind: four-way}\n" + CAR + "arm, side: left}, does: [{act: go-straight, breaks: stop-sign}]}]",
             "others.A.does.0.breaks: stop-sign",
         ),
         (CAR + "arm, side: left, speed: 36 km/h}, does: [{act: go-straight}]}]", "others.A.starts.speed: 36 km/h"),

@@ -113,7 +113,10 @@ def test_fences_thoughts_and_nulls_of_an_old_model_are_passed_over() -> None:
             "others.A.does: 21 deeds are more than 20",
         ),
         (changed(lambda said: said["others"].clear()), "others: nobody is there"),
-        (changed(lambda said: said.update(ego={"does": [{"act": "swerve"}]})), "ego.does.0.act: swerve is nothing"),
+        (
+            changed(lambda said: said.update(ego={"does": [{"act": "swerve"}]})),
+            "ego.does.0.act: the ego cannot be told to swerve",
+        ),
         ({"verdict": "situation", "reason": "", "situation": None}, "situation: is missing"),
         ({"verdict": "no-situation", "reason": " ", "situation": None}, "reason: say in one sentence"),
         ({"verdict": "perhaps", "reason": "", "situation": None}, "verdict: Input should be 'situation'"),

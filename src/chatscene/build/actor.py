@@ -186,10 +186,13 @@ class Actor:
 
     def _steps(self, deed: Deed) -> Steps:
         table = steps_for(self.stand.meets, walks=self.walks, beside=self.one.starts.where in NEXT_LANE)
-        if deed.act is Act.LANE_CHANGE and deed.to is not None and deed.to != self.one.starts.side:
-            table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
-        if deed.act is Act.LANE_CHANGE and self.one.starts.where not in NEXT_LANE and self.stand.meets is Meets.ALONG:
-            table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
+        if deed.act is Act.LANE_CHANGE and self.stand.meets is Meets.ALONG:
+            if self.one.starts.where not in NEXT_LANE:
+                table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
+            elif deed.to is not None and deed.to == self.one.starts.side:
+                raise NotBuilt(
+                    f"nothing builds yet: {self.path}: lane-change to the {deed.to}, away from the ego's lane"
+                )
         if self.one.starts.where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
             table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
         if deed.act not in table:

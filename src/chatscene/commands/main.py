@@ -57,7 +57,6 @@ from chatscene.errors import ChatSceneError, EditRefused, MeansSomethingElse, No
 from chatscene.memory import lack_of_memory, require_memory
 from chatscene.settings import EGO, PAPER, SIMULATOR, SearchSettings, SimulationSettings
 from chatscene.terms.conflict import Conflict
-from chatscene.terms.situation import Situation
 
 if TYPE_CHECKING:
     from chatscene.api import Run
@@ -66,6 +65,7 @@ if TYPE_CHECKING:
     from chatscene.report.understood import Understood
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
+    from chatscene.terms.situation import Situation
 
 
 def _sampler(default: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -231,7 +231,8 @@ def run(
     if (trust or as_written) and program is None:
         raise click.UsageError("--trust and --as-written are about a --program")
     asked: list[tuple[str, str | Conflict | Situation, Path | None]] = [(text or "", text or "", None)]
-    if text is not None and (stated := situation_file(text)) is not None:
+    stated = situation_file(text) if text is not None else None
+    if stated is not None and text is not None:
         asked = [(stated.about or Path(text).stem, stated, None)]
     if report is not None:
         asked = [(f"conflict-{one.number}", one, None) for one in found_in(report, reading, as_json)]
@@ -242,11 +243,11 @@ def run(
     for name, said, own in asked:
         folder = (out / name if several else out) if out else None
         with going_on(
-            name if isinstance(said, Situation) else str(said), reading["embedder"], as_json, gone if several else None
+            name if stated is not None else str(said), reading["embedder"], as_json, gone if several else None
         ):
             done = api.run(
                 said,
-                folder or runs.free_folder(Path("runs"), name if isinstance(said, Situation) else str(said) or name),
+                folder or runs.free_folder(Path("runs"), name if stated is not None else str(said) or name),
                 program=own,
                 trust=trust,
                 as_written=as_written,

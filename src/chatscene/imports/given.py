@@ -16,6 +16,7 @@ from chatscene.terms.snippet import ParameterRange
 from chatscene.terms.sums import Sum, number, sum_of, valued
 
 REPORTED = 20  # refusals in one message
+DEEPEST = 50  # parameters, each an expression of the next
 MOST_CHARACTERS = 4_000  # of an expression with its parameters: each may name another twice
 _REFERENCE = re.compile(r"\$([A-Za-z_][A-Za-z0-9_]*)")
 _RANGED = frozenset(("double", "int", "integer", "unsignedInt", "unsignedShort"))
@@ -125,8 +126,8 @@ class Given:
             return f"{PARAMETERS}.{self.ranges[name].name}"
         if name not in self.values:
             raise Refused(element, f"it speaks of ${name}, which the file does not declare")
-        if name in within:
-            raise Refused(element, f"${name} is an expression of itself")
+        if name in within or len(within) > DEEPEST:
+            raise Refused(element, f"${name} is an expression of itself, or of too many others in a row")
         value = self.values[name].strip()
         if value.startswith("$"):
             return f"({self._filled(element, value, (*within, name))})"

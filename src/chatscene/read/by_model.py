@@ -12,7 +12,7 @@ from typing import Any, cast, get_args, get_type_hints
 
 from pydantic import BaseModel, ConfigDict
 
-from chatscene.errors import LanguageModelError, SettingsError
+from chatscene.errors import NoUsableReply, SettingsError
 from chatscene.models.language.protocol import LanguageModel, Limits, Prompt
 from chatscene.models.language.structured import printable
 from chatscene.read.decompose import LONGEST
@@ -99,7 +99,7 @@ class ModelReader:
         asked = Prompt(system=system(), examples=EXAMPLES, text=text, form=form())
         try:
             answer = self.model.reply(asked, Answer, check=check).answer
-        except LanguageModelError:
+        except NoUsableReply:
             if not sound:
                 raise
             return self._reading(text, sound[-1])
@@ -155,5 +155,5 @@ def _without_unit(value: Any, path: Path) -> Iterator[tuple[Path, Any]]:
     elif isinstance(value, list):
         for i, one in enumerate(cast("list[Any]", value)):
             yield from _without_unit(one, (*path, i))
-    elif path and path[-1] in _AMOUNTS and "evidence" not in path and not any(c.isalpha() for c in str(value)):
+    elif path and path[-1] in _AMOUNTS and "evidence" not in path and not Amount.has_unit(value):
         yield path, value

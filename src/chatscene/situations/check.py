@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 
 from chatscene.situations.faults import Fault, Path
 from chatscene.terms.actors import Manner as Moves
@@ -18,6 +19,7 @@ JUNCTIONS = frozenset(
 )
 TURNS = frozenset((EgoRoute.LEFT_TURN, EgoRoute.RIGHT_TURN, EgoRoute.TURN))
 MOST = 20  # of others, of one of them, and of the deeds of one: more is no situation that a person means
+_RULED_BY = {Breach.RED_LIGHT: RightOfWay.SIGNAL, Breach.STOP_SIGN: RightOfWay.STOP_SIGN}
 AMOUNTS = ("speed", "acceleration", "distance", "time")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,30}")
 _MOVING = "drives, rides or walks"
@@ -29,6 +31,7 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
     ids = Counter(_plain(one.id) for one in situation.others)
     yield from _too_many(situation)
     yield from _against_itself(situation)
+    yield from _in_a_circle(situation)
     for i, one in enumerate(situation.others):
         at: Path = ("others", i)
         if not _NAME.fullmatch(one.id) or one.id == EGO:
@@ -45,9 +48,7 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
     for i, deed in enumerate(situation.ego.does):
         if not deed.act.row.ego:
             acts = ", ".join(act for act in Act if act.row.ego)
-            yield Fault(
-                ("ego", "does", i, "act"), f"{deed.act!s} is nothing the ego is told to do at its pedals, as are {acts}"
-            )
+            yield Fault(("ego", "does", i, "act"), f"the ego cannot be told to {deed.act!s}; it can be told to {acts}")
         yield from _of_deed(situation, deed, ("ego", "does", i))
     yield from _of_road(situation)
     if (contact := situation.contact) and contact.whom is not None:
@@ -55,13 +56,16 @@ def faults_of(situation: Situation) -> Iterator[Fault]:
 
 
 def _against_itself(situation: Situation) -> Iterator[Fault]:
-    """Numbers of the ego that are measured against the ego's, or leave open how fast it drives at most."""
-    said: list[tuple[Path, Amount | None]] = [(("ego", "speed"), situation.ego.speed)]
+    """Numbers of the ego and of the road that are measured against the ego's."""
+    said: list[tuple[Path, Amount | None]] = [
+        (("ego", "speed"), situation.ego.speed),
+        (("road", "speed_limit"), situation.road.speed_limit),
+    ]
     for i, deed in enumerate(situation.ego.does):
         said += [(("ego", "does", i, name), getattr(deed, name)) for name in AMOUNTS]
     for path, amount in said:
         if amount is not None and amount.than_ego:
-            yield Fault(path, f"{amount}: the ego is not measured against itself")
+            yield Fault(path, f"{amount}: only others are measured against the ego")
 
 
 def _plain(name: str) -> str:
@@ -73,11 +77,11 @@ def _too_many(situation: Situation) -> Iterator[Fault]:
     """What is more than anybody means, so that nothing without end is built."""
     if len(situation.others) > MOST:
         yield Fault(("others",), f"there are {len(situation.others)} of them, and {MOST} at most")
-    for who, does in situation.everybody():
+    listed: list[tuple[Path, tuple[Deed, ...]]] = [(("ego", "does"), situation.ego.does)]
+    listed += [(("others", i, "does"), one.does) for i, one in enumerate(situation.others)]
+    for path, does in listed:
         if len(does) > MOST:
-            yield Fault(
-                ("ego", "does") if who == EGO else ("others", who, "does"), f"{len(does)} deeds are more than {MOST}"
-            )
+            yield Fault(path, f"{len(does)} deeds are more than {MOST}")
 
 
 def _of_other(situation: Situation, one: Other, at: Path) -> Iterator[Fault]:
@@ -101,6 +105,9 @@ def _of_deed(situation: Situation, deed: Deed, at: Path) -> Iterator[Fault]:
     row = deed.act.row
     if deed.to is not None and not row.sided:
         yield Fault((*at, "to"), f"{deed.act!s} goes to no side")
+    ruled = _RULED_BY.get(deed.breaks) if deed.breaks is not None else None
+    if ruled is not None and situation.road.control not in (None, ruled):
+        yield Fault((*at, "breaks"), f"there is no {deed.breaks!s} where the control is {situation.road.control}")
     if deed.whom is not None:
         if not row.whom:
             yield Fault((*at, "whom"), f"{deed.act!s} is done to nobody")
@@ -127,6 +134,30 @@ def _some_deed(situation: Situation, reference: str, of: Deed, at: Path) -> Iter
         )
 
 
+def _in_a_circle(situation: Situation) -> Iterator[Fault]:
+    """Deeds that wait for each other, so that none of them begins."""
+    places = {id(deed): (who, i) for who, does in situation.everybody() for i, deed in enumerate(does)}
+
+    def before(deed: Deed) -> Iterator[Deed]:
+        who, i = places[id(deed)]
+        if i:
+            yield situation.does(who)[i - 1]
+        for reference in (deed.when.after, deed.when.during) if deed.when is not None else ():
+            with suppress(KeyError):
+                yield situation.deed(reference or "")
+
+    for k, one in enumerate(situation.others):
+        for i, deed in enumerate(one.does):
+            waits, seen = list(before(deed)), set[int]()
+            while waits:
+                if (earlier := waits.pop()) is deed and deed.when is not None:
+                    yield Fault(("others", k, "does", i, "when"), "it waits for a deed that waits for it")
+                    break
+                if id(earlier) not in seen:
+                    seen.add(id(earlier))
+                    waits += before(earlier)
+
+
 def _somebody(situation: Situation, name: str, at: Path, *, ego: bool) -> Iterator[Fault]:
     known = [one.id for one in situation.others] + [EGO] * ego
     if name not in known:
@@ -144,16 +175,11 @@ def _of_road(situation: Situation) -> Iterator[Fault]:
                 ("others", i, "starts", "where"),
                 f"{one.starts.where!s} is at a junction, and the road is a {road.kind}",
             )
-        for k, deed in enumerate(one.does):
-            if deed.breaks is Breach.RED_LIGHT and road.control not in (None, RightOfWay.SIGNAL):
-                yield Fault(
-                    ("others", i, "does", k, "breaks"), f"there is no red light where the control is {road.control}"
-                )
     if road.ego_light is not None and road.control not in (None, RightOfWay.SIGNAL):
         yield Fault(("road", "ego_light"), f"there is no light where the control is {road.control}")
     if road.lanes is not None and road.lanes < 1:
         yield Fault(("road", "lanes"), "a road has one lane at least")
     if road.ego_lane is not None and not 1 <= road.ego_lane <= (road.lanes or road.ego_lane):
         yield Fault(
-            ("road", "ego_lane"), f"there is no lane {road.ego_lane} of {road.lanes}, counted from the outermost, 1"
+            ("road", "ego_lane"), f"it is {road.ego_lane}, and the road has {road.lanes} lanes; 1 is the outermost"
         )

@@ -9,13 +9,12 @@ from typing import Any, cast
 import yaml
 
 from chatscene.errors import SituationError
-from chatscene.files.bounded import parse_json
+from chatscene.files.bounded import check_file, parse_json
 from chatscene.situations.faults import Fault, Malformed, by_name, listed
 from chatscene.situations.faults import Path as Place
 from chatscene.situations.form import parsed, to_plain
 from chatscene.terms.situation import Situation
 
-SUFFIXES = (".yaml", ".yml", ".json")
 MOST_BYTES = 2**20
 _PLAIN = ("tag:yaml.org,2002:map", "tag:yaml.org,2002:seq")
 MOST_NODES = 20_000  # of a file: names for what stands elsewhere could make a short one endless
@@ -28,10 +27,13 @@ def read_file(file: Path) -> Situation:
         SituationError: It cannot be read, or is none; the message lists each fault with its line.
     """
     try:
+        check_file(file)
         with file.open("rb") as stream:
             raw = stream.read(MOST_BYTES + 1)
     except OSError as error:
         raise SituationError(f"{file}: {error.strerror or error}") from error
+    except ValueError as error:
+        raise SituationError(f"{file}: {error}") from error
     if len(raw) > MOST_BYTES:
         raise SituationError(f"{file} has more than {MOST_BYTES // 2**20} MB; a situation is a page of text")
     try:

@@ -41,8 +41,8 @@ def parsed(written: object) -> Situation:
     if not isinstance(written, Mapping):
         raise Malformed([Fault((), "a situation is a mapping, with ego, road and others")])
     version = cast("Mapping[str, Any]", written).get("version", VERSION)
-    if isinstance(version, int) and version > VERSION:
-        raise Malformed([Fault(("version",), f"{version} is of a later chatscene; this one reads up to {VERSION}")])
+    if type(version) is not int or version != VERSION:
+        raise Malformed([Fault(("version",), f"{version!r} is of another chatscene; this one reads version {VERSION}")])
     try:
         situation = _form().validate_python(written)
     except ValidationError as error:
@@ -71,6 +71,9 @@ def schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **made}
 
 
+_EITHER = "function-plain[of()]"  # what pydantic calls each kind of amount that one may be of
+
+
 @cache
 def _form() -> TypeAdapter[Situation]:
     return TypeAdapter(Situation)
@@ -79,7 +82,9 @@ def _form() -> TypeAdapter[Situation]:
 def _faults(error: ValidationError) -> Iterator[Fault]:
     told: set[Path] = set()
     for one in error.errors(include_url=False):
-        path = tuple(step for step in one["loc"] if not (isinstance(step, str) and "[" in step))
+        path: Path = one["loc"]
+        if one["type"] == "value_error" and path[-1] == _EITHER:
+            path = path[:-1]
         if path in told and one["type"] == "value_error":
             continue  # of each kind of amount that it might have been
         told.add(path)
@@ -97,7 +102,9 @@ def _faults(error: ValidationError) -> Iterator[Fault]:
             case "value_error":
                 yield Fault(path, str(context["error"]))
             case "dataclass_type":
-                yield Fault(path, f"{given!r} stands where {', '.join(_fields_at(path))} are to stand")
+                yield Fault(path, f"{given!r} is no mapping; write one with {', '.join(_fields_at(path))}")
+            case "tuple_type":
+                yield Fault(path, "a list stands here, as in [a, b]")
             case _:
                 yield Fault(path, f"{given!r}: {one['msg'][0].lower()}{one['msg'][1:]}")
 
@@ -185,9 +192,9 @@ def _put(here: Any, step: str, value: object, path: str) -> None:
             place[step] = value
         return
     if isinstance(here, list) and isinstance(value, dict) and cast("dict[str, Any]", value).get("id") == step:
-        several = cast("list[Any]", here)
-        here = [one for one in several if cast("dict[str, Any]", one).get("id") != step]
-        several[:] = [*here, value]
+        several = cast("list[dict[str, Any]]", here)
+        at = next((i for i, one in enumerate(several) if one.get("id") == step), len(several))
+        several[at : at + 1] = [cast("dict[str, Any]", value)]  # where it was, or behind all
         return
     at = _index(here, step, path)
     if value is None:

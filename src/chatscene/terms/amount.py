@@ -47,9 +47,17 @@ class Amount:
     UNITS: ClassVar[Mapping[str, float]] = {}  # best first; the empty one is the SI unit
     EXAMPLES: ClassVar[tuple[str, ...]] = ()
 
+    RELATIVE: ClassVar[bool] = False  # whether people measure it against the ego's
+
     def __post_init__(self) -> None:
-        if math.isnan(self.low) or math.isnan(self.high) or self.low > self.high:
+        if math.isnan(self.low) or math.isnan(self.high):
+            raise ValueError("it is no number")
+        if self.low > self.high:
             raise ValueError(f"the least {self.QUANTITY} is more than the most")
+        if self.than_ego and not self.RELATIVE:
+            raise ValueError("only a speed is measured against the ego's")
+        if not self.than_ego and (self.high < 0 or -math.inf < self.low < 0):
+            raise ValueError(f"{self.QUANTITY} is never below 0")
         if self.than_ego and self.low < 0 < self.high:
             raise ValueError(f"a {self.QUANTITY} cannot be more and less than the ego's")
         if math.isinf(self.low) and math.isinf(self.high):
@@ -65,7 +73,10 @@ class Amount:
         if isinstance(said, cls):
             return said
         if isinstance(said, int | float) and not isinstance(said, bool):
-            return cls(float(said), float(said))
+            try:
+                return cls(float(said), float(said))
+            except OverflowError as error:
+                raise ValueError("it is no number") from error
         form = _FORM.fullmatch(said) if isinstance(said, str) else None
         if form is None:
             raise ValueError(f"{said!r} is no {cls.QUANTITY}; write it as in {', '.join(map(repr, cls.EXAMPLES))}")
@@ -89,6 +100,12 @@ class Amount:
         if bound:
             low, high = (-math.inf, low) if bound == "<=" else (low, math.inf)
         return cls(low, high, bool(than))
+
+    @staticmethod
+    def has_unit(said: object) -> bool:
+        """Whether something that stands for an amount has a unit; what is no amount has what it has."""
+        form = _FORM.fullmatch(said) if isinstance(said, str) else None
+        return isinstance(said, str) and (form is None or bool(form["unit"]))
 
     @property
     def exact(self) -> bool:
@@ -138,6 +155,7 @@ class Speed(Amount):
 
     __slots__ = ()
     QUANTITY = "speed"
+    RELATIVE = True
     UNITS: ClassVar[Mapping[str, float]] = {
         "km/h": 1 / 3.6, "kph": 1 / 3.6, "kmh": 1 / 3.6, "mph": 0.44704, "m/s": 1.0, "": 1.0,
     }  # fmt: skip

@@ -21,8 +21,8 @@ other = new Car ahead of ego by 20, with behavior Slow()
 {after}
 """
 DRIVER = (
-    "the ego under test drives in the place of the program's, whose FollowLaneBehavior(target_speed=EGO_SPEED) is left "
-    "away; --as-written lets it drive"
+    "the ego under test replaces the program's ego, so its behavior FollowLaneBehavior(target_speed=EGO_SPEED) is not "
+    "used; --as-written keeps it"
 )
 
 

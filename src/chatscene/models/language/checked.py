@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from chatscene.errors import LanguageModelError, SettingsError
+from chatscene.errors import LanguageModelError, NoUsableReply, SettingsError
 from chatscene.models.language.completion import Completer, Completion, JsonSchema, Message
 from chatscene.models.language.protocol import Answer, Budget, Limits, Prompt, Reply, Spending
 from chatscene.models.language.reply_cache import question_key, read_reply, write_reply
@@ -69,7 +69,7 @@ class CheckedModel:
                 return self._reply(answer, before, begun)
             reason = _cut_reason(self._limits) if completion.cut else answer.reason
             messages = [*messages, *_ask_again(completion.text, reason, wanted if prompt.form is None else None)]
-        raise LanguageModelError(
+        raise NoUsableReply(
             f"{self.name} gave no usable reply in {1 + self._limits.reasks} attempts; the last one: {reason}. "
             "Try again with a larger model"
         )

@@ -59,8 +59,8 @@ def _driver(program: ScenicProgram, tree: Any) -> Iterator[str]:
                 if type(part).__name__ == "WithSpecifier" and part.prop == "behavior":
                     does = _code(program.source, part.value)
                     yield (
-                        f"the ego under test drives in the place of the program's, whose {does} is left away; "
-                        "--as-written lets it drive"
+                        f"the ego under test replaces the program's ego, so its behavior {does} is not used; "
+                        "--as-written keeps it"
                     )
 
 
