@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from chatscene.build.build import Built, build
 from chatscene.build.deeds import ACROSS, ALONG, TOWARD
-from chatscene.build.facts import LEFT_OUT
+from chatscene.build.ledger import LEFT_OUT
 from chatscene.build.numbers import RANGES, Numbers
 from chatscene.build.starts import STARTS
 from chatscene.ego.policy import load_ego, wanting

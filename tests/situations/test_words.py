@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chatscene.build.facts import said_in
+from chatscene.build.ledger import said_in
 from chatscene.errors import SituationError
 from chatscene.situations import phrases
 from chatscene.situations.file import read_text

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from chatscene.build.deeds import ALONG, GO, MOVE, Steps, steps_for
-from chatscene.build.facts import Ledger
+from chatscene.build.ledger import Ledger
 from chatscene.build.numbers import FIRM, Numbers
 from chatscene.build.place import NEXT_LANE, Found, at_junction
 from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from chatscene.build.actor import Actor, name_of
 from chatscene.build.ego import BuiltEgo, ego_of
-from chatscene.build.facts import Ledger
+from chatscene.build.ledger import Ledger
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import impossible
 from chatscene.build.starts import Meets

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from chatscene.build.facts import Ledger
+from chatscene.build.ledger import Ledger
 from chatscene.build.place import Found, at_junction
 from chatscene.errors import NotBuilt
 from chatscene.terms.pace import NOMINAL
