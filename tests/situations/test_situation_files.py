@@ -197,7 +197,7 @@ def test_the_schema_says_what_every_word_and_field_means() -> None:
 
 def test_the_page_says_every_word_with_its_meaning() -> None:
     page = (ROOT / "docs" / "situation.md").read_text(encoding="utf-8")
-    tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word)]
+    tables = [one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word) and len(one)]
     for words in tables:
         for word in words:
             assert (f"| `{word}` | {word.meaning} |" if word.meaning else f"`{word}`") in page, (words, word)

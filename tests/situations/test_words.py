@@ -198,8 +198,8 @@ def test_every_word_has_a_phrase_and_no_two_have_the_same(table: Mapping[Any, ob
 
 
 def test_every_table_of_words_is_one_of_phrases() -> None:
-    tables = {one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word)}
-    assert tables - {Word} == {words for _, words in TABLES if issubclass(words, Word)} | {vocabulary.Striker}
+    tables = {one for one in vars(vocabulary).values() if isinstance(one, type) and issubclass(one, Word) and len(one)}
+    assert tables == {words for _, words in TABLES if issubclass(words, Word)} | {vocabulary.Striker}
     assert set(phrases.STRIKERS) == {None, *vocabulary.Striker}
     assert set(phrases.VOICES) == set(Voice)
 

@@ -39,12 +39,22 @@ class Word(StrEnum):
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """The words, and below them what they mean."""
         made = handler(schema)
-        made["description"] = "\n".join((*cls._head(), *(f"{word}: {word.meaning}" for word in cls if word.meaning)))
+        made["description"] = "\n".join(
+            ((cls.__doc__ or "").split("\n", 1)[0], *(f"{word}: {word.meaning}" for word in cls if word.meaning))
+        )
         return made
 
-    @classmethod
-    def _head(cls) -> tuple[str, ...]:
-        return ((cls.__doc__ or "").split("\n", 1)[0],)
+
+class RowWord(Word):
+    """A word with its meaning and a row of what else holds of it."""
+
+    row: Any
+
+    def __new__(cls, value: str, meaning: str, row: Any) -> Self:
+        """A member of a name, with its meaning and its row."""
+        word = str.__new__(cls, value)
+        word._value_, word.meaning, word.row = value, meaning, row
+        return word
 
 
 class Side(Word):
@@ -164,16 +174,10 @@ def _is(kind: AdversaryKind) -> KindRow:
     return KindRow(body=kind)
 
 
-class UserKind(Word):
+class UserKind(RowWord):
     """What kind of road user it is."""
 
     row: KindRow
-
-    def __new__(cls, value: str, meaning: str, row: KindRow) -> Self:
-        """A member of a name, with its meaning and what it is built as."""
-        word = str.__new__(cls, value)
-        word._value_, word.meaning, word.row = value, meaning, row
-        return word
 
     CAR = ("car", "a passenger car, an SUV, a taxi", _is(AdversaryKind.CAR))
     VAN = ("van", "a van, a minibus, a pickup truck", KindRow(body=AdversaryKind.CAR, stands_in=True))
@@ -227,24 +231,18 @@ class WhereRow:
     junction: bool = False
 
 
-class Where(Word):
+class Where(RowWord):
     """Where somebody is when it begins, seen from the ego."""
 
     row: WhereRow
 
-    def __new__(cls, value: str, meaning: str, row: WhereRow | None = None) -> Self:
-        """A member of a name, with its meaning and what holds of it."""
-        word = str.__new__(cls, value)
-        word._value_, word.meaning, word.row = value, meaning, row or WhereRow()
-        return word
-
-    AHEAD = ("ahead", "in the ego's own lane, in front of it")
+    AHEAD = ("ahead", "in the ego's own lane, in front of it", WhereRow())
     AHEAD_BESIDE = ("ahead-beside", "in the next lane of the same direction, in front", WhereRow(sided=True))
     BESIDE = ("beside", "level with the ego, in the next lane or at the edge of its own", WhereRow(sided=True))
-    BEHIND = ("behind", "in the ego's own lane, behind it")
+    BEHIND = ("behind", "in the ego's own lane, behind it", WhereRow())
     BEHIND_BESIDE = ("behind-beside", "in the next lane of the same direction, behind", WhereRow(sided=True))
-    ONCOMING = ("oncoming", "comes the other way, in its own lane or, at a junction, from the arm opposite")
-    ONCOMING_IN_OUR_LANE = ("oncoming-in-our-lane", "comes the other way in the ego's own lane")
+    ONCOMING = ("oncoming", "comes the other way, in its own lane or, at a junction, from the arm opposite", WhereRow())
+    ONCOMING_IN_OUR_LANE = ("oncoming-in-our-lane", "comes the other way in the ego's own lane", WhereRow())
     ARM = ("arm", "on an arm to the side of the junction", WhereRow(sided=True, junction=True))
     ROADSIDE = ("roadside", "beside the road in front, on foot, on two wheels or an animal", WhereRow(sided=True))
     KERB = ("kerb", "a vehicle that stands at the edge of the road, in front", WhereRow(sided=True))
@@ -256,12 +254,12 @@ class Where(Word):
         "at the crosswalk of the road that the ego turns into; the side as the ego comes to it",
         WhereRow(sided=True, junction=True),
     )
-    MEDIAN = ("median", "between the two directions, in front")
-    ON_RAMP = ("on-ramp", "on a ramp that joins the ego's road")
-    OFF_RAMP = ("off-ramp", "on a ramp that leaves the ego's road")
+    MEDIAN = ("median", "between the two directions, in front", WhereRow())
+    ON_RAMP = ("on-ramp", "on a ramp that joins the ego's road", WhereRow())
+    OFF_RAMP = ("off-ramp", "on a ramp that leaves the ego's road", WhereRow())
     IN_ROUNDABOUT = ("in-roundabout", "goes round in the roundabout", WhereRow(junction=True))
     ROUNDABOUT_ENTRY = ("roundabout-entry", "at another entry of the roundabout", WhereRow(junction=True))
-    BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front")
+    BUS_BAY = ("bus-bay", "in a bus bay beside the lane, in front", WhereRow())
 
 
 class Facing(Word):
@@ -311,16 +309,10 @@ def _act(by: frozenset[Moves], takes: str = "", **flags: Any) -> ActRow:
     return ActRow(by=by, takes=frozenset(takes.split()), **flags)
 
 
-class Act(Word):
+class Act(RowWord):
     """What somebody does."""
 
     row: ActRow
-
-    def __new__(cls, value: str, meaning: str, row: ActRow) -> Self:
-        """A member of a name, with its meaning and what holds of it."""
-        word = str.__new__(cls, value)
-        word._value_, word.meaning, word.row = value, meaning, row
-        return word
 
     STAND = ("stand", "stands from the beginning", _act(_THINGS, "time", ego=True, lasting=True))
     GO_ALONG = (
