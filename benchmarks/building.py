@@ -3,7 +3,8 @@
     python benchmarks/building.py --count 1000 --seed 7
 
 Draws situations of one to three road users with one to four deeds each, from all places, kinds and acts that one such
-road user can have, half of the deeds with a number; builds each, drives it with drawn values and judges the tracks.
+road user can have, half of the deeds with a number that the body can do; counts those that cannot be apart; builds
+each of the others, drives it with drawn values and judges the tracks.
 `--files FOLDER` takes the situations of a folder (`.yaml`, `.json`) in their place. Prints the shares, the commonest
 reasons, and with `--each` a line per situation.
 """
@@ -12,14 +13,16 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import click
 
 from chatscene.build.build import build
-from chatscene.build.deeds import steps_for
+from chatscene.build.deeds import Steps, steps_for
+from chatscene.build.possible import impossible
 from chatscene.build.starts import STARTS, Meets
 from chatscene.commands.situations import SUFFIXES
 from chatscene.ego.policy import load_ego, wanting
@@ -31,8 +34,9 @@ from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import faults_of
 from chatscene.situations.file import read_file
+from chatscene.terms.actors import Limits
 from chatscene.terms.actors import Manner as Moves
-from chatscene.terms.amount import Acceleration, Duration, Length, Speed
+from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
 from chatscene.terms.scene import Rejected, Scene
 from chatscene.terms.situation import Deed, Ego, Other, Situation, Start
 from chatscene.terms.vocabulary import Act, EgoRoute, Facing, Role, Side, UserKind, Where
@@ -47,12 +51,22 @@ MEETS = {
 } | dict.fromkeys(
     (Where.ROADSIDE, Where.DRIVEWAY, Where.CROSSING, Where.EXIT_CROSSING, Where.MEDIAN), Meets.ACROSS
 )  # fmt: skip
-NUMBERS = {
-    "speed": lambda rng: Speed.of(f"{rng.randint(5, 60)} km/h"),
-    "acceleration": lambda rng: Acceleration.of(f"{rng.randint(2, 7)} m/s²"),
-    "time": lambda rng: Duration.of(f"{rng.randint(1, 4)} s"),
-    "distance": lambda rng: Length.of(f"{rng.randint(2, 10)} m"),
-}
+SHARE = 0.9  # of what a body can do, up to which numbers are drawn
+GAINS = (Act.ACCELERATE, Act.SET_OFF)
+
+
+def _amount(rng: random.Random, name: str, act: Act, body: Limits) -> Amount:
+    """A number that a body can do."""
+    match name:
+        case "speed":
+            return Speed.of(f"{rng.randint(3, max(4, int(min(60.0, 3.6 * SHARE * body.top_speed))))} km/h")
+        case "acceleration":
+            most = body.throttle if act in GAINS else body.brake
+            return Acceleration.of(f"{rng.uniform(1.0, max(1.0, SHARE * most)):.1f} m/s²")
+        case "time":
+            return Duration.of(f"{rng.randint(1, 4)} s")
+        case _:
+            return Length.of(f"{rng.randint(2, 10)} m")
 
 
 def drawn(rng: random.Random) -> Situation:
@@ -70,7 +84,8 @@ def _somebody(rng: random.Random, name: str) -> Other:
     where = rng.choice([one for one in STARTS if not walks or one in on_foot])
     table = steps_for(MEETS.get(where, Meets.ALONG), walks=walks, beside="beside" in where.value)
     acts = [act for act in Act if act in table and kind.moves in act.row.by]
-    does = tuple(_deed(rng, rng.choice(acts), table) for _ in range(rng.choice((1, 1, 2, 3, 4))))
+    body, many = kind.row.body.row.limits, rng.choice((1, 1, 2, 3, 4))
+    does = tuple(_deed(rng, rng.choice(acts), table, body) for _ in range(many))
     side = rng.choice((Side.LEFT, Side.RIGHT, None)) if where.row.sided else None
     facing = rng.choice((None, Facing.ALONG)) if where is Where.AHEAD and walks else None
     return Other(
@@ -82,10 +97,9 @@ def _somebody(rng: random.Random, name: str) -> Other:
     )
 
 
-def _deed(rng: random.Random, act: Act, table: object) -> Deed:
-    binds = table[act].binds  # type: ignore[index]
-    taken = [name for name in binds if name in act.row.takes]
-    said = {name: NUMBERS[name](rng) for name in taken if rng.random() < 0.5}
+def _deed(rng: random.Random, act: Act, table: Mapping[Act, Steps], body: Limits) -> Deed:
+    taken = [name for name in table[act].binds if name in act.row.takes]
+    said: dict[str, Any] = {name: _amount(rng, name, act, body) for name in taken if rng.random() < 0.5}
     return Deed(act=act, **said)
 
 
@@ -96,7 +110,12 @@ def simulator(map_name: str) -> Simulator:
 
 
 def outcome(situation: Situation, drives: int, ego: str) -> tuple[str, list[str]]:
-    """What became of one, and why: ``refused``, ``not placed``, ``shown`` in all drives, ``in part``, ``not shown``."""
+    """What became of one, and why.
+
+    It is ``impossible``, ``refused``, ``not placed``, ``not shown``, shown ``in part`` of its drives, or ``shown``.
+    """
+    if cannot := [one.said for one in impossible(situation)]:
+        return "impossible", cannot
     try:
         made = build(situation)
     except NotBuilt as refusal:
@@ -136,7 +155,7 @@ def situations(count: int, seed: int, files: Path | None) -> Iterator[tuple[str,
     while made < count:
         one = drawn(rng)
         if not tuple(faults_of(one)):
-            made += 1
+            made += not tuple(impossible(one))
             yield str(made), one
 
 
@@ -154,12 +173,15 @@ def main(count: int, seed: int, drives: int, ego: str, files: Path | None, each:
         what, reasons = outcome(one, drives, ego)
         became[what] += 1
         why.update({f"{what}: {_general(reason)}" for reason in reasons})
-        if each:
+        if each and what != "impossible":
             who = "; ".join(f"{o.kind} {o.starts.where}: {', '.join(d.act for d in o.does)}" for o in one.others)
             click.echo(f"{name}\t{what}\t{one.ego.route or 'straight'}; {who}\t{'; '.join(sorted(set(reasons)))[:200]}")
-    total = sum(became.values())
-    for what, number in became.most_common():
-        click.echo(f"{what}: {number} of {total} ({number / total:.1%})")
+    total = sum(became.values()) - became["impossible"]
+    click.echo(f"impossible: {became['impossible']}, which are not counted below")
+    for what in ("refused", "not placed", "not shown", "in part", "shown"):
+        click.echo(f"{what}: {became[what]} of {total} ({became[what] / total:.1%})")
+    if tried := total - became["refused"]:
+        click.echo(f"shown of what is not refused: {became['shown']} of {tried} ({became['shown'] / tried:.1%})")
     for reason, number in why.most_common(25):
         click.echo(f"  {number}  {reason}")
 
