@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
+from chatscene.program.doing import ACTS, COMES_IN, enters, since, standing
 from chatscene.program.meaning import (
     EGO_STATES,
     POSITIONS,
@@ -38,8 +39,6 @@ from chatscene.terms.vocabulary import Breach, EgoRoute, Part, RoadKind, Side, S
 SLACK = 0.15  # of a number that was said: what a watcher does not see
 SLACK_SPEED, SLACK_LENGTH, SLACK_TIME = 0.7, 2.0, 0.5  # [m/s], [m], [s]: the least of it
 OVER = 5  # [steps] over which a deceleration is seen
-LOST = 1.5  # [m/s] that somebody loses who slows down
-DRIFTED = 0.8  # [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,109 +132,6 @@ STARTS: dict[Where, Callable[[Seen], bool]] = {
     Where.ON_RAMP: lambda s: s.lead[0] > -12.0 and s.offset[0] < -1.6,
 }
 """Whether somebody is seen to start in a place; for those that are not here, no track tells."""
-
-
-def _stands_at_first(s: Seen) -> Iterable[Act]:
-    moving = np.abs(s.track.speed) > STANDING
-    end = int(np.argmax(moving)) if moving.any() else len(moving)
-    if end > 3:
-        yield Act(0, end - 1)
-
-
-def _moves_on(s: Seen) -> Iterable[Act]:
-    """It gets on by its own length, or by two metres, where that is more."""
-    moved = np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0])
-    far = moved > max(2.0, s.track.length)
-    if far.any():
-        yield Act(_since_moving(s), int(np.argmax(far)))
-
-
-def _enters(s: Seen) -> Iterable[Act]:
-    inside = np.abs(s.offset) < 1.75
-    began = _since_moving(s)
-    if abs(s.offset[0]) > 1.6 and inside.any():
-        yield Act(began, int(np.argmax(inside)))
-    elif abs(s.offset[0]) - abs(s.offset[-1]) > 0.3:
-        yield Act(began, None)
-
-
-def _since_moving(s: Seen) -> int:
-    moving = np.abs(s.track.speed) > STANDING
-    return int(np.argmax(moving)) if moving.any() else 0
-
-
-def _sets_off(s: Seen) -> Iterable[Act]:
-    speed = np.abs(s.track.speed)
-    stood = np.flatnonzero(speed < STANDING)
-    if stood.size and (speed[stood[0] :] > MOVING).any():
-        off = int(stood[0] + np.argmax(speed[stood[0] :] > MOVING))
-        yield Act(max(off - 1, 0), off)
-
-
-def _slows_down(s: Seen) -> Iterable[Act]:
-    speed = np.abs(s.track.speed)
-    fastest = np.maximum.accumulate(speed)
-    lost = fastest - speed > min(LOST, 0.2 * float(speed.max()))
-    if lost.any():
-        done = int(np.argmax(lost))
-        yield Act(int(speed[: done + 1].argmax()), done)
-
-
-def _drifts(s: Seen) -> Iterable[Act]:
-    away = np.abs(s.drift)
-    if (away > DRIFTED).any():
-        done = int(np.argmax(away > DRIFTED))
-        near = np.flatnonzero(away[:done] < 0.3)
-        yield Act(int(near[-1]) if near.size else 0, done)
-
-
-def _comes_to_rest(s: Seen) -> Iterable[Act]:
-    return ACTIONS[Action.STOP](s)
-
-
-def _any_change(s: Seen) -> Iterable[Act]:
-    yield from ACTIONS[Action.CHANGE_LANE](s)
-    yield from ACTIONS[Action.CUT_IN](s)
-
-
-def _action(action: Action) -> Callable[[Seen], Iterable[Act]]:
-    return ACTIONS[action]
-
-
-ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
-    Said.STAND: _stands_at_first,
-    Said.GO_ALONG: _moves_on,
-    Said.GO_STRAIGHT: _moves_on,
-    Said.FOLLOW: _moves_on,
-    Said.EXIT: _moves_on,
-    Said.TURN_LEFT: _action(Action.TURN_LEFT),
-    Said.TURN_RIGHT: _action(Action.TURN_RIGHT),
-    Said.U_TURN: _action(Action.U_TURN),
-    Said.CROSS: _action(Action.CROSS),
-    Said.ENTER: _enters,
-    Said.SET_OFF: _sets_off,
-    Said.ACCELERATE: _action(Action.ACCELERATE),
-    Said.SLOW_DOWN: _slows_down,
-    Said.BRAKE: _action(Action.BRAKE),
-    Said.STOP: _comes_to_rest,
-    Said.HESITATE: _action(Action.HESITATE),
-    Said.REVERSE: _action(Action.REVERSE),
-    Said.PULL_OUT: _action(Action.PULL_OUT),
-    Said.CUT_IN: _action(Action.CUT_IN),
-    Said.LANE_CHANGE: _any_change,
-    Said.CUT_OUT: _action(Action.CHANGE_LANE),
-    Said.MERGE: _any_change,
-    Said.OVERTAKE: _action(Action.OVERTAKE),
-    Said.DRIFT: _drifts,
-    Said.SWERVE: _action(Action.SWERVE),
-    Said.WEAVE: _action(Action.WEAVE),
-    Said.KEEP_LEVEL: _action(Action.PACE),
-    Said.TAILGATE: _action(Action.TAILGATE),
-    Said.TURN_BACK: _action(Action.TURN_BACK),
-    Said.PARK: _comes_to_rest,
-    Said.YIELD: _comes_to_rest,
-}
-"""When somebody is seen to do something; for those that are not here, no track tells."""
 
 
 @dataclass(slots=True)
@@ -356,9 +252,9 @@ class _Judge:
             path, act = f"{at}.does.{k}", deed.act
             if act not in ACTS:
                 continue
-            sees = _enters if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING else ACTS[act]
-            found = [once for once in sees(seen) if self._counts(once, seen) and once not in mine]
-            after = [once for once in found if act.row.lasting or once.began >= latest - TOGETHER / seen.dt]
+            found = [once for once in self._seen(one, k, seen, latest) if once not in mine]
+            lasts = act.row.lasting and act is not Said.STAND
+            after = [once for once in found if lasts or once.began >= latest - TOGETHER / seen.dt]
             if not after:
                 never = "never does" if self.contact is None else "had not begun to when the ego crashed"
                 told = f"said {act}, but it {never}"
@@ -388,6 +284,17 @@ class _Judge:
             if deed.when is not None:
                 self.waits.append((f"{path}.when", deed.when, once, seen))
 
+    def _seen(self, one: Other, k: int, seen: Seen, latest: int) -> Iterator[Act]:
+        """The times that a deed is seen, of which some began before another did that was said before it."""
+        act = one.does[k].act
+        stands = act is Said.STAND and k > 0
+        sees = standing if stands else ACTS[act]
+        if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING:
+            sees = enters
+        for once in sees(seen):
+            if self._counts(once, seen):
+                yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
+
     def _counts(self, once: Act, seen: Seen) -> bool:
         """Whether it is done, or under way where a contact cut it short."""
         return once.done is not None if self.contact is None else once.began < len(seen.track.x) - 1
@@ -406,10 +313,11 @@ class _Judge:
                 "changes speed by",
             )
         if deed.time is not None and deed.act in (Said.STOP, Said.STAND, Said.HESITATE):
-            still = np.abs(seen.track.speed[once.began :]) < STANDING
-            stands = int(still.sum()) * seen.dt
-            whole = not still[-1]  # else nobody saw the end of it
-            found = self._number(f"{path}.time", deed.time, np.array([stands]), SLACK_TIME, "stands for")
+            first, end = _stands(seen, once)
+            found = self._number(
+                f"{path}.time", deed.time, np.array([(end - first) * seen.dt]), SLACK_TIME, "stands for"
+            )
+            whole = end < len(seen.track.speed)  # else nobody saw the end of it
             yield found if whole or found.shown else replace(found, shown=None)
 
     def _when(self, path: str, when: When, once: Act, seen: Seen, done: dict[str, Act]) -> Iterator[Finding]:
@@ -506,6 +414,17 @@ def _striker(ego: Track, other: Track, step: int) -> Striker:
         return sign * speed * (math.cos(heading) * dx + math.sin(heading) * dy) / far
 
     return Striker.EGO if toward(ego, 1.0) >= toward(other, -1.0) else Striker.OTHER
+
+
+def _stands(seen: Seen, once: Act) -> tuple[int, int]:
+    """The first time without a break that somebody stands since a deed began: its first step, and the one after it."""
+    still = np.abs(seen.track.speed) < STANDING
+    ahead = np.flatnonzero(still[once.began :])
+    if not ahead.size:
+        return once.began, once.began
+    first = once.began + int(ahead[0])
+    goes = np.flatnonzero(~still[first:])
+    return first, first + int(goes[0]) if goes.size else len(still)
 
 
 def _moved(seen: Seen, once: Act) -> float:

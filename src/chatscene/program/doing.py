@@ -1,0 +1,205 @@
+"""The deeds of a situation as a watcher of the tracks sees them: for each act the times that it is done.
+
+What is said in a sentence's slots is seen by `chatscene.program.deeds`, of which most rows are taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from chatscene.program.deeds import ACTIONS, GAIN, HALT, MOVING, STANDING, Act
+from chatscene.program.watching import Seen
+from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
+from chatscene.terms.acts import Action
+from chatscene.terms.episode import Array
+from chatscene.terms.vocabulary import Act as Said
+
+LOST = 1.5  # [m/s] that somebody loses who slows down …
+SHARE_LOST = 0.2  # … or this share of the speed that it had, where that is less
+SHARE_GAINED = 0.5  # of what is fast for a kind: so much is gained who is seen to accelerate, where it is less than …
+DRIFTED = 0.8  # [m]
+BACK = 0.5  # [m]
+OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
+
+
+def gain_of(row: RoadUser) -> float:
+    """How much speed [m/s] somebody of a kind gains whom a watcher sees to accelerate."""
+    return min(GAIN, SHARE_GAINED * min(row.fast, row.limits.top_speed))
+
+
+def loss_of(speed: float) -> float:
+    """How much speed [m/s] somebody loses whom a watcher sees to slow down, of what it had."""
+    return min(LOST, SHARE_LOST * speed)
+
+
+def _speed(s: Seen) -> Array:
+    return np.abs(s.track.speed)
+
+
+def _stands_at_first(s: Seen) -> Iterable[Act]:
+    moving = _speed(s) > STANDING
+    end = int(np.argmax(moving)) if moving.any() else len(moving)
+    if end > 3:
+        yield Act(0, end - 1)
+
+
+def standing(s: Seen) -> Iterator[Act]:
+    """Every time somebody stands."""
+    still = np.concatenate(([False], _speed(s) < STANDING, [False])).astype(int)
+    edges = np.diff(still)
+    for first, end in zip(np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist(), strict=True):
+        if end - first >= HALT or end == len(s.track.x):
+            yield Act(first, end - 1)
+
+
+def since(once: Act, step: int, s: Seen, *, stands: bool) -> Act:
+    """A deed of which a part was done before another began, from when that did: what is seen of it after that.
+
+    Who comes in must still be outside then; who stands need only stand.
+    """
+    done = len(s.track.x) if once.done is None else once.done
+    still = stands or abs(s.offset[step]) > OUTSIDE
+    return replace(once, began=step) if once.began < step <= done and still else once
+
+
+def _moves_on(s: Seen) -> Iterable[Act]:
+    """It gets on by its own length, or by two metres, where that is more."""
+    moved = np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0])
+    far = moved > max(2.0, s.track.length)
+    if far.any():
+        yield Act(_since_moving(s), int(np.argmax(far)))
+
+
+def enters(s: Seen) -> Iterable[Act]:
+    """It comes into the ego's lane."""
+    inside = np.abs(s.offset) < 1.75
+    began = _since_moving(s)
+    if abs(s.offset[0]) > 1.6 and inside.any():
+        yield Act(began, int(np.argmax(inside)))
+    elif abs(s.offset[0]) - abs(s.offset[-1]) > 0.3:
+        yield Act(began, None)
+
+
+def _since_moving(s: Seen) -> int:
+    moving = _speed(s) > STANDING
+    return int(np.argmax(moving)) if moving.any() else 0
+
+
+def _sets_off(s: Seen) -> Iterable[Act]:
+    speed = _speed(s)
+    step = 0
+    while (stood := np.flatnonzero(speed[step:] < STANDING)).size:
+        first = step + int(stood[0])
+        if not (goes := np.flatnonzero(speed[first:] > MOVING)).size:
+            return
+        step = first + int(goes[0])
+        yield Act(max(step - 1, 0), step)
+
+
+def _slows_down(s: Seen) -> Iterable[Act]:
+    """Every time that it has lost enough of the speed that it had; then what it has is what is lost from."""
+    speed, peak = _speed(s), 0
+    for step in range(1, len(speed)):
+        if speed[step] >= speed[peak]:
+            peak = step
+        elif speed[peak] > MOVING and speed[peak] - speed[step] > loss_of(float(speed[peak])):
+            yield Act(peak, step)
+            peak = step
+
+
+def _accelerates(s: Seen) -> Iterable[Act]:
+    """Every time that it gains speed without losing some, by so much as is seen of its kind."""
+    speed, low = _speed(s), 0
+    gain = gain_of(BY_CLASS.get(s.track.kind, AdversaryKind.CAR).row)
+    for step in range(1, len(speed)):
+        if speed[step] <= speed[low] + 0.1 or speed[step] < speed[step - 1] - 0.05:
+            low = step
+        elif speed[step] - speed[low] >= gain:
+            yield Act(low, step)
+            low = step
+    if len(speed) > 1 and speed[-1] - speed[low] >= gain / 4:
+        yield Act(low, None)
+
+
+def _brakes(s: Seen) -> Iterable[Act]:
+    """It loses speed hard for some steps, or stands before that."""
+    yield from ACTIONS[Action.BRAKE](s)
+    speed = _speed(s)
+    for step in range(1, len(speed)):
+        if speed[step] < STANDING <= speed[step - 1] and speed[max(step - 3, 0)] > MOVING:
+            began = max(step - 3, 0)
+            yield Act(began + int(np.argmax(np.diff(speed[began : step + 1]) < 0.0)), step)
+
+
+def _turns_back(s: Seen) -> Iterable[Act]:
+    """Every time that it goes back half a metre after it came as far: over the road, or from where it began."""
+    yield from _backs((s.offset[0] - s.offset) * np.sign(s.offset[0]))
+    yield from _backs(np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0]))
+
+
+def _backs(came: Array) -> Iterator[Act]:
+    least = most = 0
+    for step in range(1, len(came)):
+        if came[step] > came[most]:
+            most = step
+        elif came[most] - came[least] > BACK and came[most] - came[step] > BACK:
+            yield Act(most, step)
+            least = most = step
+        elif came[most] - came[least] <= BACK and came[step] < came[least]:
+            least = most = step
+    if came[most] - came[least] > BACK and came[most] - came[-1] > BACK / 5:
+        yield Act(most, None)
+
+
+def _drifts(s: Seen) -> Iterable[Act]:
+    away = np.abs(s.drift)
+    if (away > DRIFTED).any():
+        done = int(np.argmax(away > DRIFTED))
+        near = np.flatnonzero(away[:done] < 0.3)
+        yield Act(int(near[-1]) if near.size else 0, done)
+
+
+def _any_change(s: Seen) -> Iterable[Act]:
+    yield from ACTIONS[Action.CHANGE_LANE](s)
+    yield from ACTIONS[Action.CUT_IN](s)
+
+
+ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
+    Said.STAND: _stands_at_first,
+    Said.GO_ALONG: _moves_on,
+    Said.GO_STRAIGHT: _moves_on,
+    Said.FOLLOW: _moves_on,
+    Said.EXIT: _moves_on,
+    Said.TURN_LEFT: ACTIONS[Action.TURN_LEFT],
+    Said.TURN_RIGHT: ACTIONS[Action.TURN_RIGHT],
+    Said.U_TURN: ACTIONS[Action.U_TURN],
+    Said.CROSS: ACTIONS[Action.CROSS],
+    Said.ENTER: enters,
+    Said.SET_OFF: _sets_off,
+    Said.ACCELERATE: _accelerates,
+    Said.SLOW_DOWN: _slows_down,
+    Said.BRAKE: _brakes,
+    Said.STOP: ACTIONS[Action.STOP],
+    Said.HESITATE: ACTIONS[Action.HESITATE],
+    Said.REVERSE: ACTIONS[Action.REVERSE],
+    Said.PULL_OUT: ACTIONS[Action.PULL_OUT],
+    Said.CUT_IN: ACTIONS[Action.CUT_IN],
+    Said.LANE_CHANGE: _any_change,
+    Said.CUT_OUT: ACTIONS[Action.CHANGE_LANE],
+    Said.MERGE: _any_change,
+    Said.OVERTAKE: ACTIONS[Action.OVERTAKE],
+    Said.DRIFT: _drifts,
+    Said.SWERVE: ACTIONS[Action.SWERVE],
+    Said.WEAVE: ACTIONS[Action.WEAVE],
+    Said.KEEP_LEVEL: ACTIONS[Action.PACE],
+    Said.TAILGATE: ACTIONS[Action.TAILGATE],
+    Said.TURN_BACK: _turns_back,
+    Said.PARK: ACTIONS[Action.STOP],
+    Said.YIELD: ACTIONS[Action.STOP],
+}
+"""When somebody is seen to do something; for those that are not here, no track tells."""
+COMES_IN = frozenset((Said.CROSS, Said.ENTER, Said.PULL_OUT))
+"""What is done by whoever is outside the ego's lane and comes into it: begun before, and done when it is in."""
