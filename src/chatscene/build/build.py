@@ -5,9 +5,10 @@ from __future__ import annotations
 import textwrap
 from dataclasses import dataclass
 
-from chatscene.build.actor import Actor, name_of
+from chatscene.build.actor import Actor
 from chatscene.build.ego import BuiltEgo, ego_of
 from chatscene.build.ledger import Ledger
+from chatscene.build.naming import name_of
 from chatscene.build.place import Found, find, met_first, started
 from chatscene.build.possible import impossible
 from chatscene.build.starts import Meets

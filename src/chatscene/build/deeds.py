@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from chatscene.build.paces import REACHED, Pace
 from chatscene.build.starts import Meets
 from chatscene.terms.vocabulary import Act
 
 STILL = "self.pose[3] < 0.05"
+UNDER_WAY = f"self.pose[3] > {REACHED:g} * $SPEED"
 OWN = "ownLane(egoRoute)"
 
 
@@ -27,6 +29,9 @@ class Steps:
         binds: For each amount that a deed may have, the parameter it binds.
         lasting: Whether it is what somebody does who only goes on.
         still: Whether it stands then.
+        going: Whether it must be under way before.
+        pace: What it does to the speed.
+        comes_in: Whether it must be outside the ego's lane before.
     """
 
     does: tuple[str, ...]
@@ -35,6 +40,9 @@ class Steps:
     binds: Mapping[str, str] = field(default_factory=_none)
     lasting: bool = False
     still: bool = False
+    going: bool = False
+    pace: Pace = Pace.KEEPS
+    comes_in: bool = False
 
 
 def _each(acts: Iterable[Act], steps: Steps) -> dict[Act, Steps]:
@@ -48,11 +56,12 @@ _GOES = Steps(
     does=(GO + " for $GO_TIME seconds",), last=(GO,), binds={"speed": "SPEED", "time": "GO_TIME"}, lasting=True
 )
 _STANDS = Steps(
-    does=("BrakeOnPath({p}, 1) for $STOP_TIME seconds",),
+    does=(f"BrakeOnPath({{p}}, 1) until {STILL}", "BrakeOnPath({p}, 1) for $STOP_TIME seconds"),
     last=("BrakeOnPath({p}, 1)",),
     binds={"time": "STOP_TIME"},
     lasting=True,
     still=True,
+    pace=Pace.STANDS,
 )
 _INTO_OWN = Steps(
     does=(f"DrivePath({OWN}, $SPEED) until abs(offsetFrom({OWN}, self)) < 0.8",), way=OWN, binds={"speed": "SPEED"}
@@ -64,20 +73,30 @@ ALONG: dict[Act, Steps] = {
         does=("BrakeOnPath({p}, $BRAKE) for $BRAKE_TIME seconds",),
         last=("BrakeOnPath({p}, $BRAKE)",),
         binds={"acceleration": "BRAKE", "time": "BRAKE_TIME"},
+        going=True,
+        pace=Pace.ENDS,
     ),
     Act.STOP: Steps(
         does=(BRAKES, "Halt() for $STOP_TIME seconds"),
         last=(BRAKES, "Halt()"),
         binds={"acceleration": "BRAKE", "time": "STOP_TIME"},
         still=True,
+        going=True,
+        pace=Pace.STANDS,
     ),
     Act.SLOW_DOWN: Steps(
-        does=("DrivePath({p}, $SLOW) for 3 seconds",), last=("DrivePath({p}, $SLOW)",), binds={"speed": "SLOW"}
+        does=("DrivePath({p}, $SLOW) for 3 seconds",),
+        last=("DrivePath({p}, $SLOW)",),
+        binds={"speed": "SLOW"},
+        going=True,
+        pace=Pace.LOSES,
     ),
     Act.ACCELERATE: Steps(
-        does=("ThrottleOnPath({p}, $THROTTLE) for 1.8 seconds",),
-        last=("ThrottleOnPath({p}, $THROTTLE)",),
-        binds={"acceleration": "THROTTLE"},
+        does=(f"ThrottleOnPath({{p}}, $THROTTLE, 0, $FAST) until self.pose[3] > {REACHED:g} * $FAST",),
+        last=("ThrottleOnPath({p}, $THROTTLE, 0, $FAST)",),
+        binds={"acceleration": "THROTTLE", "speed": "FAST"},
+        going=True,
+        pace=Pace.GAINS,
     ),
     Act.SET_OFF: Steps(does=(GO + " for 3 seconds",), last=(GO,), binds={"speed": "SPEED"}),
     Act.REVERSE: Steps(
@@ -85,14 +104,21 @@ ALONG: dict[Act, Steps] = {
         last=(BRAKES, "ReverseStraight($BACK) for $BACK_TIME seconds", "Halt()"),
         binds={"speed": "BACK", "time": "BACK_TIME"},
         still=True,
+        pace=Pace.STANDS,
     ),
     Act.HESITATE: Steps(
-        does=(BRAKES, "Halt() for $STOP_TIME seconds", GO + " for 1.5 seconds"), binds={"time": "STOP_TIME"}
+        does=(BRAKES, "Halt() for $STOP_TIME seconds", f"{GO} until {UNDER_WAY}"),
+        binds={"time": "STOP_TIME"},
+        going=True,
     ),
     **_each(
         (Act.TURN_BACK, Act.U_TURN),
         Steps(
-            does=("TurnOff(3, $SLOW, 5)",), last=("TurnOff(3, $SLOW, 5)", "MoveAhead($SPEED)"), binds={"speed": "SLOW"}
+            does=("TurnOff(3, $SLOW, 5)",),
+            last=("TurnOff(3, $SLOW, 5)", "MoveAhead($SPEED)"),
+            binds={"speed": "SLOW"},
+            going=True,
+            pace=Pace.ENDS,
         ),
     ),
     Act.WEAVE: Steps(
@@ -170,37 +196,60 @@ BESIDE: dict[Act, Steps] = {
 }
 """Of somebody who goes along, but not through a junction."""
 MOVE = "MoveAhead($SPEED)"
-_RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
-_OVER = Steps(does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 2",), last=(MOVE,), binds={"speed": "SPEED"})
-_ROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SPEED, 2)"
-_ON_FOOT_BACK = Steps(
-    does=("MoveAhead($SPEED, 3.14159) for 1.5 seconds",), last=("MoveAhead($SPEED, 3.14159)",), binds={"speed": "SPEED"}
+_STOOD = "Halt() until self.pose[3] < 0.1"
+RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
+"""Comes so near that it stands in the ego's way if it halts."""
+_OVER = Steps(
+    does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
+_AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SPEED, 2)"
+ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SPEED, 2)", "MoveAhead($SPEED, 3.14159) for 0.3 seconds"
+"""Turns to the road again."""
+_BACK = "MoveAhead($SPEED, 3.14159)"
 ACROSS: dict[Act, Steps] = {
-    **_each((Act.CROSS, Act.GO_STRAIGHT, Act.SET_OFF), _OVER),
-    Act.ENTER: Steps(does=_OVER.does, last=(_RESTS, "Halt()"), binds={"speed": "SPEED"}, still=True),
+    **_each((Act.CROSS, Act.GO_STRAIGHT), _OVER),
+    Act.SET_OFF: Steps(does=(f"{MOVE} until {UNDER_WAY}",), last=(MOVE,), binds={"speed": "SPEED"}),
+    Act.ENTER: Steps(does=_OVER.does, last=(RESTS, "Halt()"), binds={"speed": "SPEED"}, still=True, comes_in=True),
     Act.STAND: Steps(
-        does=("Halt() for $STOP_TIME seconds",), last=("Halt()",), binds={"time": "STOP_TIME"}, lasting=True, still=True
+        does=(_STOOD, "Halt() for $STOP_TIME seconds"),
+        last=("Halt()",),
+        binds={"time": "STOP_TIME"},
+        lasting=True,
+        still=True,
+        pace=Pace.STANDS,
     ),
     **_each(
         (Act.STOP, Act.BRAKE),
         Steps(
-            does=(_RESTS, "Halt() for $STOP_TIME seconds"),
-            last=(_RESTS, "Halt()"),
+            does=(_STOOD, "Halt() for $STOP_TIME seconds"),
+            last=("Halt()",),
             binds={"time": "STOP_TIME"},
             still=True,
+            going=True,
+            pace=Pace.STANDS,
         ),
     ),
     Act.HESITATE: Steps(
-        does=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", MOVE + " for 1 seconds"),
-        last=("Halt() until self.pose[3] < 0.1", "Halt() for $STOP_TIME seconds", MOVE),
+        does=(_STOOD, "Halt() for $STOP_TIME seconds", f"{MOVE} until {UNDER_WAY}"),
+        last=(_STOOD, "Halt() for $STOP_TIME seconds", MOVE),
         binds={"time": "STOP_TIME"},
+        going=True,
     ),
     Act.ACCELERATE: Steps(
-        does=("MoveAhead($FAST) for 1 seconds",), last=("MoveAhead($FAST)",), binds={"speed": "FAST"}
+        does=(f"MoveAhead($FAST) until self.pose[3] > {REACHED:g} * $FAST",),
+        last=("MoveAhead($FAST)",),
+        binds={"speed": "FAST"},
+        going=True,
+        pace=Pace.GAINS,
     ),
-    Act.SLOW_DOWN: Steps(does=("MoveAhead($SLOW) for 2 seconds",), last=("MoveAhead($SLOW)",), binds={"speed": "SLOW"}),
-    Act.TURN_BACK: _ON_FOOT_BACK,
+    Act.SLOW_DOWN: Steps(
+        does=("MoveAhead($SLOW) for 2 seconds",),
+        last=("MoveAhead($SLOW)",),
+        binds={"speed": "SLOW"},
+        going=True,
+        pace=Pace.LOSES,
+    ),
+    Act.TURN_BACK: Steps(does=(_BACK + " for 1.5 seconds",), last=(_BACK,), binds={"speed": "SPEED"}, going=True),
     Act.GO_ALONG: Steps(
         does=(MOVE + " for $GO_TIME seconds",),
         last=(MOVE,),
@@ -211,7 +260,9 @@ ACROSS: dict[Act, Steps] = {
 """Of somebody who heads over the road."""
 ACROSS_RIDING = {
     **ACROSS,
-    Act.TURN_BACK: Steps(does=(_ROUND, MOVE + " for 1.5 seconds"), last=(_ROUND, MOVE), binds={"speed": "SPEED"}),
+    Act.TURN_BACK: Steps(
+        does=(_AROUND, MOVE + " for 1.5 seconds"), last=(_AROUND, MOVE), binds={"speed": "SPEED"}, going=True
+    ),
 }
 
 

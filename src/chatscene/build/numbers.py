@@ -47,6 +47,9 @@ _SHARES: dict[str, Callable[[RoadUser], float]] = {
 FIRM = {Manner.HARD: 0.8, Manner.SUDDEN: 0.8}
 """From which share of its brakes on somebody brakes hard, or suddenly."""
 
+PACES: dict[Manner | None, str] = {Manner.SLOW: "SLOW", Manner.FAST: "FAST"}
+"""The ranges of the speed of somebody who is said to go slowly or fast."""
+
 
 @dataclass(slots=True)
 class Numbers:
@@ -69,11 +72,12 @@ class Numbers:
 
     def __post_init__(self) -> None:
         # A watcher calls it slow below one speed and fast from another on: what is neither lies between.
-        slow, fast, top = self.row.slow, self.row.fast, MOST * self.row.limits.top_speed
+        top = MOST * self.row.limits.top_speed
+        slow, fast = self.row.slow, min(self.row.fast, top)
         meaning = "how fast it goes"
-        self.ranges["SPEED"] = (0.55 * fast, min(0.82 * fast, top), "m/s", meaning)
+        self.ranges["SPEED"] = (0.55 * fast, 0.82 * fast, "m/s", meaning)
         self.ranges["SLOW"] = (0.5 * slow, 0.9 * slow, "m/s", "how slow it then is")
-        self.ranges["FAST"] = (min(fast, top), min(1.25 * fast, top), "m/s", "how fast it then is")
+        self.ranges["FAST"] = (fast, min(1.25 * fast, top), "m/s", "how fast it then is")
 
     def bind(self, name: str, amount: Amount, ego: float, path: str = "") -> None:
         """Let a parameter be what was said.
@@ -87,7 +91,7 @@ class Numbers:
         Raises:
             NotBuilt: No body of its kind can do that.
         """
-        low, high, unit, meaning = self._range(name)
+        low, high, unit, meaning = self.range_of(name)
         share = _SHARES.get(_OF_DEED.sub("", name))
         scale = share(self.row) if share else 1.0
         least, most = (amount.low + ego * amount.than_ego) / scale, (amount.high + ego * amount.than_ego) / scale
@@ -105,7 +109,7 @@ class Numbers:
 
     def narrow(self, name: str, low: float, high: float) -> None:
         """Give a parameter another range, where no number was said of it."""
-        _, _, unit, meaning = self._range(name)
+        _, _, unit, meaning = self.range_of(name)
         self.ranges[name] = (low, high, unit, meaning)
 
     def measure(self, name: str, low: float, high: float, unit: str, meaning: str, path: str = "") -> None:
@@ -116,11 +120,11 @@ class Numbers:
 
     def middle(self, name: str) -> float:
         """The middle of the range of a parameter."""
-        low, high, *_ = self._range(name)
+        low, high, *_ = self.range_of(name)
         return (low + high) / 2
 
-    def _range(self, name: str) -> tuple[float, float, str, str]:
-        """Of a parameter, or of that which it is for one deed alone, as ``BRAKE_1`` is of ``BRAKE``."""
+    def range_of(self, name: str) -> tuple[float, float, str, str]:
+        """The range of a parameter, or of that which it is for one deed alone, as ``BRAKE_1`` is of ``BRAKE``."""
         if name in self.ranges:
             return self.ranges[name]
         general = _OF_DEED.sub("", name)
@@ -132,7 +136,7 @@ class Numbers:
 
     def value(self, name: str) -> str:
         """What stands for a parameter in a program."""
-        low, high, *_ = self.ranges.setdefault(name, self._range(name))
+        low, high, *_ = self.ranges.setdefault(name, self.range_of(name))
         self.read.add(name)
         return f"globalParameters.{self.called(name)}" if high > low else f"{low:.6g}"
 

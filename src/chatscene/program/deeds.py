@@ -20,14 +20,14 @@ from chatscene.simulate.roadside import crossing_step
 from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import Array
+from chatscene.terms.seeing import GAIN
 
 STANDING = 0.3  # [m/s]
 MOVING = 0.6  # [m/s]
 BRAKING = 1.8  # [m/s²] from which a watcher says that it brakes …
 LOSING = 1.0  # [m/s²] from which it slows, and does not roll out …
 OF_GRIP = 0.5  # … or half of what the road holds, where that is less
-GAIN = 2.0  # [m/s] within `GAINING`: it accelerates
-GAINING = 30  # [steps]
+GAINING = 30  # [steps] within which who accelerates gains `GAIN`
 TURNED = math.radians(45)
 TURNED_MIDWAY = math.radians(25)  # of a vehicle that ends up standing in its turn
 TURNING = math.radians(10)  # by now it is turning

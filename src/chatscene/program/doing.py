@@ -5,34 +5,24 @@ What is said in a sentence's slots is seen by `chatscene.program.deeds`, of whic
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
 
-from chatscene.program.deeds import ACTIONS, GAIN, HALT, MOVING, STANDING, Act
+from chatscene.program.deeds import ACTIONS, HALT, MOVING, STANDING, Act
 from chatscene.program.watching import Seen
-from chatscene.terms.actors import BY_CLASS, AdversaryKind, RoadUser
+from chatscene.terms.actors import BY_CLASS, AdversaryKind
 from chatscene.terms.acts import Action
 from chatscene.terms.episode import Array
+from chatscene.terms.seeing import gain_of, loss_of
 from chatscene.terms.vocabulary import Act as Said
 
-LOST = 1.5  # [m/s] that somebody loses who slows down …
-SHARE_LOST = 0.2  # … or this share of the speed that it had, where that is less
-SHARE_GAINED = 0.5  # of what is fast for a kind: so much is gained who is seen to accelerate, where it is less than …
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
+MOST_OF = 0.7
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
-
-
-def gain_of(row: RoadUser) -> float:
-    """How much speed [m/s] somebody of a kind gains whom a watcher sees to accelerate."""
-    return min(GAIN, SHARE_GAINED * min(row.fast, row.limits.top_speed))
-
-
-def loss_of(speed: float) -> float:
-    """How much speed [m/s] somebody loses whom a watcher sees to slow down, of what it had."""
-    return min(LOST, SHARE_LOST * speed)
 
 
 def _speed(s: Seen) -> Array:
@@ -110,10 +100,15 @@ def _slows_down(s: Seen) -> Iterable[Act]:
             peak = step
 
 
-def _accelerates(s: Seen) -> Iterable[Act]:
-    """Every time that it gains speed without losing some, by so much as is seen of its kind."""
+def accelerates(s: Seen, to: float = math.inf) -> Iterable[Act]:
+    """Every time that it gains speed without losing some, by so much as is seen of its kind, or most of what was said.
+
+    Args:
+        s: Who.
+        to: The speed [m/s] that was said, of which it can gain no more.
+    """
     speed, low = _speed(s), 0
-    gain = gain_of(BY_CLASS.get(s.track.kind, AdversaryKind.CAR).row)
+    gain = min(gain_of(BY_CLASS.get(s.track.kind, AdversaryKind.CAR).row), MOST_OF * to)
     for step in range(1, len(speed)):
         if speed[step] <= speed[low] + 0.1 or speed[step] < speed[step - 1] - 0.05:
             low = step
@@ -179,7 +174,7 @@ ACTS: dict[Said, Callable[[Seen], Iterable[Act]]] = {
     Said.CROSS: ACTIONS[Action.CROSS],
     Said.ENTER: enters,
     Said.SET_OFF: _sets_off,
-    Said.ACCELERATE: _accelerates,
+    Said.ACCELERATE: accelerates,
     Said.SLOW_DOWN: _slows_down,
     Said.BRAKE: _brakes,
     Said.STOP: ACTIONS[Action.STOP],

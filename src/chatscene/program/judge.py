@@ -10,11 +10,12 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from chatscene.program.deeds import ACTIONS, MOVING, STANDING, Act
-from chatscene.program.doing import ACTS, COMES_IN, enters, since, standing
+from chatscene.program.doing import ACTS, COMES_IN, accelerates, enters, since, standing
 from chatscene.program.meaning import (
     EGO_STATES,
     POSITIONS,
@@ -291,6 +292,8 @@ class _Judge:
         sees = standing if stands else ACTS[act]
         if act is Said.OVERTAKE and one.starts.where is Where.ONCOMING:
             sees = enters
+        if act is Said.ACCELERATE and (speed := one.does[k].speed) is not None and not speed.than_ego:
+            sees = partial(accelerates, to=speed.high)
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once

@@ -1,0 +1,123 @@
+"""What somebody does until its first deed is due, and when that is: so early that all that follow are begun in time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from chatscene.build.deeds import GO
+from chatscene.build.paces import Pace
+from chatscene.build.place import at_junction
+from chatscene.build.starts import Meets, stands_first
+from chatscene.build.timing import Course
+from chatscene.build.waiting import when_of
+from chatscene.terms.vocabulary import Act, Facing, Side, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.phases import Phases
+
+LANE = 3.5  # [m], a lane's width
+
+
+@dataclass(slots=True)
+class Opening:
+    """The beginning of the phases of a road user.
+
+    Attributes:
+        phases: Of whom.
+        first: The number of the first deed that is not to stand from the beginning.
+        ahead: Where it is when its last deed begins, since the first did.
+        near: How far [m] it goes before it comes into the ego's lane by a deed.
+    """
+
+    phases: Phases
+    first: int
+    ahead: Course
+    near: float
+
+    def texts(self) -> Iterator[str]:
+        """What is done until the first deed is due."""
+        actor, steps = self.phases.actor, self.phases.steps
+        deed, when = actor.deeds[self.first], actor.deeds[self.first].when
+        waits = self._waits()
+        if when is not None:
+            yield from when_of(actor, self.first, when, waits)
+            if when.ego_within is not None or actor.stand.ego_meets == "egoRoute.eventAt":
+                return
+        lasting = all(one.lasting for one in steps)
+        if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
+            return
+        yield f"{waits} until {self._due()}"
+        if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
+            seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
+            yield f"{self._go()} until gap(self, ego) < (self.pose[3] + ego.pose[3]) * {seconds}"
+        if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
+            room = 3 + self.ahead.metres
+            yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+
+    def _go(self) -> str:
+        return GO.replace("$SPEED", f"${self._speed()}")
+
+    def _speed(self) -> str:
+        """The parameter of the speed at which it comes to where it meets the ego."""
+        paces = self.phases.paces
+        keeps = self.phases.steps[self.first].pace is Pace.KEEPS
+        speed = (paces.after if keeps else paces.before)[self.first]
+        return speed.name or "SPEED"
+
+    def _goes_along(self) -> bool:
+        """Whether it is on the road, or faces along it: nothing is timed then by where its way and the ego's meet."""
+        one = self.phases.actor.one
+        return one.starts.where is Where.AHEAD or one.starts.facing in (Facing.ALONG, Facing.AGAINST)
+
+    def _waits(self) -> str:
+        actor = self.phases.actor
+        stands = stands_first(actor.one)
+        match actor.stand.meets:
+            case Meets.ALONG | Meets.KERB if stands or actor.stand.meets is Meets.KERB:
+                return "Park()"
+            case Meets.ALONG:
+                speed = self.phases.paces.before[self.first]
+                if speed.name and self.phases.keeps_distance:  # at a speed that the ego has not
+                    return GO.replace("$SPEED", f"${speed.name}")
+                ahead = "-$Y" if actor.stand.behind else "$Y"
+                if not self.phases.keeps_distance:
+                    return f"PaceOnPath({{p}}, ego, {ahead}, ${self._speed()}, 2)"
+                return f"PaceOnPath({{p}}, ego, {ahead}, 40, {self.phases.follows:.3g})"
+            case Meets.ACROSS if actor.one.starts.where is Where.AHEAD and not stands:
+                return f"MoveAhead(${self._speed()})"  # on foot in the lane
+            case _:
+                return "Halt()"
+
+    def _due(self) -> str:
+        """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""
+        actor, stand, more = self.phases.actor, self.phases.actor.stand, self.ahead.seconds
+        match stand.meets:
+            case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
+                wish = actor.numbers.middle(self._speed())
+                metres = self._to_meet()
+                lost = self.phases.body.covers(metres, wish) - metres / wish
+                comes = 0.0 if any(one.comes_in for one in self.phases.steps) else metres / wish + lost
+                wait = max(0.0, lost) + max(0.0, more - self.near / wish - comes)
+                own = f"{stand.left} / ${self._speed()} + {wait:.2f}"
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
+            case Meets.KERB:
+                # It is in the lane once it has gone its own length and the width of a lane.
+                wait = self.phases.body.covers(actor.limits.length + LANE, actor.numbers.middle(self._speed()))
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait + more:.2f} + $OFFSET"
+            case Meets.ALONG if stands_first(actor.one) and not stand.behind:
+                return f"secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < {3.6 + more:.2f} + $OFFSET"
+            case _:
+                ahead = (2.0 if at_junction(actor.ledger.situation) else 1.0) + more
+                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {ahead:.3g} + $OFFSET"
+
+    def _to_meet(self) -> float:
+        """How far [m] it has about to where it meets the ego."""
+        actor = self.phases.actor
+        if actor.stand.meets is Meets.ACROSS:
+            if actor.stand.left == "0":
+                return 0.1
+            aside = actor.numbers.middle("X") if "$X" in actor.stand.point else 0.0
+            return aside + (LANE if actor.one.starts.side is Side.LEFT else 0.0) + 1.0
+        return (actor.numbers.middle("Y") if "$Y" in actor.stand.at else 0.0) + 2 * LANE

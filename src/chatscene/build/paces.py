@@ -1,0 +1,166 @@
+"""How fast somebody is before and after each deed: each gains or loses so much that a watcher sees it.
+
+Speeds that were said are kept; those that were not are chosen about them. A deed that would gain or lose too little of
+what was said is refused, with what could be said instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from chatscene.build.numbers import MOST, Numbers
+from chatscene.errors import NotBuilt
+from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
+from chatscene.terms.situation import Deed
+
+SEEN = 1.2  # times what a watcher must see at least
+REACHED = 0.9  # of a speed that is wanted: there a driver's pedal holds it
+LEAST = 0.3  # [m/s], nobody goes slower on purpose
+
+
+class Pace(StrEnum):
+    """What a deed does to the speed of who does it."""
+
+    KEEPS = "keeps"  # goes at a speed, that which it had if none was said
+    GAINS = "gains"
+    LOSES = "loses"
+    STANDS = "stands"  # stands then, and goes on as fast as it was used to
+    ENDS = "ends"  # has another speed then, which does not matter
+
+
+@dataclass(slots=True)
+class Speed:
+    """A speed that somebody has for some time.
+
+    Attributes:
+        name: The parameter; empty for the ego's own speed, which it keeps to at first.
+        low: The least it may be [m/s].
+        high: The most.
+        said: Whether it was said.
+    """
+
+    name: str
+    low: float
+    high: float
+    said: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Change:
+    """A deed that changes the speed.
+
+    Attributes:
+        deed: Its number.
+        before: The speed that it had.
+        after: The speed that it then has.
+        gains: Whether that is more.
+    """
+
+    deed: int
+    before: Speed
+    after: Speed
+    gains: bool
+
+
+class Paces:
+    """The speeds of one road user.
+
+    Args:
+        numbers: Its parameters, which are narrowed.
+        path: Of its facts.
+        first: The speed that it has before its first deed.
+    """
+
+    def __init__(self, numbers: Numbers, path: str, first: Speed) -> None:
+        self._numbers = numbers
+        self._path = path
+        self._used = first if first.high > 0.0 else Speed("SPEED", *numbers.ranges["SPEED"][:2])
+        self._now = first
+        self._speeds = [first]
+        self._changes: list[Change] = []
+        self.before: list[Speed] = []
+        self.after: list[Speed] = []
+
+    def add(self, k: int, pace: Pace, said: tuple[float, float] | None, name: str) -> None:
+        """The next deed, with the speed that was said of it and the parameter that it has."""
+        if pace is not Pace.GAINS and self._now.high <= 0.0:
+            self._now = self._used
+        self.before.append(self._now)
+        match pace:
+            case Pace.KEEPS if said is not None:
+                self._now = self._used = self._new(name, *said, said=True)
+            case Pace.GAINS | Pace.LOSES:
+                gains = pace is Pace.GAINS
+                top = MOST * self._numbers.row.limits.top_speed
+                then = self._new(name, *(said or (LEAST, top)), said=said is not None)
+                self._changes.append(Change(deed=k, before=self._now, after=then, gains=gains))
+                self._now = then
+            case Pace.STANDS:
+                self._now = self._new("", 0.0, 0.0, said=True)
+            case Pace.ENDS:
+                self._now = self._used
+            case _:
+                pass
+        self.after.append(self._now)
+
+    def _new(self, name: str, low: float, high: float, *, said: bool) -> Speed:
+        self._speeds.append(one := Speed(name, low, high, said))
+        return one
+
+    def settle(self, deeds: Sequence[Deed]) -> None:
+        """Choose the speeds that were not said.
+
+        Raises:
+            NotBuilt: What was said cannot be seen.
+        """
+        gain = gain_of(self._numbers.row) * SEEN
+        for one in reversed(self._changes):
+            if one.gains:
+                _lower(one.before, REACHED * (one.after.low if one.after.said else one.after.high) - gain)
+            elif one.after.said:
+                _raise(one.before, min(one.after.high + LOST * SEEN, one.after.high / (1 - SHARE_LOST * SEEN)))
+        for one in self._changes:
+            if one.gains and not one.after.said:
+                one.after.low = max(one.after.low, min((one.before.high + gain) / REACHED, one.after.high))
+                one.after.high = min(one.after.high, max(one.after.low, one.after.low + gain))
+            elif not one.gains and not one.after.said:
+                one.after.low, one.after.high = 0.3 * one.before.low, 0.6 * one.before.low
+            self._check(one, deeds[one.deed])
+        for speed in self._speeds:
+            if speed.name and not speed.said:
+                self._numbers.narrow(speed.name, speed.low, speed.high)
+
+    def _check(self, one: Change, deed: Deed) -> None:
+        before, after, name = one.before, one.after, f"{self._path}.does.{one.deed}.act: {deed.act}"
+        least = gain_of(self._numbers.row)
+        if one.gains and after.high < before.low + least and before.low > LEAST:
+            raise NotBuilt(f"{name} {_told(before.low, after.high)}; say {_kmh(before.low + least)} at least")
+        if before.low > MOST * self._numbers.row.limits.top_speed:
+            kind, most = self._numbers.row.scenic.lower(), MOST * self._numbers.row.limits.top_speed
+            raise NotBuilt(f"{name} to {_kmh(after.low)} cannot be seen of a {kind}, which goes at {_kmh(most)} at most")
+        least = loss_of(before.high)
+        if not one.gains and after.low > before.high - least:
+            raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")
+
+
+def _told(before: float, after: float) -> str:
+    return f"cannot be seen from {_kmh(before)} to {_kmh(after)}"
+
+
+def _kmh(speed: float) -> str:
+    return f"{3.6 * speed:.0f} km/h"
+
+
+def _lower(speed: Speed, most: float) -> None:
+    """Let a speed that was not said be no more than something."""
+    if not speed.said:
+        speed.high = max(LEAST, min(speed.high, most))
+        speed.low = min(speed.low, speed.high)
+
+
+def _raise(speed: Speed, least: float) -> None:
+    if not speed.said:
+        speed.low = max(speed.low, least)
+        speed.high = max(speed.low, speed.high)

@@ -1,0 +1,357 @@
+"""The phases of one road user: its deeds one after the other, at speeds that are seen to differ, and begun in time."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from chatscene.build.deeds import (
+    ALONG,
+    BRAKES,
+    GO,
+    MOVE,
+    RESTS,
+    ROUND,
+    ROUND_ON_FOOT,
+    UNDER_WAY,
+    Steps,
+    steps_for,
+)
+from chatscene.build.numbers import FIRM, PACES
+from chatscene.build.opening import Opening
+from chatscene.build.paces import LEAST, Pace, Paces, Speed
+from chatscene.build.place import NEXT_LANE
+from chatscene.build.starts import Meets, stands_first
+from chatscene.build.timing import Body, Course, course
+from chatscene.build.waiting import when_of
+from chatscene.errors import NotBuilt
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.situation import EGO, Deed
+from chatscene.terms.vocabulary import Act, Breach, EgoLight, Role, Side, Striker, Where
+
+if TYPE_CHECKING:
+    from chatscene.build.actor import Actor
+
+FOLLOWS = 0.64  # of the ego's speed
+OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
+_GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
+_QUIET = frozenset((Act.STAND, Act.STOP))
+_OFF = frozenset((Act.SET_OFF, Act.STAND))
+
+
+@dataclass(slots=True)
+class Phases:
+    """The deeds of a road user that are being made into phases.
+
+    Attributes:
+        actor: Who.
+        steps: For each deed, how it is done.
+        paces: How fast it is before and after each.
+        body: What its body can do.
+    """
+
+    actor: Actor
+    steps: list[Steps] = field(init=False)
+    paces: Paces = field(init=False)
+    body: Body = field(init=False)
+
+    def texts(self) -> tuple[str, ...]:
+        """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
+        actor = self.actor
+        one, deeds = actor.one, actor.deeds
+        for k, deed in enumerate(deeds):
+            breaks = [f"{actor.path}.does.{k}.breaks"] if self._breaks(deed) else []
+            actor.ledger.take(f"{actor.path}.does.{k}.act", *breaks)
+        if actor.lies or (one.role is Role.HIDES and all(deed.act is Act.STAND for deed in deeds)):
+            return ("Halt()",) if one.role is Role.ADVERSARY else ()
+        self.body = Body(actor.limits, actor.walks)
+        self.steps = [self._steps_of(k) for k in range(len(deeds))]
+        self._choose_speeds()
+        if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS):
+            self._between()
+        return tuple(self._all())
+
+    # Speeds
+
+    def _choose_speeds(self) -> None:
+        actor = self.actor
+        numbers = actor.numbers
+        if (start := actor.one.starts.speed) is not None and not stands_first(actor.one):
+            numbers.bind("SPEED", start, actor.ego_speed)
+        said = {k: self._said_speed(k) for k in range(len(self.steps))}
+        try:
+            self.paces = self._paced(said, self._first(as_ego=True))
+        except NotBuilt:
+            self.paces = self._paced(said, self._first(as_ego=False))
+
+    def _paced(self, said: dict[int, tuple[str, tuple[float, float] | None]], first: Speed) -> Paces:
+        actor = self.actor
+        paces = Paces(actor.numbers, actor.path, first)
+        for k, steps in enumerate(self.steps):
+            name, speed = said[k]
+            paces.add(k, steps.pace, speed, name)
+        paces.settle(actor.deeds)
+        return paces
+
+    def _first(self, *, as_ego: bool) -> Speed:
+        """The speed it has before its first deed."""
+        actor = self.actor
+        said = "SPEED" in actor.numbers.bound
+        if stands_first(actor.one):
+            return Speed("", 0.0, 0.0, said=True)
+        if as_ego and not said and self.keeps_distance:
+            return Speed("", self.follows, actor.ego_speed, said=True)
+        low, high, *_ = actor.numbers.ranges["SPEED"]
+        return Speed("SPEED", low, high, said=said)
+
+    @property
+    def follows(self) -> float:
+        """The least speed [m/s] of who keeps its distance to the ego: else both would slow down for each other."""
+        return FOLLOWS * self.actor.ego_speed
+
+    @property
+    def keeps_distance(self) -> bool:
+        """Whether it goes as fast as the ego until its first deed is due."""
+        row = self.actor.one.kind.row.body.row
+        return self.actor.stand.meets is Meets.ALONG and row.motorised
+
+    def _said_speed(self, k: int) -> tuple[str, tuple[float, float] | None]:
+        """The parameter of the speed of a deed, and what was said of it."""
+        actor, deed, steps = self.actor, self.actor.deeds[k], self.steps[k]
+        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
+        general = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace, "SPEED")
+        own = f"{general}_{k}"
+        bound = steps.binds.get("speed") == general
+        if bound and deed.speed is not None:
+            own = general if general == "SPEED" and self._one_speed() else own
+            numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
+            return own, numbers.ranges[own][:2]
+        if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
+            actor.ledger.take(f"{at}.manner")
+            low, high, *_ = numbers.ranges[PACES[deed.manner]]
+            own = "SPEED" if len({one.manner for one in actor.deeds if one.manner in PACES}) == 1 else own
+            numbers.narrow(own, low, high)
+            return own, (low, high)
+        return own, None
+
+    def _one_speed(self) -> bool:
+        """Whether one speed at most was said of it, which then is its speed all the time."""
+        actor = self.actor
+        return sum(deed.speed is not None for deed in actor.deeds) + (actor.one.starts.speed is not None) <= 1
+
+    def _between(self) -> None:
+        """Let it be where the ways meet from when it would touch the ego's tail to when it would just have gone by.
+
+        Whoever comes later strikes the other.
+        """
+        actor, ego = self.actor, AdversaryKind.CAR.row.limits
+        late = -0.5 * (ego.length + actor.limits.length) / actor.ego_speed
+        early = (ego.width + actor.limits.length) / actor.numbers.middle("SPEED")
+        contact = actor.ledger.situation.contact
+        if contact is not None and contact.striker is not None:
+            late, early = (0.0, early) if contact.striker is Striker.EGO else (late, 0.0)
+            actor.ledger.take("contact.striker")
+        actor.numbers.narrow("OFFSET", late, early)
+
+    # Steps
+
+    def _breaks(self, deed: Deed) -> bool:
+        """Whether the rule that is broken is there, and is broken by what is done."""
+        actor = self.actor
+        moves = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in _QUIET | {Act.HESITATE}
+        control = actor.found.query.get("control")
+        match deed.breaks:
+            case Breach.RED_LIGHT:
+                with_us = actor.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
+                red = (actor.ledger.situation.road.ego_light is EgoLight.RED) == with_us
+                return moves and control == "signal" and (red or with_us)
+            case Breach.STOP_SIGN:
+                return moves and control == "stop-sign"
+            case _:
+                return moves
+
+    def _steps_of(self, k: int) -> Steps:
+        actor, deed = self.actor, self.actor.deeds[k]
+        where, meets = actor.one.starts.where, actor.stand.meets
+        table = steps_for(meets, walks=actor.walks, beside=where in NEXT_LANE)
+        if deed.act is Act.LANE_CHANGE and meets is Meets.ALONG:
+            if where not in NEXT_LANE:
+                table = {**table, Act.LANE_CHANGE: ALONG[Act.CUT_OUT]}
+            elif deed.to is not None and deed.to == actor.one.starts.side:
+                raise NotBuilt(
+                    f"nothing builds yet: {actor.path}: lane-change to the {deed.to}, away from the ego's lane"
+                )
+        if where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
+            table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
+        if deed.act not in table:
+            raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
+        steps = table[deed.act]
+        if deed.act is Act.BRAKE and meets is not Meets.ACROSS and deed.time is None and self._then(k) in _OFF:
+            steps = replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
+        return steps
+
+    def _then(self, k: int) -> Act | None:
+        return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
+
+    def _contact(self) -> bool:
+        contact = self.actor.ledger.situation.contact
+        return contact is not None and contact.happens
+
+    # All phases
+
+    def _all(self) -> Iterator[str]:
+        actor, meets = self.actor, self.actor.stand.meets
+        go = MOVE if meets is Meets.ACROSS else GO
+        if not actor.deeds:
+            yield "Park()" if meets is Meets.KERB else go
+            return
+        if all(deed.act is Act.STAND for deed in actor.deeds):
+            yield "Park()" if meets is not Meets.ACROSS else "Halt()"
+            return
+        first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0
+        bodies = list(self._bodies(first, go))
+        ahead = Course()
+        for body in bodies[:-1]:
+            ahead = course(body, actor.numbers, self.body, ahead)
+        last = bodies[-1]
+        gets = [text for text in last if UNDER_WAY.split("$")[0] in text][:1]
+        begins = course(gets, actor.numbers, self.body, ahead)
+        near = self._comes_near(first, bodies)
+        yield from Opening(self, first, begins, near).texts()
+        for body in bodies:
+            yield from body
+
+    def _comes_near(self, first: int, bodies: list[list[str]]) -> float:
+        """How far [m] it goes before it comes into the ego's lane, which it needs more room for."""
+        actor = self.actor
+        if actor.stand.meets is not Meets.ACROSS:
+            return 0.0
+        later = [k for k in range(first, len(self.steps)) if self.steps[k].comes_in]
+        if not later or later[0] == first:
+            return 0.0
+        before = [text for body in bodies[: later[0] - first] for text in body]
+        metres = course(before, actor.numbers, self.body).metres
+        if metres > 0.0:
+            if "$X" not in actor.stand.point:
+                raise NotBuilt(
+                    f"nothing builds yet: {actor.path}.does.{first}.act: {actor.deeds[first].act} of somebody who is "
+                    f"{actor.one.starts.where}, before it comes into our lane"
+                )
+            low, high, *_ = actor.numbers.range_of("X")
+            actor.numbers.narrow("X", low + metres, high + metres)
+        return metres
+
+    def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
+        """The phases of each deed."""
+        actor = self.actor
+        way, meanwhile, still, turned = None, go, self._stands(), False
+        for k in range(first, len(actor.deeds)):
+            steps, deed = self.steps[k], actor.deeds[k]
+            body: list[str] = []
+            if k > first and deed.when is not None:
+                body += when_of(actor, k, deed.when, self._at(k, meanwhile))
+            if steps.comes_in and turned:
+                body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
+                body += [ROUND_ON_FOOT if actor.walks else ROUND]
+                turned = False
+            if still and steps.going and not (steps.pace is Pace.GAINS and self.paces.before[k].high <= LEAST):
+                body += self._gets_going(k, first, meanwhile)
+            body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
+            way = steps.way or way
+            if actor.stand.meets is not Meets.ACROSS and way:
+                meanwhile = GO.replace("{p}", way)
+            still = steps.pace is Pace.STANDS
+            turned ^= deed.act is Act.TURN_BACK
+            yield body
+
+    def _stands(self) -> bool:
+        """Whether it stands before its first deed."""
+        meets, where = self.actor.stand.meets, self.actor.one.starts.where
+        return (
+            stands_first(self.actor.one) or meets is Meets.KERB or (meets is Meets.ACROSS and where is not Where.AHEAD)
+        )
+
+    def _gets_going(self, k: int, first: int, go: str) -> Iterator[str]:
+        """It gets under way, and if it comes over the road, near to the ego's lane."""
+        yield self._at(k, f"{go} until {UNDER_WAY}", before=True)
+        over = self.actor.stand.meets is Meets.ACROSS and self.actor.stand.left != "0"
+        deed = self.actor.deeds[k].act
+        if not over or k != first or any(steps.comes_in for steps in self.steps[k:]):
+            return
+        near = RESTS if deed in (Act.STOP, Act.BRAKE) else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
+        yield self._at(k, near, before=True)
+
+    def _at(self, k: int, text: str, *, before: bool = False) -> str:
+        """A phase at the speed that it has before or in a deed."""
+        speed = (self.paces.before if before else self.paces.after)[k]
+        return _renamed(text, "SPEED", speed.name or "SPEED")
+
+    def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
+        actor, deed = self.actor, self.actor.deeds[k]
+        ends = last and bool(steps.last) and deed.time is None
+        phases = steps.last if ends else steps.does
+        own = steps.way or way
+        if last and not ends:
+            phases = (*phases, GO.replace("{p}", own) if own and actor.stand.meets is not Meets.ACROSS else go)
+        if deed.act in (Act.STOP, Act.BRAKE, Act.STAND) and self._then(k) is Act.STAND and deed.time is None:
+            phases = phases[:1]  # what comes then says how long
+        if (
+            deed.act is Act.STAND
+            and still
+            and deed.time is None
+            and not last
+            and k
+            and actor.deeds[k - 1].time is not None
+        ):
+            return  # which it does already
+        if deed.act is Act.CUT_IN and not last:  # or the ego would run into it before it does the next thing
+            ahead = "(ego.length + self.length) / 2 + $AHEAD"
+            pace = f"PaceOnPath({way or '{p}'}, ego, {ahead} + 2, 40)"
+            yield f"{pace} until headway(egoRoute, ego, self) > {ahead}"
+        for text in phases:
+            said = self._of_deed(k, text, steps)
+            yield said.replace("{aside}", self._aside(deed, k)).replace("{p}", way or "{p}")
+        if deed.to is not None and deed.act in (Act.CUT_OUT, Act.LANE_CHANGE, Act.OVERTAKE):
+            if actor.named.setdefault("side", str(deed.to)) != str(deed.to):
+                raise NotBuilt(f"nothing builds yet: {actor.path}.does.{k}.to: {deed.to}, after the other side")
+            actor.ledger.take(f"{actor.path}.does.{k}.to")
+        if deed.whom == EGO:
+            actor.ledger.take(f"{actor.path}.does.{k}.whom")
+
+    def _of_deed(self, k: int, text: str, steps: Steps) -> str:
+        """A phase of a deed, with the numbers that were said of that deed and of no other."""
+        actor, deed = self.actor, self.actor.deeds[k]
+        numbers, at = actor.numbers, f"{actor.path}.does.{k}"
+        speed = self.paces.after[k]
+        changed = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace)
+        text = _renamed(text, changed, speed.name) if changed else text
+        text = _renamed(text, "SPEED", speed.name or "SPEED")
+        for amount, name in steps.binds.items():
+            if (said := getattr(deed, amount)) is None or name in (changed, "SPEED"):
+                continue
+            own = f"{name}_{k}"
+            numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
+            text = _renamed(text, name, own)
+        if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
+            numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
+            text = _renamed(text, "BRAKE", f"BRAKE_{k}")
+            actor.ledger.take(f"{at}.manner")
+        return text
+
+    def _aside(self, deed: Deed, k: int) -> str:
+        """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""
+        toward = self.actor.stand.meets is Meets.TOWARD
+        if deed.to is not None:
+            self.actor.ledger.take(f"{self.actor.path}.does.{k}.to")
+            sign = 1 if deed.to is Side.LEFT else -1
+            return str(-sign if toward else sign)
+        if toward:
+            return "(1 if offsetFrom(egoRoute, self) > 0 else -1)"
+        return "(-1 if offsetFrom(egoRoute, self) > 0 else 1)"
+
+
+def _renamed(text: str, name: str, own: str) -> str:
+    """A text that reads another parameter in the place of one."""
+    return re.sub(rf"\${name}(?![A-Z0-9_])", f"${own}", text)
