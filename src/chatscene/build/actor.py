@@ -33,6 +33,8 @@ class Actor:
         ego_speed: What the ego drives at [m/s].
         room: How far [m] beyond the first of its place it stands.
         first: In whose row it stands, whose place it shares; None if it is the first.
+        needs: How long [s] the ego must need at least to where they meet.
+        reaches: How far [m] the ego has to there.
     """
 
     ledger: Ledger
@@ -45,6 +47,8 @@ class Actor:
     stand: Stand = field(init=False)
     deeds: tuple[Deed, ...] = field(init=False)
     named: dict[str, str] = field(init=False)
+    needs: float = field(init=False, default=0.0)
+    reaches: float = field(init=False, default=0.0)
 
     def __post_init__(self) -> None:
         row = self.one.kind.row.body.row

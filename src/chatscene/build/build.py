@@ -14,12 +14,14 @@ from chatscene.build.possible import impossible
 from chatscene.build.starts import Meets
 from chatscene.errors import NotBuilt
 from chatscene.situations.faults import dotted
+from chatscene.terms.pace import NOMINAL
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
 from chatscene.terms.vocabulary import Role
 
 ROOM = 3.0  # [m] between who stand in a row
+SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,11 +55,10 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     met_first(situation)
     if cannot := [f"{dotted(one.path)}: {one.said}" for one in impossible(situation)]:
         raise NotBuilt("this cannot be: " + "; ".join(cannot))
-    ledger = Ledger(situation)
-    found = find(ledger)
-    ego = ego_of(ledger, found)
-    everybody = _everybody(ledger, found, ego)
-    body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
+    ledger, found, ego, everybody, body = _cast(situation, NOMINAL.speed)
+    slow = min((one.reaches / one.needs for one, _ in everybody if one.needs > 0.0), default=ego.speed)
+    if slow < ego.speed and situation.ego.speed is None:  # it would be there before the others are done
+        ledger, found, ego, everybody, body = _cast(situation, max(slow, SLOWEST))
     numbers = sorted((one for actor, _ in everybody for one in actor.numbers.declared(body)), key=lambda one: one.name)
     around = _around(ledger)
     if (contact := situation.contact) is not None and contact.whom in {one.id for one in situation.adversaries}:
@@ -81,6 +82,16 @@ def build(situation: Situation, *, name: str = "situation") -> Built:
     )
     program = ScenicProgram(scenario_id=name, source=source, parameters=tuple(numbers), snippet_ids=())
     return Built(program=program, map=found.map, left_out=ledger.close(), assumed=tuple(ledger.assumed))
+
+
+def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, list[tuple[Actor, Actor | None]], str]:
+    """Everybody, with an ego that wants a speed if none was said, and the text of all others."""
+    ledger = Ledger(situation)
+    found = find(ledger)
+    ego = ego_of(ledger, found, speed)
+    everybody = _everybody(ledger, found, ego)
+    body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
+    return ledger, found, ego, everybody, body
 
 
 def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor, Actor | None]]:

@@ -32,15 +32,20 @@ class BuiltEgo:
     properties: str
 
 
-def ego_of(ledger: Ledger, found: Found) -> BuiltEgo:
+def ego_of(ledger: Ledger, found: Found, at_most: float = NOMINAL.speed) -> BuiltEgo:
     """What a program says of its ego.
+
+    Args:
+        ledger: What was said.
+        found: Where it happens.
+        at_most: The speed [m/s] that it wants if none was said.
 
     Raises:
         NotBuilt: It is to do something that no order brings about.
     """
     situation = ledger.situation
     ego, junction = situation.ego, at_junction(situation)
-    speed = NOMINAL.speed
+    speed = at_most
     if ego.speed is not None:
         speed = ego.speed.high if ego.speed.high < float("inf") else ego.speed.low
         ledger.take("ego.speed")

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 LANE = 3.5  # [m], a lane's width
+SHORT = 12.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
 @dataclass(slots=True)
@@ -48,6 +49,9 @@ class Opening:
         lasting = all(one.lasting for one in steps)
         if lasting and (actor.stand.meets is Meets.ALONG or self._goes_along()):
             return
+        self._make_room()
+        if deed.act is Act.STAND and deed.time is not None:
+            return  # it stands so long from the beginning
         yield f"{waits} until {self._due()}"
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
@@ -55,6 +59,22 @@ class Opening:
         if actor.stand.meets is Meets.THROUGH and not steps[self.first].lasting and deed.act is not Act.SET_OFF:
             room = 3 + self.ahead.metres
             yield f"{self._go()} until {actor.stand.left} < brakingDistance(self) + {room:.3g}"
+
+    def _make_room(self) -> None:
+        """Let it be so far along the ego's route that the ego is not there too soon."""
+        actor, stand = self.phases.actor, self.phases.actor.stand
+        _, early, *_ = actor.numbers.range_of("OFFSET")
+        actor.needs = self._takes() + self._wait()
+        route = actor.found.route
+        reaches = route.eventAt
+        if stand.anywhere and actor.one.starts.distance is None and actor.first is None:
+            low, high, unit, meaning = actor.numbers.range_of("Y")
+            end = route.route.length if route.route.junction is None else route.eventAt
+            far = min((actor.needs + early) * actor.ego_speed, end - SHORT)
+            low, high = max(low, far), max(high, far)
+            actor.numbers.measure("Y", low, high, unit, meaning)
+            reaches = end - SHORT
+        actor.reaches = reaches
 
     def _go(self) -> str:
         return GO.replace("$SPEED", f"${self._speed()}")
@@ -92,25 +112,40 @@ class Opening:
 
     def _due(self) -> str:
         """When the first deed is due: when the ego needs so many seconds more than it does to where they meet."""
-        actor, stand, more = self.phases.actor, self.phases.actor.stand, self.ahead.seconds
+        stand, wait = self.phases.actor.stand, self._wait()
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
-                wish = actor.numbers.middle(self._speed())
-                metres = self._to_meet()
-                lost = self.phases.body.covers(metres, wish) - metres / wish
-                comes = 0.0 if any(one.comes_in for one in self.phases.steps) else metres / wish + lost
-                wait = max(0.0, lost) + max(0.0, more - self.near / wish - comes)
                 own = f"{stand.left} / ${self._speed()} + {wait:.2f}"
                 return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
             case Meets.KERB:
-                # It is in the lane once it has gone its own length and the width of a lane.
-                wait = self.phases.body.covers(actor.limits.length + LANE, actor.numbers.middle(self._speed()))
-                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait + more:.2f} + $OFFSET"
-            case Meets.ALONG if stands_first(actor.one) and not stand.behind:
-                return f"secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < {3.6 + more:.2f} + $OFFSET"
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET"
+            case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
+                return f"secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < {wait:.2f} + $OFFSET"
             case _:
-                ahead = (2.0 if at_junction(actor.ledger.situation) else 1.0) + more
-                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {ahead:.3g} + $OFFSET"
+                return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+
+    def _takes(self) -> float:
+        """How long [s] it takes about to where it meets the ego, at its speed."""
+        heads = self.phases.actor.stand.meets in (Meets.THROUGH, Meets.TOWARD, Meets.ACROSS)
+        return self._to_meet() / self._wish() if heads else 0.0
+
+    def _wish(self) -> float:
+        return self.phases.actor.numbers.middle(self._speed())
+
+    def _wait(self) -> float:
+        """How much longer [s] it takes: by gaining speed, and by all that it does before its last deed."""
+        actor, stand, more = self.phases.actor, self.phases.actor.stand, self.ahead.seconds
+        match stand.meets:
+            case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
+                lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())
+                comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
+                return lost + max(0.0, more - self.near / self._wish() - comes)
+            case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
+                return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
+            case Meets.ALONG if stands_first(actor.one) and not stand.behind:
+                return 3.6 + more
+            case _:
+                return (2.0 if at_junction(actor.ledger.situation) else 1.0) + more
 
     def _to_meet(self) -> float:
         """How far [m] it has about to where it meets the ego."""

@@ -139,7 +139,9 @@ class Paces:
             raise NotBuilt(f"{name} {_told(before.low, after.high)}; say {_kmh(before.low + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
             kind, most = self._numbers.row.scenic.lower(), MOST * self._numbers.row.limits.top_speed
-            raise NotBuilt(f"{name} to {_kmh(after.low)} cannot be seen of a {kind}, which goes at {_kmh(most)} at most")
+            raise NotBuilt(
+                f"{name} to {_kmh(after.low)} cannot be seen of a {kind}, which goes at {_kmh(most)} at most"
+            )
         least = loss_of(before.high)
         if not one.gains and after.low > before.high - least:
             raise NotBuilt(f"{name} {_told(before.high, after.low)}; say {_kmh(before.high - least)} at most")

@@ -125,7 +125,7 @@ class Phases:
         own = f"{general}_{k}"
         bound = steps.binds.get("speed") == general
         if bound and deed.speed is not None:
-            own = general if general == "SPEED" and self._one_speed() else own
+            own = general if general == "SPEED" and self._one_speed() and self._first_to_move(k) else own
             numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
             return own, numbers.ranges[own][:2]
         if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
@@ -135,6 +135,9 @@ class Phases:
             numbers.narrow(own, low, high)
             return own, (low, high)
         return own, None
+
+    def _first_to_move(self, k: int) -> bool:
+        return all(deed.act in _OFF for deed in self.actor.deeds[:k])
 
     def _one_speed(self) -> bool:
         """Whether one speed at most was said of it, which then is its speed all the time."""
@@ -207,7 +210,7 @@ class Phases:
         if not actor.deeds:
             yield "Park()" if meets is Meets.KERB else go
             return
-        if all(deed.act is Act.STAND for deed in actor.deeds):
+        if all(deed.act is Act.STAND and deed.time is None for deed in actor.deeds):
             yield "Park()" if meets is not Meets.ACROSS else "Halt()"
             return
         first = 1 if actor.deeds[0].act is Act.STAND and actor.deeds[0].time is None else 0

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from chatscene.situations.faults import Fault
-from chatscene.terms.situation import Situation
+from chatscene.terms.situation import Other, Situation
 from chatscene.terms.vocabulary import Act, Where
 
 _NEXT_LANE = frozenset((Where.AHEAD_BESIDE, Where.BESIDE, Where.BEHIND_BESIDE))
@@ -37,6 +37,8 @@ FROM: dict[Act, frozenset[Where]] = {
     Act.DRIFT: frozenset(Where) - _OFF_ROAD - {Where.ONCOMING_IN_OUR_LANE},
 }
 """Where an act can be begun from."""
+COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
+"""What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
 _GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
@@ -57,6 +59,19 @@ def impossible(situation: Situation) -> Iterator[Fault]:
             if stood and deed.act not in _OFF:
                 yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
             stood = deed.act in _STILL
+        yield from _comes_in_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):
             if before.act in _TURNED and after.act not in _GOES:
                 yield Fault((f"{at}.{k}.act",), f"after {before.act} it is elsewhere, and cannot {after.act}")
+
+
+def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:
+    """Who came into the ego's lane from beside it must be outside again before it can come in again."""
+    came: Act | None = None
+    for k, deed in enumerate(one.does):
+        if deed.act in COMES_IN:
+            if came is not None:
+                yield Fault((f"{at}.{k}.act",), f"after {came} it is in our lane or over it, and cannot {deed.act}")
+            came = deed.act
+        elif deed.act in _TURNED:
+            came = None

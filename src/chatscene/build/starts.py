@@ -41,6 +41,7 @@ class Stand:
         left: How far [m] it has to there.
         behind: Whether it is behind the ego.
         faces: Whether it faces as was said.
+        anywhere: Whether ``$Y`` is how far along the ego's route it is, which may be any number.
     """
 
     meets: Meets
@@ -54,6 +55,7 @@ class Stand:
     left: str = "0"
     behind: bool = False
     faces: bool = False
+    anywhere: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,6 +147,7 @@ def _ahead(asked: Asked) -> Stand:
             facing=_faces(asked, there, Facing.ALONG, Side.RIGHT),
             ego_meets="progressOn(egoRoute, self)[0]",
             faces=True,
+            anywhere=True,
         )
     aside = -0.9 if asked.rides else 0.0
     if asked.swings_out and asked.stands:
@@ -154,7 +157,8 @@ def _ahead(asked: Asked) -> Stand:
         asked.reach(22, 30)
         return Stand(meets=Meets.ALONG, way="ownLane(egoRoute)", at=f"$Y{asked.more}", aside=aside)
     asked.reach(*((38, 56) if asked.stands else (11, 19)))
-    return Stand(meets=Meets.ALONG, way="ownWay(egoRoute)", at=f"$Y{asked.more}", aside=aside)
+    way = "ownWay(egoRoute)"
+    return Stand(meets=Meets.ALONG, way=way, at=f"$Y{asked.more}", aside=aside, anywhere=asked.stands)
 
 
 def _behind(asked: Asked) -> Stand:
@@ -230,6 +234,7 @@ def _beside_road(asked: Asked) -> Stand:
         lines=(f"level{{i}} = {level}",),
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+        anywhere=level.startswith("shortOf"),
     )
 
 
@@ -248,6 +253,7 @@ def _kerb(asked: Asked) -> Stand:
         way=f"ownLane(egoRoute).offset(ownLane(egoRoute).project(*{edge}.coordinates[:2])[1])",
         at=level,
         ego_meets="progressOn(egoRoute, self)[0]",
+        anywhere=not asked.swings_out,
     )
 
 
@@ -264,6 +270,7 @@ def _median(asked: Asked) -> Stand:
         facing=f'crossingDirection(egoRoute, $Y{asked.more}, "left")',
         ego_meets="progressOn(egoRoute, self)[0]",
         left="max(0, abs(offsetFrom(egoRoute, self)) - 1)",
+        anywhere=True,
     )
 
 

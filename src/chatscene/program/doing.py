@@ -56,11 +56,16 @@ def since(once: Act, step: int, s: Seen, *, stands: bool) -> Act:
 
 
 def _moves_on(s: Seen) -> Iterable[Act]:
-    """It gets on by its own length, or by two metres, where that is more."""
-    moved = np.hypot(s.track.x - s.track.x[0], s.track.y - s.track.y[0])
-    far = moved > max(2.0, s.track.length)
-    if far.any():
-        yield Act(_since_moving(s), int(np.argmax(far)))
+    """Every time that it gets on by its own length, or by two metres, where that is more."""
+    least = max(2.0, s.track.length)
+    began = _since_moving(s)
+    while True:
+        far = np.hypot(s.track.x[began:] - s.track.x[began], s.track.y[began:] - s.track.y[began]) > least
+        if not far.any():
+            return
+        done = began + int(np.argmax(far))
+        yield Act(began, done)
+        began = done
 
 
 def enters(s: Seen) -> Iterable[Act]:
