@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
-from chatscene.build.paces import REACHED, Pace
+from chatscene.build.paces import Pace
 from chatscene.build.starts import Meets
 from chatscene.terms.vocabulary import Act
 
 STILL = "self.pose[3] < 0.05"
-UNDER_WAY = f"self.pose[3] > {REACHED:g} * $SPEED"
+UNDER_WAY = "self.pose[3] > {held} * $SPEED"
+"""It is as fast as it wants to be; ``{held}`` is the share of that speed that its pedals hold."""
 OWN = "ownLane(egoRoute)"
 
 
@@ -92,7 +93,7 @@ ALONG: dict[Act, Steps] = {
         pace=Pace.LOSES,
     ),
     Act.ACCELERATE: Steps(
-        does=(f"ThrottleOnPath({{p}}, $THROTTLE, 0, $FAST) until self.pose[3] > {REACHED:g} * $FAST",),
+        does=("ThrottleOnPath({p}, $THROTTLE, 0, $FAST) until self.pose[3] > {held} * $FAST",),
         last=("ThrottleOnPath({p}, $THROTTLE, 0, $FAST)",),
         binds={"acceleration": "THROTTLE", "speed": "FAST"},
         going=True,
@@ -236,7 +237,7 @@ ACROSS: dict[Act, Steps] = {
         going=True,
     ),
     Act.ACCELERATE: Steps(
-        does=(f"MoveAhead($FAST) until self.pose[3] > {REACHED:g} * $FAST",),
+        does=("MoveAhead($FAST) until self.pose[3] > {held} * $FAST",),
         last=("MoveAhead($FAST)",),
         binds={"speed": "FAST"},
         going=True,

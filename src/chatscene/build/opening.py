@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 LANE = 3.5  # [m], a lane's width
-SHORT = 12.0  # [m] before the end of a road, or before a junction: nobody is placed farther
+YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
+SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
 
 @dataclass(slots=True)
@@ -116,13 +117,25 @@ class Opening:
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 own = f"{stand.left} / ${self._speed()} + {wait:.2f}"
-                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
+                due = f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
+                if stand.left == "0" and not stands_first(
+                    self.phases.actor.one
+                ):  # it goes on, perhaps as fast as the ego
+                    return f"{due} or secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.2f} + $OFFSET"
+                # An ego that stops for who stands beside its lane would wait for it as long as it waits for the ego.
+                return f"{due} or ego.pose[3] < {YIELDS:g}" if self._ego_drives() else due
             case Meets.KERB:
                 return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET"
             case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
                 return f"secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < {wait:.2f} + $OFFSET"
             case _:
                 return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
+
+    def _ego_drives(self) -> bool:
+        """Whether only somebody in its way holds the ego."""
+        situation, stand = self.phases.actor.ledger.situation, self.phases.actor.stand
+        controlled = situation.road.ego_light is not None or situation.road.control is not None
+        return stand.meets is Meets.ACROSS and not situation.ego.does and not controlled
 
     def _takes(self) -> float:
         """How long [s] it takes about to where it meets the ego, at its speed."""

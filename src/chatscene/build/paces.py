@@ -11,12 +11,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from chatscene.build.numbers import MOST, Numbers
+from chatscene.build.timing import Body
 from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import Deed
 
 SEEN = 1.2  # times what a watcher must see at least
-REACHED = 0.9  # of a speed that is wanted: there a driver's pedal holds it
+NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
 
 
@@ -69,12 +70,14 @@ class Paces:
 
     Args:
         numbers: Its parameters, which are narrowed.
+        body: What its body can do.
         path: Of its facts.
         first: The speed that it has before its first deed.
     """
 
-    def __init__(self, numbers: Numbers, path: str, first: Speed) -> None:
+    def __init__(self, numbers: Numbers, body: Body, path: str, first: Speed) -> None:
         self._numbers = numbers
+        self._body = body
         self._path = path
         self._used = first if first.high > 0.0 else Speed("SPEED", *numbers.ranges["SPEED"][:2])
         self._now = first
@@ -109,6 +112,11 @@ class Paces:
         self._speeds.append(one := Speed(name, low, high, said))
         return one
 
+    def held(self, speed: Speed) -> float:
+        """The share of a speed that is wanted from which on it is held."""
+        ends = (speed.low, speed.high) if speed.high > 0.0 else (1.0,)
+        return round(NEARLY * min(self._body.holds(wish) / wish for wish in ends if wish > 0.0), 3)
+
     def settle(self, deeds: Sequence[Deed]) -> None:
         """Choose the speeds that were not said.
 
@@ -118,12 +126,16 @@ class Paces:
         gain = gain_of(self._numbers.row) * SEEN
         for one in reversed(self._changes):
             if one.gains:
-                _lower(one.before, REACHED * (one.after.low if one.after.said else one.after.high) - gain)
+                wish = one.after.low if one.after.said else one.after.high
+                _lower(one.before, NEARLY * self._body.holds(wish) - gain)
             elif one.after.said:
-                _raise(one.before, min(one.after.high + LOST * SEEN, one.after.high / (1 - SHARE_LOST * SEEN)))
+                least = min(one.after.high + LOST * SEEN, one.after.high / (1 - SHARE_LOST * SEEN))
+                _raise(one.before, least)
+                if not one.before.said and (share := self.held(one.before)) > 0.0:
+                    _raise(one.before, least / share)
         for one in self._changes:
             if one.gains and not one.after.said:
-                one.after.low = max(one.after.low, min((one.before.high + gain) / REACHED, one.after.high))
+                one.after.low = max(one.after.low, min((one.before.high + gain) / NEARLY, one.after.high))
                 one.after.high = min(one.after.high, max(one.after.low, one.after.low + gain))
             elif not one.gains and not one.after.said:
                 one.after.low, one.after.high = 0.3 * one.before.low, 0.6 * one.before.low

@@ -88,7 +88,7 @@ class Phases:
 
     def _paced(self, said: dict[int, tuple[str, tuple[float, float] | None]], first: Speed) -> Paces:
         actor = self.actor
-        paces = Paces(actor.numbers, actor.path, first)
+        paces = Paces(actor.numbers, self.body, actor.path, first)
         for k, steps in enumerate(self.steps):
             name, speed = said[k]
             paces.add(k, steps.pace, speed, name)
@@ -219,7 +219,7 @@ class Phases:
         for body in bodies[:-1]:
             ahead = course(body, actor.numbers, self.body, ahead)
         last = bodies[-1]
-        gets = [text for text in last if UNDER_WAY.split("$")[0] in text][:1]
+        gets = [text for text in last if "until self.pose[3] >" in text][:1]
         begins = course(gets, actor.numbers, self.body, ahead)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
@@ -289,7 +289,16 @@ class Phases:
     def _at(self, k: int, text: str, *, before: bool = False) -> str:
         """A phase at the speed that it has before or in a deed."""
         speed = (self.paces.before if before else self.paces.after)[k]
-        return _renamed(text, "SPEED", speed.name or "SPEED")
+        return self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed)
+
+    def _held(self, text: str, speed: Speed) -> str:
+        """A phase that ends when a speed is reached, with the share of it that its pedals hold."""
+        if "{held}" not in text:
+            return text
+        if not speed.name:
+            low, high, *_ = self.actor.numbers.range_of("SPEED")
+            speed = Speed("SPEED", low, high)
+        return text.replace("{held}", f"{self.paces.held(speed):g}")
 
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
@@ -330,7 +339,7 @@ class Phases:
         speed = self.paces.after[k]
         changed = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace)
         text = _renamed(text, changed, speed.name) if changed else text
-        text = _renamed(text, "SPEED", speed.name or "SPEED")
+        text = self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed)
         for amount, name in steps.binds.items():
             if (said := getattr(deed, amount)) is None or name in (changed, "SPEED"):
                 continue

@@ -16,6 +16,7 @@ from chatscene.world.control import pedals
 
 _STEP = 0.1  # [s]
 _MOST = 60.0  # [s] that a phase is followed
+PATIENCE = 8.0  # [s] that somebody is waited for to be as fast as it wants
 _NUMBER = r"[^,()]+"
 _TOWARD = re.compile(rf"(?:MoveAhead\(|DrivePath\([^,]+, |SwerveOnPath\([^,]+, |WeaveOnPath\([^,]+, )({_NUMBER})")
 _THROTTLE = re.compile(rf"ThrottleOnPath\([^,]+, ({_NUMBER}), 0, ({_NUMBER})\)")
@@ -62,6 +63,13 @@ class Body:
         press, brake = pedals(speed, wish) if throttle is None else (throttle if speed < wish else 0.0, 0.0)
         gain = press * limits.throttle * (1.0 - speed / limits.top_speed) - brake * limits.brake
         return max(0.0, speed + _STEP * (gain - (limits.drag if speed > 0.0 else 0.0)))
+
+    def holds(self, wish: float) -> float:
+        """The speed [m/s] that it has some time after it wanted one: what the engine gives and drag leaves."""
+        speed = 0.0
+        for _ in range(round(PATIENCE / _STEP)):
+            speed = self.after(speed, wish)
+        return speed
 
     def covers(self, metres: float, wish: float) -> float:
         """How long [s] it needs for a distance from a stand, if it wants a speed."""

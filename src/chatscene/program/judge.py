@@ -263,7 +263,7 @@ class _Judge:
                     told = f"said {before}, then {act}, but it does it the other way round"
                 yield Finding(path=f"{path}.act", shown=False, told=told)
                 continue
-            once = min(after, key=lambda act: act.began)
+            once = self._fitting(path, deed, after, seen)
             mine.append(once)  # one time seen is one deed
             done[f"{one.id}.{k}"] = once
             done.setdefault(f"{one.id}.{act}", once)
@@ -297,6 +297,12 @@ class _Judge:
         for once in sees(seen):
             if self._counts(once, seen):
                 yield since(once, latest, seen, stands=stands) if stands or act in COMES_IN else once
+
+    def _fitting(self, path: str, deed: Deed, times: list[Act], seen: Seen) -> Act:
+        """The first time that is seen with all numbers that were said, or the first of all."""
+        times.sort(key=lambda once: once.began)
+        fits = (once for once in times if not failures(self._amounts(path, deed, once, seen)))
+        return next(fits, times[0])
 
     def _counts(self, once: Act, seen: Seen) -> bool:
         """Whether it is done, or under way where a contact cut it short."""
