@@ -112,6 +112,11 @@ class Numbers:
         _, _, unit, meaning = self.range_of(name)
         self.ranges[name] = (low, high, unit, meaning)
 
+    def move(self, name: str, by: float) -> None:
+        """Let a parameter be more by a number."""
+        low, high, *_ = self.range_of(name)
+        self.narrow(name, low + by, high + by)
+
     def measure(self, name: str, low: float, high: float, unit: str, meaning: str, path: str = "") -> None:
         """A parameter that says where it is or when it acts, with the path of the fact if it was said."""
         self.ranges[name] = (low, high, unit, meaning)

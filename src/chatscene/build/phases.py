@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
 FOLLOWS = 0.64  # of the ego's speed
+RUN_UP = 20.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _QUIET = frozenset((Act.STAND, Act.STOP))
@@ -242,8 +243,7 @@ class Phases:
                     f"nothing builds yet: {actor.path}.does.{first}.act: {actor.deeds[first].act} of somebody who is "
                     f"{actor.one.starts.where}, before it comes into our lane"
                 )
-            low, high, *_ = actor.numbers.range_of("X")
-            actor.numbers.narrow("X", low + metres, high + metres)
+            actor.numbers.move("X", metres)
         return metres
 
     def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
@@ -278,11 +278,15 @@ class Phases:
 
     def _gets_going(self, k: int, first: int, go: str) -> Iterator[str]:
         """It gets under way, and if it comes over the road, near to the ego's lane."""
-        yield self._at(k, f"{go} until {UNDER_WAY}", before=True)
-        over = self.actor.stand.meets is Meets.ACROSS and self.actor.stand.left != "0"
-        deed = self.actor.deeds[k].act
-        if not over or k != first or any(steps.comes_in for steps in self.steps[k:]):
+        gets = self._at(k, f"{go} until {UNDER_WAY}", before=True)
+        yield gets
+        actor, deed = self.actor, self.actor.deeds[k].act
+        if "$X" not in actor.stand.point or k != first or any(steps.comes_in for steps in self.steps[k:]):
             return
+        metres = course([gets], actor.numbers, self.body).metres
+        if metres > RUN_UP:
+            return
+        actor.numbers.move("X", metres)
         near = RESTS if deed in (Act.STOP, Act.BRAKE) else f"{MOVE} until abs(offsetFrom(egoRoute, self)) < {OUTSIDE}"
         yield self._at(k, near, before=True)
 

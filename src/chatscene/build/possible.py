@@ -41,6 +41,7 @@ COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
+_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.ENTER, Act.FALL, Act.OPEN_DOOR}
 _GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
@@ -58,6 +59,8 @@ def impossible(situation: Situation) -> Iterator[Fault]:
                 yield Fault((f"{at}.{k}.act",), f"nobody who is {one.starts.where} can {deed.act}")
             if stood and deed.act not in _OFF:
                 yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
+            if k and deed.act is Act.SET_OFF and one.does[k - 1].act not in _MAY_STAND:
+                yield Fault((f"{at}.{k}.act",), f"after {one.does[k - 1].act} it is under way, and cannot set-off")
             stood = deed.act in _STILL
         yield from _comes_in_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):
