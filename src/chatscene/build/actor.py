@@ -6,9 +6,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from chatscene.build.deeds import OWN
 from chatscene.build.ledger import Ledger
 from chatscene.build.naming import name_of
 from chatscene.build.numbers import Numbers
+from chatscene.build.opening import LANE
 from chatscene.build.phases import Phases
 from chatscene.build.place import Found
 from chatscene.build.starts import Asked, Meets, Stand, stands_first, start_of
@@ -17,6 +19,7 @@ from chatscene.terms.actors import LIMITS, Limits
 from chatscene.terms.actors import Manner as Moves
 from chatscene.terms.situation import SEVERAL, Deed, Other
 from chatscene.terms.vocabulary import Role, Side, UserKind
+from chatscene.world.places import lanes_beside
 
 SOME = 3  # of a group whose size was not said
 _DRIVES = re.compile(r"DrivePath\([^,]+, ([^,()]+)")
@@ -121,8 +124,7 @@ class Actor:
             named = [self.filled(text) for text in (f"way{one} = {stand.way}", *stand.lines)]
         body = "\n".join(phases)
         if f"beside{one}" in body:
-            side = self.named.get("side", str(Side.LEFT))
-            named.append(f'beside{one} = extended(neighbourPath(egoRoute, "{side}"), 60)')
+            named.append(f"beside{one} = {self._beside()}")
         if f"ours{one}" in body:
             named.append(f"ours{one} = against(ownLane(egoRoute))")
         if phases:
@@ -138,6 +140,18 @@ class Actor:
             self.ledger.take(f"{self.path}.starts.speed")  # it stands
         self.ledger.take(*self.numbers.built())
         return [f"## {self.one.id}: {self.said()}", *lines]
+
+    def _beside(self) -> str:
+        """The line beside the ego's lane: that of a lane of its direction if there is one; else where others come."""
+        said = self.named.get("side")
+        sides = lanes_beside(self.found.route)
+        for side in (said,) if said else (str(Side.LEFT), str(Side.RIGHT)):
+            if sides.get(side) is False:
+                return f'extended(neighbourPath(egoRoute, "{side}"), 60)'
+        side = said or str(Side.LEFT)
+        if side not in sides:
+            raise NotBuilt(f"no map has such a place: {self.path} has no lane to the {side} of ours")
+        return f"extended({OWN}, 60).offset({'' if side == Side.LEFT else '-'}{LANE})"
 
     def _moving(self, phases: Sequence[str]) -> str:
         """Its speed at first: who goes the ego's way is under way as the ego is."""

@@ -132,9 +132,11 @@ ALONG: dict[Act, Steps] = {
         binds={"speed": "SPEED", "time": "SWERVE_TIME"},
     ),
     Act.DRIFT: Steps(
-        does=tuple(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for 0.9 seconds" for k in (0.3, 0.6, 0.9)),
+        does=tuple(
+            f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for {{drift}} seconds" for k in (0.3, 0.6, 0.9)
+        ),
         last=(
-            *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for 0.9 seconds" for k in (0.3, 0.6, 0.9)),
+            *(f"DrivePath({{p}}, $SPEED, {{aside}} * {k} * $DRIFT) for {{drift}} seconds" for k in (0.3, 0.6, 0.9)),
             "DrivePath({p}, $SPEED, {aside} * $DRIFT)",
         ),
         binds={"speed": "SPEED"},
@@ -250,7 +252,7 @@ ACROSS: dict[Act, Steps] = {
         going=True,
         pace=Pace.LOSES,
     ),
-    Act.TURN_BACK: Steps(does=(_BACK + " for 1.5 seconds",), last=(_BACK,), binds={"speed": "SPEED"}, going=True),
+    Act.TURN_BACK: Steps(does=(_BACK + " for {back} seconds",), last=(_BACK,), binds={"speed": "SPEED"}, going=True),
     Act.GO_ALONG: Steps(
         does=(MOVE + " for $GO_TIME seconds",),
         last=(MOVE,),
@@ -262,7 +264,7 @@ ACROSS: dict[Act, Steps] = {
 ACROSS_RIDING = {
     **ACROSS,
     Act.TURN_BACK: Steps(
-        does=(_AROUND, MOVE + " for 1.5 seconds"), last=(_AROUND, MOVE), binds={"speed": "SPEED"}, going=True
+        does=(_AROUND, MOVE + " for {back} seconds"), last=(_AROUND, MOVE), binds={"speed": "SPEED"}, going=True
     ),
 }
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from chatscene.errors import NotBuilt
+from chatscene.simulate.embedded.dynamics import REVERSE_SPEED
 from chatscene.terms.actors import RoadUser
 from chatscene.terms.amount import Amount
 from chatscene.terms.snippet import ParameterRange
@@ -95,7 +96,10 @@ class Numbers:
         share = _SHARES.get(_OF_DEED.sub("", name))
         scale = share(self.row) if share else 1.0
         least, most = (amount.low + ego * amount.than_ego) / scale, (amount.high + ego * amount.than_ego) / scale
-        top = 1.0 if share else MOST * self.row.limits.top_speed if unit == "m/s" else most
+        fastest = (
+            min(REVERSE_SPEED, self.row.limits.top_speed) if name.startswith("BACK") else self.row.limits.top_speed
+        )
+        top = 1.0 if share else MOST * fastest if unit == "m/s" else most
         least, most = max(least, min(low, most)), min(most, max(high, least))
         if least > top + 1e-9:
             most_told = f"{top * scale:.3g} {unit if unit != '1' else 'm/s²'} at most"

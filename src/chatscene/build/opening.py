@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from chatscene.build.phases import Phases
 
 LANE = 3.5  # [m], a lane's width
+NEAREST = 4.0  # [m] before a junction: who is nearer is in it
+STOOD = 0.6  # [s]: who stands so long before it sets off is seen to stand
 YIELDS = 1.0  # [m/s]: an ego that goes no faster yields
 SHORT = 25.0  # [m] before the end of a road, or before a junction: nobody is placed farther
 
@@ -53,6 +55,8 @@ class Opening:
         self._make_room()
         if deed.act is Act.STAND and deed.time is not None:
             return  # it stands so long from the beginning
+        if stands_first(actor.one):
+            yield f"{waits} for {STOOD:g} seconds"
         yield f"{waits} until {self._due()}"
         if actor.stand.meets is Meets.TOWARD and not steps[self.first].lasting:
             seconds = f"($LEAD_TIME + {self.ahead.seconds:.1f})" if self.ahead.seconds else "$LEAD_TIME"
@@ -68,6 +72,9 @@ class Opening:
         actor.needs = self._takes() + self._wait()
         route = actor.found.route
         reaches = route.eventAt
+        if actor.one.starts.distance is None and actor.first is None and "$Y" in stand.at:
+            self._fit(reaches / actor.ego_speed - self._wait())
+            actor.needs = self._takes() + self._wait()
         if stand.anywhere and actor.one.starts.distance is None and actor.first is None:
             low, high, unit, meaning = actor.numbers.range_of("Y")
             end = route.route.length if route.route.junction is None else route.eventAt
@@ -76,6 +83,22 @@ class Opening:
             actor.numbers.measure("Y", low, high, unit, meaning)
             reaches = end - SHORT
         actor.reaches = reaches
+
+    def _fit(self, seconds: float) -> None:
+        """Let it be so near that it is there in the seconds that the ego needs; behind the ego, as far as it gains."""
+        actor, stand = self.phases.actor, self.phases.actor.stand
+        low, high, unit, meaning = actor.numbers.range_of("Y")
+        goes = not stands_first(actor.one)
+        if stand.meets is Meets.THROUGH:
+            most = self._wish() * seconds - 2 * LANE
+            low, high = min(low, max(NEAREST, most - NEAREST)), min(high, max(NEAREST + 1.0, most))
+        elif stand.meets is Meets.TOWARD and goes:
+            most = actor.found.route.eventAt + self._wish() * max(seconds, 0.0)
+            low, high = min(low, most - 2 * NEAREST), min(high, most)
+        elif stand.behind and goes and (before := self.phases.paces.before[self.first]).name:
+            gains = max(0.0, before.high - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
+            low, high = low + gains, high + gains
+        actor.numbers.measure("Y", low, high, unit, meaning)
 
     def _go(self) -> str:
         return GO.replace("$SPEED", f"${self._speed()}")
@@ -118,24 +141,25 @@ class Opening:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 own = f"{stand.left} / ${self._speed()} + {wait:.2f}"
                 due = f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {own} + $OFFSET"
-                if stand.left == "0" and not stands_first(
-                    self.phases.actor.one
+                if (
+                    stand.meets is Meets.ACROSS and stand.left == "0" and not stands_first(self.phases.actor.one)
                 ):  # it goes on, perhaps as fast as the ego
                     return f"{due} or secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.2f} + $OFFSET"
-                # An ego that stops for who stands beside its lane would wait for it as long as it waits for the ego.
-                return f"{due} or ego.pose[3] < {YIELDS:g}" if self._ego_drives() else due
+                return due + self._or_yields()
             case Meets.KERB:
-                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET"
+                return f"secondsTo(egoRoute, ego, {stand.ego_meets}) < {wait:.2f} + $OFFSET" + self._or_yields()
             case Meets.ALONG if stands_first(self.phases.actor.one) and not stand.behind:
-                return f"secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0]) < {wait:.2f} + $OFFSET"
+                there = "secondsTo(egoRoute, ego, progressOn(egoRoute, self)[0])"
+                return f"{there} < {wait:.2f} + $OFFSET" + self._or_yields()
             case _:
                 return f"secondsTo(egoRoute, ego, egoRoute.eventAt) < {wait:.3g} + $OFFSET"
 
-    def _ego_drives(self) -> bool:
-        """Whether only somebody in its way holds the ego."""
+    def _or_yields(self) -> str:
+        """An ego that stops for who stands in or beside its lane would wait for it as long as it waits for the ego."""
         situation, stand = self.phases.actor.ledger.situation, self.phases.actor.stand
         controlled = situation.road.ego_light is not None or situation.road.control is not None
-        return stand.meets is Meets.ACROSS and not situation.ego.does and not controlled
+        held = stand.meets is Meets.THROUGH or situation.ego.does or controlled
+        return "" if held else f" or ego.pose[3] < {YIELDS:g}"
 
     def _takes(self) -> float:
         """How long [s] it takes about to where it meets the ego, at its speed."""

@@ -16,7 +16,7 @@ from chatscene.errors import NotBuilt
 from chatscene.terms.seeing import LOST, SHARE_LOST, gain_of, loss_of
 from chatscene.terms.situation import Deed
 
-SEEN = 1.2  # times what a watcher must see at least
+SEEN = 1.1  # times what a watcher must see at least
 NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
 

@@ -19,7 +19,7 @@ from chatscene.build.deeds import (
     Steps,
     steps_for,
 )
-from chatscene.build.numbers import FIRM, PACES
+from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import Opening
 from chatscene.build.paces import LEAST, Pace, Paces, Speed
 from chatscene.build.place import NEXT_LANE
@@ -34,7 +34,9 @@ from chatscene.terms.vocabulary import Act, Breach, EgoLight, Role, Side, Strike
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
 
+PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
+BACK, DRIFTS = 1.5, 5.0  # [m] that somebody goes back; that it goes on while it drifts by a third
 RUN_UP = 20.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
@@ -70,6 +72,9 @@ class Phases:
         self.body = Body(actor.limits, actor.walks)
         self.steps = [self._steps_of(k) for k in range(len(deeds))]
         self._choose_speeds()
+        for k, steps in enumerate(self.steps):
+            if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
+                self._overtakes(k)
         if actor.stand.meets in (Meets.THROUGH, Meets.ACROSS):
             self._between()
         return tuple(self._all())
@@ -139,6 +144,32 @@ class Phases:
 
     def _first_to_move(self, k: int) -> bool:
         return all(deed.act in _OFF for deed in self.actor.deeds[:k])
+
+    def _overtakes(self, k: int) -> None:
+        """Let it be so much faster than the ego that it gets by.
+
+        Raises:
+            NotBuilt: It is not, or no such body is.
+        """
+        actor, deed = self.actor, self.actor.deeds[k]
+        least, name = PASSES * actor.ego_speed, f"FAST_{k}"
+        if deed.speed is not None:
+            actor.numbers.bind(name, deed.speed, actor.ego_speed, f"{actor.path}.does.{k}.speed")
+        low, high, *_ = actor.numbers.range_of(name)
+        most = high if deed.speed is not None else MOST * actor.limits.top_speed
+        if most < least:
+            raise NotBuilt(
+                f"{actor.path}.does.{k}: a {actor.one.kind} at {3.6 * most:.0f} km/h does not overtake an ego at "
+                f"{3.6 * actor.ego_speed:.0f} km/h; say {3.6 * least:.0f} km/h at least, or a slower ego"
+            )
+        actor.numbers.narrow(name, max(low, least), max(high, least))
+
+    def _passing(self, k: int) -> float:
+        """How long [s] it takes to get by the ego."""
+        actor = self.actor
+        faster = actor.numbers.middle(f"FAST_{k}") - actor.ego_speed
+        metres = (actor.numbers.middle("Y") if actor.stand.behind else 0.0) + actor.limits.length
+        return (metres + actor.numbers.middle("AHEAD")) / max(faster, 0.5)
 
     def _one_speed(self) -> bool:
         """Whether one speed at most was said of it, which then is its speed all the time."""
@@ -222,6 +253,12 @@ class Phases:
         last = bodies[-1]
         gets = [text for text in last if "until self.pose[3] >" in text][:1]
         begins = course(gets, actor.numbers, self.body, ahead)
+        passing = sum(
+            self._passing(k)
+            for k, deed in enumerate(actor.deeds)
+            if f"FAST_{k}" in actor.numbers.ranges and deed.act is Act.OVERTAKE
+        )
+        begins = replace(begins, seconds=begins.seconds + passing)
         near = self._comes_near(first, bodies)
         yield from Opening(self, first, begins, near).texts()
         for body in bodies:
@@ -233,10 +270,13 @@ class Phases:
         if actor.stand.meets is not Meets.ACROSS:
             return 0.0
         later = [k for k in range(first, len(self.steps)) if self.steps[k].comes_in]
-        if not later or later[0] == first:
+        if not later:
             return 0.0
         before = [text for body in bodies[: later[0] - first] for text in body]
-        metres = course(before, actor.numbers, self.body).metres
+        there = course(before, actor.numbers, self.body)
+        if "$X" in actor.stand.point and actor.deeds[later[0]].speed is not None:
+            there = self._run_up(later[0], there)
+        metres = there.metres
         if metres > 0.0:
             if "$X" not in actor.stand.point:
                 raise NotBuilt(
@@ -245,6 +285,19 @@ class Phases:
                 )
             actor.numbers.move("X", metres)
         return metres
+
+    def _run_up(self, k: int, here: Course) -> Course:
+        """Where it is as fast as was said of how it comes in."""
+        gets = self._at(k, f"{MOVE} until {UNDER_WAY}")
+        there = course([gets], self.actor.numbers, self.body, here)
+        if there.metres - here.metres > RUN_UP:
+            most = self.body.reaches(RUN_UP)
+            at = f"{self.actor.path}.does.{k}.speed: {self.actor.deeds[k].speed}"
+            kind = self.actor.one.kind
+            raise NotBuilt(
+                f"{at} is more than a {kind} has that sets off beside our lane; say {3.6 * most:.0f} km/h at most"
+            )
+        return there
 
     def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
         """The phases of each deed."""
@@ -259,7 +312,7 @@ class Phases:
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
                 body += [ROUND_ON_FOOT if actor.walks else ROUND]
                 turned = False
-            if still and steps.going and not (steps.pace is Pace.GAINS and self.paces.before[k].high <= LEAST):
+            if self._must_get_going(k, still=still):
                 body += self._gets_going(k, first, meanwhile)
             body += self._of(k, steps, way, still=still, last=k == len(actor.deeds) - 1, go=meanwhile)
             way = steps.way or way
@@ -268,6 +321,13 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
+
+    def _must_get_going(self, k: int, *, still: bool) -> bool:
+        """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
+        steps, before = self.steps[k], self.paces.before[k]
+        if not steps.going or (steps.pace is Pace.GAINS and before.high <= LEAST):
+            return False
+        return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 
     def _stands(self) -> bool:
         """Whether it stands before its first deed."""
@@ -303,6 +363,11 @@ class Phases:
             low, high, *_ = self.actor.numbers.range_of("SPEED")
             speed = Speed("SPEED", low, high)
         return text.replace("{held}", f"{self.paces.held(speed):g}")
+
+    def _lasts(self, text: str, speed: Speed) -> str:
+        """A phase with the time that it takes somebody to get so far that it is seen."""
+        goes = 0.5 * (speed.low + speed.high) if speed.name else self.actor.numbers.middle("SPEED")
+        return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
 
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:
         actor, deed = self.actor, self.actor.deeds[k]
@@ -341,20 +406,46 @@ class Phases:
         actor, deed = self.actor, self.actor.deeds[k]
         numbers, at = actor.numbers, f"{actor.path}.does.{k}"
         speed = self.paces.after[k]
+        if steps.binds.get("acceleration") == "THROTTLE" and deed.acceleration is not None:
+            return self._at_full_power(
+                k, self._lasts(self._held(_renamed(_renamed(text, "FAST", speed.name), "SPEED", "SPEED"), speed), speed)
+            )
         changed = {Pace.GAINS: "FAST", Pace.LOSES: "SLOW"}.get(steps.pace)
         text = _renamed(text, changed, speed.name) if changed else text
-        text = self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed)
+        text = self._lasts(self._held(_renamed(text, "SPEED", speed.name or "SPEED"), speed), speed)
         for amount, name in steps.binds.items():
             if (said := getattr(deed, amount)) is None or name in (changed, "SPEED"):
                 continue
             own = f"{name}_{k}"
+            if amount == "speed" and deed.act is Act.OVERTAKE and own in numbers.bound:
+                text = _renamed(text, name, own)
+                continue
             numbers.bind(own, said, actor.ego_speed, f"{at}.{amount}")
             text = _renamed(text, name, own)
+        if deed.act is Act.OVERTAKE and "FAST" in steps.binds.values():
+            text = _renamed(text, "FAST", f"FAST_{k}")
         if deed.manner is not None and deed.manner in FIRM and deed.acceleration is None and "$BRAKE" in text:
             numbers.narrow(f"BRAKE_{k}", FIRM[deed.manner], 1.0)
             text = _renamed(text, "BRAKE", f"BRAKE_{k}")
             actor.ledger.take(f"{at}.manner")
         return text
+
+    def _at_full_power(self, k: int, text: str) -> str:
+        """A phase with the pedal that gives the acceleration that was said, at the speed that it has before."""
+        actor, deed, limits = self.actor, self.actor.deeds[k], self.actor.limits
+        assert deed.acceleration is not None
+        before = self.paces.before[k]
+        left = 1.0 - 0.5 * (before.low + before.high) / limits.top_speed
+        low, high = (one / (limits.throttle * left) for one in deed.acceleration.within(0.0, limits.throttle * left))
+        if low > 1.0:
+            raise NotBuilt(
+                f"{actor.path}.does.{k}.acceleration: {deed.acceleration} is more than a {actor.one.kind} can at "
+                f"{3.6 * before.high:.0f} km/h: {limits.throttle * left:.2g} m/s² at most"
+            )
+        name = f"THROTTLE_{k}"
+        actor.numbers.narrow(name, low, min(high, 1.0))
+        actor.numbers.bound[name] = f"{actor.path}.does.{k}.acceleration"
+        return _renamed(text, "THROTTLE", name)
 
     def _aside(self, deed: Deed, k: int) -> str:
         """To which side of its line it goes: 1 for left; where that was not said, toward the ego's way."""

@@ -41,7 +41,7 @@ COMES_IN = frozenset((Act.CROSS, Act.ENTER, Act.PULL_OUT))
 """What only somebody can do who is outside the ego's lane."""
 _TURNED = frozenset((Act.U_TURN, Act.TURN_BACK, Act.TURN_LEFT, Act.TURN_RIGHT, Act.EXIT))
 _STILL = frozenset((Act.STAND, Act.STOP, Act.PARK, Act.YIELD))
-_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.ENTER, Act.FALL, Act.OPEN_DOOR}
+_MAY_STAND = _STILL | {Act.BRAKE, Act.REVERSE, Act.FALL, Act.OPEN_DOOR}
 _GOES = frozenset((Act.GO_ALONG, Act.GO_STRAIGHT, Act.CROSS, Act.ACCELERATE, Act.SLOW_DOWN, Act.BRAKE, Act.STOP))
 _OFF = frozenset(
     (Act.SET_OFF, Act.GO_ALONG, Act.GO_STRAIGHT, Act.ACCELERATE, Act.REVERSE, Act.CROSS, Act.ENTER, Act.PULL_OUT)
@@ -61,6 +61,8 @@ def impossible(situation: Situation) -> Iterator[Fault]:
                 yield Fault((f"{at}.{k}.act",), f"who stands must set off before it can {deed.act}")
             if k and deed.act is Act.SET_OFF and one.does[k - 1].act not in _MAY_STAND:
                 yield Fault((f"{at}.{k}.act",), f"after {one.does[k - 1].act} it is under way, and cannot set-off")
+            if stood and deed.act is Act.STAND and deed.time is not None and one.does[k - 1].time is not None:
+                yield Fault((f"{at}.{k}.time",), f"it stands already, for {one.does[k - 1].time}")
             stood = deed.act in _STILL
         yield from _comes_in_twice(one, at)
         for k, (before, after) in enumerate(pairwise(one.does), 1):

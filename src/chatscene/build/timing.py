@@ -71,6 +71,14 @@ class Body:
             speed = self.after(speed, wish)
         return speed
 
+    def reaches(self, metres: float) -> float:
+        """The speed [m/s] that it has after a distance from a stand."""
+        at = speed = 0.0
+        while at < metres:
+            speed = self.after(speed, self.limits.top_speed)
+            at += _STEP * max(speed, _STEP)
+        return speed
+
     def covers(self, metres: float, wish: float) -> float:
         """How long [s] it needs for a distance from a stand, if it wants a speed."""
         at = time = speed = 0.0

@@ -21,7 +21,7 @@ from chatscene.terms.vocabulary import Act as Said
 
 DRIFTED = 0.8  # [m]
 BACK = 0.5  # [m]
-MOST_OF = 0.7
+MOST_OF = 0.6
 OUTSIDE = 1.4  # [m] from the ego's line: who is no farther away is not outside its lane
 
 

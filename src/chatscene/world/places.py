@@ -229,11 +229,11 @@ def waitingTraffic(route: EgoRoute) -> tuple[CrossingPath, ...]:  # noqa: N802
 def lanesBeside(route: EgoRoute) -> tuple[tuple[Polyline, bool], ...]:  # noqa: N802
     """The lines of the lanes directly beside the ego's, and whether each runs against it."""
     return tuple(
-        (neighbour_line(route.network, route.route, side), against) for side, against in _beside_start(route).items()
+        (neighbour_line(route.network, route.route, side), against) for side, against in lanes_beside(route).items()
     )
 
 
-def _beside_start(route: EgoRoute) -> dict[str, bool]:
+def lanes_beside(route: EgoRoute) -> dict[str, bool]:
     """On which sides of the ego's start a lane lies, and whether that runs against the ego's."""
     start = route.line.point_at(0.0)
     section = route.network.laneSectionAt(start) or route.network.elements[route.route.lane_ids[0]].sections[0]
@@ -292,7 +292,7 @@ def adjacentPath(route: EgoRoute) -> Polyline:  # noqa: N802
     Raises:
         MapError: The ego's is the only lane of its direction.
     """
-    there = _beside_start(route)
+    there = lanes_beside(route)
     for side in ("right", "left"):
         if there.get(side) is False:
             return neighbour_line(route.network, route.route, side)
