@@ -38,6 +38,7 @@ class Actor:
         first: In whose row it stands, whose place it shares; None if it is the first.
         needs: How long [s] the ego must need at least to where they meet.
         reaches: How far [m] the ego has to there.
+        soon: When [s] the ego meets somebody else, who may end the scene; None if nobody is known to.
     """
 
     ledger: Ledger
@@ -52,6 +53,8 @@ class Actor:
     named: dict[str, str] = field(init=False)
     needs: float = field(init=False, default=0.0)
     reaches: float = field(init=False, default=0.0)
+    soon: float | None = None
+    _texts: tuple[str, ...] | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         row = self.one.kind.row.body.row
@@ -100,7 +103,17 @@ class Actor:
 
     def phases(self) -> tuple[str, ...]:
         """What it does until its first deed is due, then deed after deed; empty for what only lies or hides."""
-        return tuple(self.filled(text) for text in Phases(self).texts())
+        if self._texts is None:
+            self._texts = Phases(self).texts()
+        return tuple(self.filled(text) for text in self._texts)
+
+    @property
+    def met(self) -> float:
+        """After how many seconds [s] an ego that nothing holds is where it meets it."""
+        route, stand = self.found.route, self.stand
+        if stand.anywhere:
+            return self.numbers.middle("Y") / self.ego_speed
+        return (route.exitAt if "exitAt" in "".join(stand.lines) else route.eventAt) / self.ego_speed
 
     # Its text
 

@@ -90,6 +90,12 @@ def _cast(situation: Situation, speed: float) -> tuple[Ledger, Found, BuiltEgo, 
     found = find(ledger)
     ego = ego_of(ledger, found, speed)
     everybody = _everybody(ledger, found, ego)
+    for actor, _ in everybody:
+        if actor.one.role is Role.ADVERSARY:
+            actor.phases()
+    soon = min(actor.met for actor, _ in everybody if actor.one.role is Role.ADVERSARY)
+    for actor, _ in everybody:
+        actor.soon = soon if actor.one.role is Role.SUPPORTING else None
     body = "\n".join(line for actor, hidden in everybody for line in (*actor.code(hidden), ""))
     return ledger, found, ego, everybody, body
 

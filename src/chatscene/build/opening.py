@@ -170,8 +170,17 @@ class Opening:
         return self.phases.actor.numbers.middle(self._speed())
 
     def _wait(self) -> float:
-        """How much longer [s] it takes: by gaining speed, and by all that it does before its last deed."""
-        actor, stand, more = self.phases.actor, self.phases.actor.stand, self.ahead.seconds
+        """How much longer [s] it takes: by gaining speed, and by all that it does before its last deed.
+
+        Who is not met does it before the ego meets another, who may end the scene.
+        """
+        actor, more = self.phases.actor, self.ahead.seconds
+        if actor.soon is not None:
+            return self._alone(more) + max(0.0, actor.met - actor.soon)
+        return self._alone(more)
+
+    def _alone(self, more: float) -> float:
+        actor, stand = self.phases.actor, self.phases.actor.stand
         match stand.meets:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())

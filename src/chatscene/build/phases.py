@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
 BACK, DRIFTS = 1.5, 5.0  # [m] that somebody goes back; that it goes on while it drifts by a third
+GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 RUN_UP = 20.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
@@ -188,6 +189,8 @@ class Phases:
         if contact is not None and contact.striker is not None:
             late, early = (0.0, early) if contact.striker is Striker.EGO else (late, 0.0)
             actor.ledger.take("contact.striker")
+        if actor.one.role is Role.SUPPORTING:  # who is not met comes before the ego, which can still brake for it
+            late, early = early + 0.5 * actor.ego_speed / GENTLE, early + actor.ego_speed / GENTLE
         actor.numbers.narrow("OFFSET", late, early)
 
     # Steps
