@@ -123,8 +123,8 @@ ALONG: dict[Act, Steps] = {
         ),
     ),
     Act.WEAVE: Steps(
-        does=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, 3) for 4.5 seconds",),
-        last=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, 3)",),
+        does=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, {period}) for {weaves} seconds",),
+        last=("WeaveOnPath({p}, $SPEED, $AMPLITUDE, {period})",),
         binds={"speed": "SPEED"},
     ),
     Act.SWERVE: Steps(

@@ -95,8 +95,10 @@ class Opening:
         elif stand.meets is Meets.TOWARD and goes:
             most = actor.found.route.eventAt + self._wish() * max(seconds, 0.0)
             low, high = min(low, most - 2 * NEAREST), min(high, most)
-        elif stand.behind and goes and (before := self.phases.paces.before[self.first]).name:
-            gains = max(0.0, before.high - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
+        elif stand.behind and goes:
+            speeds = (self.phases.paces.before[self.first], self.phases.paces.after[self.first])
+            fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
+            gains = max(0.0, fastest - actor.ego_speed) * actor.found.route.eventAt / actor.ego_speed
             low, high = low + gains, high + gains
         actor.numbers.measure("Y", low, high, unit, meaning)
 
@@ -106,6 +108,9 @@ class Opening:
     def _speed(self) -> str:
         """The parameter of the speed at which it comes to where it meets the ego."""
         paces = self.phases.paces
+        comes = [k for k, steps in enumerate(self.phases.steps) if steps.comes_in and k > self.first]
+        if self.near > 0.0 and comes:
+            return paces.after[comes[0]].name or "SPEED"
         keeps = self.phases.steps[self.first].pace is Pace.KEEPS
         speed = (paces.after if keeps else paces.before)[self.first]
         return speed.name or "SPEED"
@@ -185,7 +190,8 @@ class Opening:
             case Meets.THROUGH | Meets.TOWARD | Meets.ACROSS:
                 lost = max(0.0, self.phases.body.covers(self._to_meet(), self._wish()) - self._takes())
                 comes = 0.0 if any(one.comes_in for one in self.phases.steps) else self._takes() + lost
-                return lost + max(0.0, more - self.near / self._wish() - comes)
+                late = more - self.near / self._wish() - comes
+                return lost + (late if self.near > 0.0 else max(0.0, late))
             case Meets.KERB:  # it is in the lane once it has gone its own length and the width of a lane
                 return self.phases.body.covers(actor.limits.length + LANE, self._wish()) + more
             case Meets.ALONG if stands_first(actor.one) and not stand.behind:

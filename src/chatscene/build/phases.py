@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -20,7 +21,7 @@ from chatscene.build.deeds import (
     steps_for,
 )
 from chatscene.build.numbers import FIRM, MOST, PACES
-from chatscene.build.opening import Opening
+from chatscene.build.opening import LANE, Opening
 from chatscene.build.paces import LEAST, Pace, Paces, Speed
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import Meets, stands_first
@@ -38,9 +39,11 @@ PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
 BACK, DRIFTS = 1.5, 5.0  # [m] that somebody goes back; that it goes on while it drifts by a third
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
+WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 RUN_UP = 20.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
+_ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
 _QUIET = frozenset((Act.STAND, Act.STOP))
 _OFF = frozenset((Act.SET_OFF, Act.STAND))
 
@@ -134,7 +137,11 @@ class Phases:
         if bound and deed.speed is not None:
             own = general if general == "SPEED" and self._one_speed() and self._first_to_move(k) else own
             numbers.bind(own, deed.speed, actor.ego_speed, f"{at}.speed")
-            return own, numbers.ranges[own][:2]
+            low, high, *_ = numbers.ranges[own]
+            if steps.pace is Pace.KEEPS and self.body.falls_short(low):
+                low, high = self.body.wish_for(low), self.body.wish_for(high)
+                numbers.narrow(own, low, high)
+            return own, (low, high)
         if deed.manner in PACES and deed.speed is None and bound and steps.pace is Pace.KEEPS:
             actor.ledger.take(f"{at}.manner")
             low, high, *_ = numbers.ranges[PACES[deed.manner]]
@@ -223,6 +230,8 @@ class Phases:
                 )
         if where is Where.BEHIND and deed.act in _GOING_ON and not self._contact():
             table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
+        if deed.act in _ASIDE and where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
+            table = {}  # which nobody sees on a road that bends all the time
         if deed.act not in table:
             raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
         steps = table[deed.act]
@@ -312,6 +321,7 @@ class Phases:
             if k > first and deed.when is not None:
                 body += when_of(actor, k, deed.when, self._at(k, meanwhile))
             if steps.comes_in and turned:
+                self._can_turn_again(k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
                 body += [ROUND_ON_FOOT if actor.walks else ROUND]
                 turned = False
@@ -324,6 +334,16 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
+
+    def _can_turn_again(self, k: int) -> None:
+        """Refuse to come in to who turned back, and takes more than a lane to turn round."""
+        actor, limits = self.actor, self.actor.limits
+        circle = 2.0 * limits.wheelbase / math.tan(limits.wheel_angle) if limits.wheelbase else 0.0
+        if circle > LANE:
+            raise NotBuilt(
+                f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of a {actor.one.kind} that "
+                f"turned back, since it takes {circle:.0f} m to turn round again"
+            )
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
@@ -370,6 +390,8 @@ class Phases:
     def _lasts(self, text: str, speed: Speed) -> str:
         """A phase with the time that it takes somebody to get so far that it is seen."""
         goes = 0.5 * (speed.low + speed.high) if speed.name else self.actor.numbers.middle("SPEED")
+        period = max(3.0, WAVE / goes)
+        text = text.replace("{period}", f"{period:.2g}").replace("{weaves}", f"{1.5 * period:.2g}")
         return text.replace("{back}", f"{1.0 + BACK / goes:.2g}").replace("{drift}", f"{max(0.9, DRIFTS / goes):.2g}")
 
     def _of(self, k: int, steps: Steps, way: str | None, *, still: bool, last: bool, go: str) -> Iterator[str]:

@@ -74,7 +74,8 @@ def _comes_in_twice(one: Other, at: str) -> Iterator[Fault]:
     """Who came into the ego's lane from beside it must be outside again before it can come in again."""
     came: Act | None = None
     for k, deed in enumerate(one.does):
-        if deed.act in COMES_IN:
+        over = deed.act is Act.GO_STRAIGHT and one.starts.where in _OFF_ROAD
+        if deed.act in COMES_IN or over:
             if came is not None:
                 yield Fault((f"{at}.{k}.act",), f"after {came} it is in our lane or over it, and cannot {deed.act}")
             came = deed.act

@@ -16,6 +16,7 @@ from chatscene.world.control import pedals
 
 _STEP = 0.1  # [s]
 _MOST = 60.0  # [s] that a phase is followed
+HELD = 0.92  # of a speed: who holds no more of it wants more
 PATIENCE = 8.0  # [s] that somebody is waited for to be as fast as it wants
 _NUMBER = r"[^,()]+"
 _TOWARD = re.compile(rf"(?:MoveAhead\(|DrivePath\([^,]+, |SwerveOnPath\([^,]+, |WeaveOnPath\([^,]+, )({_NUMBER})")
@@ -34,11 +35,13 @@ class Course:
         seconds: Since it began [s].
         metres: How far it got [m].
         speed: How fast it is [m/s].
+        way: 1 where it goes as it first did, -1 after it turned back.
     """
 
     seconds: float = 0.0
     metres: float = 0.0
     speed: float = 0.0
+    way: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,12 +67,24 @@ class Body:
         gain = press * limits.throttle * (1.0 - speed / limits.top_speed) - brake * limits.brake
         return max(0.0, speed + _STEP * (gain - (limits.drag if speed > 0.0 else 0.0)))
 
-    def holds(self, wish: float) -> float:
+    def holds(self, wish: float, seconds: float = PATIENCE) -> float:
         """The speed [m/s] that it has some time after it wanted one: what the engine gives and drag leaves."""
         speed = 0.0
-        for _ in range(round(PATIENCE / _STEP)):
+        for _ in range(round(seconds / _STEP)):
             speed = self.after(speed, wish)
         return speed
+
+    def wish_for(self, speed: float) -> float:
+        """The speed [m/s] that it must want to hold one; as much as it can at most."""
+        low, high = speed, self.limits.top_speed
+        for _ in range(20):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if self.holds(middle, _MOST) < speed else (low, middle)
+        return high
+
+    def falls_short(self, speed: float) -> bool:
+        """Whether it holds much less than a speed if it wants that."""
+        return self.holds(speed, _MOST) < HELD * speed
 
     def reaches(self, metres: float) -> float:
         """The speed [m/s] that it has after a distance from a stand."""
@@ -107,7 +122,8 @@ def _phase(text: str, numbers: Numbers, body: Body, here: Course) -> Course:
     if turn := _TURN.match(text):
         wish = _value(turn[2], numbers)
         metres = abs(float(turn[1])) * float(turn[3])
-        return Course(here.seconds + metres / max(wish, 0.5), here.metres, wish)
+        way = -here.way if abs(float(turn[1])) > 2.0 else here.way
+        return Course(here.seconds + metres / max(wish, 0.5), here.metres, wish, way)
     wish, throttle, brake = 0.0, None, 1.0
     if found := _THROTTLE.match(text):
         throttle, wish = _value(found[1], numbers), _value(found[2], numbers)
@@ -123,6 +139,7 @@ def _phase(text: str, numbers: Numbers, body: Body, here: Course) -> Course:
         return here  # its end is seen on the road
     bound = _value(until[2], numbers) if until is not None else math.nan
     seconds, metres, speed = here.seconds, here.metres, here.speed
+    way = -here.way if ", 3.14159)" in text else here.way
     end = seconds + lasts
     while seconds < end:
         if until is not None and (speed < bound if until[1] == "<" else speed > bound):
@@ -131,8 +148,8 @@ def _phase(text: str, numbers: Numbers, body: Body, here: Course) -> Course:
             speed = max(0.0, speed - brake * body.limits.brake * _STEP)
         else:
             speed = body.after(speed, wish, throttle)
-        seconds, metres = seconds + _STEP, metres + _STEP * speed
-    return Course(seconds, metres, speed)
+        seconds, metres = seconds + _STEP, metres + way * _STEP * speed
+    return Course(seconds, metres, speed, way)
 
 
 def _value(text: str, numbers: Numbers) -> float:
