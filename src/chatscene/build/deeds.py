@@ -184,11 +184,12 @@ _INTO_OURS = Steps(
     way="{ours}",
     binds={"speed": "SPEED"},
 )
-_OFF_LEFT = "TurnOff(1.3, $SLOW, 7)"
+_OFF_LEFT, _OFF_RIGHT = "TurnOff(1.3, $SLOW, 7)", "TurnOff(-1.3, $SLOW, 7)"
 TOWARD: dict[Act, Steps] = {
     **ALONG,
     **_each((Act.OVERTAKE, Act.ENTER, Act.LANE_CHANGE, Act.CUT_IN), _INTO_OURS),
     Act.TURN_LEFT: Steps(does=(_OFF_LEFT,), last=(_OFF_LEFT, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}),
+    Act.TURN_RIGHT: Steps(does=(_OFF_RIGHT,), last=(_OFF_RIGHT, "MoveAhead($SLOW)"), binds={"speed": "SLOW"}),
 }
 """Of somebody who comes against the ego."""
 OFF = {Act.TURN_LEFT: "TurnOff(1.4, $SLOW, 7)", Act.TURN_RIGHT: "TurnOff(-1.4, $SLOW, 7)"}
@@ -205,8 +206,8 @@ RESTS = MOVE + " until restsWithin(egoRoute, self, 0.5)"
 _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
-_AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SPEED, 2)"
-ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SPEED, 2)", "MoveAhead($SPEED, 3.14159) for 0.3 seconds"
+_AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SLOW, 2)"
+ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for 0.3 seconds"
 """Turns to the road again."""
 _BACK = "MoveAhead($SPEED, 3.14159)"
 ACROSS: dict[Act, Steps] = {

@@ -147,8 +147,9 @@ class Paces:
     def _check(self, one: Change, deed: Deed) -> None:
         before, after, name = one.before, one.after, f"{self._path}.does.{one.deed}.act: {deed.act}"
         least = gain_of(self._numbers.row)
-        if one.gains and after.high < before.low + least and before.low > LEAST:
-            raise NotBuilt(f"{name} {_told(before.low, after.high)}; say {_kmh(before.low + least)} at least")
+        was = before.low if before.name else before.high  # who keeps to the ego is about as fast as it
+        if one.gains and after.high < was + least and was > LEAST:
+            raise NotBuilt(f"{name} {_told(was, after.high)}; say {_kmh(was + least)} at least")
         if before.low > MOST * self._numbers.row.limits.top_speed:
             kind, most = self._numbers.row.scenic.lower(), MOST * self._numbers.row.limits.top_speed
             raise NotBuilt(

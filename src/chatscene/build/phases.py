@@ -37,10 +37,11 @@ if TYPE_CHECKING:
 
 PASSES = 1.2  # times as fast as the ego is who gets by it before the road ends
 FOLLOWS = 0.64  # of the ego's speed
-BACK, DRIFTS = 1.5, 5.0  # [m] that somebody goes back; that it goes on while it drifts by a third
+BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it drifts by a third
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
-RUN_UP = 20.0  # [m] that somebody beside the road may need to get under way
+GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
+RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
 _ASIDE = frozenset((Act.WEAVE, Act.DRIFT, Act.SWERVE, Act.LANE_CHANGE, Act.CUT_OUT))
@@ -76,6 +77,10 @@ class Phases:
         self.body = Body(actor.limits, actor.walks)
         self.steps = [self._steps_of(k) for k in range(len(deeds))]
         self._choose_speeds()
+        if not any(deed.time is not None for deed in deeds):  # so far that it is seen to go on
+            slowest = min((speed.low for speed in self.paces.after if speed.name and speed.low > 0.0), default=2.0)
+            least = max(1.0, GOES_ON * actor.limits.length / slowest)
+            actor.numbers.narrow("GO_TIME", least, least + 1.0)
         for k, steps in enumerate(self.steps):
             if steps.binds.get("speed") == "FAST" and deeds[k].act is Act.OVERTAKE:
                 self._overtakes(k)
@@ -112,7 +117,7 @@ class Phases:
         if stands_first(actor.one):
             return Speed("", 0.0, 0.0, said=True)
         if as_ego and not said and self.keeps_distance:
-            return Speed("", self.follows, actor.ego_speed, said=True)
+            return Speed("", self.follows, actor.ego_speed, said=True)  # the ego's, or less behind others
         low, high, *_ = actor.numbers.ranges["SPEED"]
         return Speed("SPEED", low, high, said=said)
 
@@ -286,6 +291,7 @@ class Phases:
             return 0.0
         before = [text for body in bodies[: later[0] - first] for text in body]
         there = course(before, actor.numbers, self.body)
+        near = there.metres
         if "$X" in actor.stand.point and actor.deeds[later[0]].speed is not None:
             there = self._run_up(later[0], there)
         metres = there.metres
@@ -296,7 +302,7 @@ class Phases:
                     f"{actor.one.starts.where}, before it comes into our lane"
                 )
             actor.numbers.move("X", metres)
-        return metres
+        return near
 
     def _run_up(self, k: int, here: Course) -> Course:
         """Where it is as fast as was said of how it comes in."""
