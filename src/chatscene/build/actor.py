@@ -123,7 +123,7 @@ class Actor:
         first = one if self.count > 1 else "self"
         text = text.replace("{beside}", f"beside{one}").replace("{ours}", f"ours{one}")
         text = text.replace("{p}", f"way{one}").replace("{i}", one).replace("{first}", first)
-        if self.first is not None:
+        if self.first is not None and "$Y" in text:
             text = text.replace("$Y", f"<{self.first.one.id}>")
             return self.numbers.filled(text).replace(f"<{self.first.one.id}>", self.first.numbers.value("Y"))
         return self.numbers.filled(text)

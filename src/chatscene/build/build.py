@@ -18,9 +18,11 @@ from chatscene.terms.pace import NOMINAL
 from chatscene.terms.scene import ScenicProgram
 from chatscene.terms.situation import Other, Situation
 from chatscene.terms.surroundings import FOLLOWS
-from chatscene.terms.vocabulary import Role
+from chatscene.terms.vocabulary import Role, Where
 
 ROOM = 3.0  # [m] between who stand in a row
+_SAME = {Where.DRIVEWAY: "roadside", Where.IN_ROUNDABOUT: "roundabout-entry"}
+"""Where those stand in one row who are said to be in two places."""
 SLOWEST = 4.0  # [m/s] that an ego wants of which no speed was said
 
 
@@ -108,7 +110,7 @@ def _everybody(ledger: Ledger, found: Found, ego: BuiltEgo) -> list[tuple[Actor,
     order: list[tuple[Actor, Actor | None]] = []
     for one in sorted(situation.others, key=lambda other: _hides(situation, other) is not None):
         hidden = _hides(situation, one)
-        place = (str(one.starts.where), str(one.starts.side))
+        place = (_SAME.get(one.starts.where, str(one.starts.where)), str(one.starts.side))
         shares = hidden is None and one.starts.distance is None  # else it stands where it was said to
         first, room = rows.get(place, (None, 0.0)) if shares else (None, 0.0)
         actor = Actor(ledger, found, started(one, found.sides), ego.speed, room, first)

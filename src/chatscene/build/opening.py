@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from chatscene.build.deeds import GO
-from chatscene.build.paces import Pace
+from chatscene.build.paces import CRAWLS, Pace
 from chatscene.build.place import at_junction
 from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Course
 from chatscene.build.waiting import when_of
+from chatscene.terms.situation import Other
 from chatscene.terms.vocabulary import Act, Facing, Side, Where
 
 if TYPE_CHECKING:
@@ -78,11 +79,19 @@ class Opening:
         if stand.anywhere and actor.one.starts.distance is None and actor.first is None:
             low, high, unit, meaning = actor.numbers.range_of("Y")
             end = route.route.length if route.route.junction is None else route.eventAt
+            if any(self._at_crosswalk(other) for other in actor.ledger.situation.others):
+                end = min(end, route.eventAt + SHORT - 2 * NEAREST)  # short of who is at the crosswalk
+                low, high = min(low, end - SHORT - NEAREST), min(high, end - SHORT)
             far = min((actor.needs + early) * actor.ego_speed, end - SHORT)
             low, high = max(low, far), max(high, far)
             actor.numbers.measure("Y", low, high, unit, meaning)
             reaches = end - SHORT
         actor.reaches = reaches
+
+    def _at_crosswalk(self, other: Other) -> bool:
+        """Whether another stands at the crosswalk, where this one could be."""
+        where = self.phases.actor.one.starts.where
+        return other.starts.where is Where.CROSSING and where in (Where.ROADSIDE, Where.DRIVEWAY, Where.KERB)
 
     def _fit(self, seconds: float) -> None:
         """Let it be so near that it is there in the seconds that the ego needs; behind the ego, as far as it gains."""
@@ -95,6 +104,8 @@ class Opening:
         elif stand.meets is Meets.TOWARD and goes:
             most = actor.found.route.eventAt + self._wish() * max(seconds, 0.0)
             low, high = min(low, most - 2 * NEAREST), min(high, most)
+            if actor.found.route.route.junction is not None:  # on the road that the ego comes along
+                low, high = min(low, actor.found.route.eventAt - NEAREST), min(high, actor.found.route.eventAt)
         elif stand.behind and goes:
             speeds = (self.phases.paces.before[self.first], self.phases.paces.after[self.first])
             fastest = max((speed.high for speed in speeds if speed.name), default=0.0)
@@ -112,7 +123,8 @@ class Opening:
         if self.near > 0.0 and comes:
             return paces.after[comes[0]].name or "SPEED"
         keeps = self.phases.steps[self.first].pace is Pace.KEEPS
-        speed = (paces.after if keeps else paces.before)[self.first]
+        gains = self.phases.steps[self.first].pace is Pace.GAINS and paces.before[self.first].high <= CRAWLS
+        speed = (paces.after if keeps or gains else paces.before)[self.first]
         return speed.name or "SPEED"
 
     def _goes_along(self) -> bool:

@@ -19,6 +19,7 @@ from chatscene.terms.situation import Deed
 SEEN = 1.1  # times what a watcher must see at least
 NEARLY = 0.95  # of the speed that a pedal holds, from which on it is held
 LEAST = 0.3  # [m/s], nobody goes slower on purpose
+CRAWLS = 1.0  # [m/s]: who must be slower before it gains speed gains it from a stand
 
 
 class Pace(StrEnum):

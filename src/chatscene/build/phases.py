@@ -22,15 +22,17 @@ from chatscene.build.deeds import (
 )
 from chatscene.build.numbers import FIRM, MOST, PACES
 from chatscene.build.opening import LANE, Opening
-from chatscene.build.paces import LEAST, Pace, Paces, Speed
+from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.waiting import when_of
-from chatscene.errors import NotBuilt
+from chatscene.errors import MapError, NotBuilt
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
 from chatscene.terms.vocabulary import Act, Breach, EgoLight, Role, Side, Striker, Where
+from chatscene.world.control import curve_speeds
+from chatscene.world.places import line_of, trafficFrom
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -41,6 +43,7 @@ BACK, DRIFTS = 1.5, 8.0  # [m] that somebody goes back; that it goes on while it
 GENTLE = 2.5  # [m/s²] that an ego brakes with that nothing forces to brake harder
 WAVE = 20.0  # [m], five times as far as a tracker looks ahead: a shorter wave is cut
 GOES_ON = 1.2  # of its own length that somebody goes who is seen to go on
+NEARLY, LONGEST = 0.86, 12.0  # of a speed that was said; [s] that it is waited for
 RUN_UP = 15.0  # [m] that somebody beside the road may need to get under way
 OUTSIDE = 2.5  # [m] from the ego's line: who is as far is outside its lane
 _GOING_ON = (Act.GO_ALONG, Act.FOLLOW)
@@ -237,12 +240,29 @@ class Phases:
             table = {**table, deed.act: ALONG[Act.TAILGATE]}  # or it would run into the ego
         if deed.act in _ASIDE and where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
             table = {}  # which nobody sees on a road that bends all the time
+        if where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
+            self._round(k)
         if deed.act not in table:
             raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
         steps = table[deed.act]
         if deed.act is Act.BRAKE and meets is not Meets.ACROSS and deed.time is None and self._then(k) in _OFF:
             steps = replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
         return steps
+
+    def _round(self, k: int) -> None:
+        """Refuse a speed that a roundabout lets nobody have."""
+        actor, said = self.actor, self.actor.deeds[k].speed
+        if said is None or said.than_ego:
+            return
+        try:
+            way = trafficFrom(actor.found.route, "left")[0]
+        except MapError as error:
+            raise NotBuilt(f"no map has such a place: {error}") from error
+        line = line_of(way)
+        fastest = 1.1 * curve_speeds(line)[line.project(*line.point_at(way.meets_at))[2]]  # who cuts the bend is faster
+        if said.low > fastest:
+            at = f"{actor.path}.does.{k}.speed: {said}"
+            raise NotBuilt(f"{at} is more than the roundabout lets anybody go: {3.6 * fastest:.0f} km/h at most")
 
     def _then(self, k: int) -> Act | None:
         return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
@@ -270,6 +290,12 @@ class Phases:
         last = bodies[-1]
         gets = [text for text in last if "until self.pose[3] >" in text][:1]
         begins = course(gets, actor.numbers, self.body, ahead)
+        if actor.deeds[-1].speed is not None and self.steps[-1].pace in (Pace.KEEPS, Pace.GAINS):
+            wish = self.paces.after[-1]
+            if wish.name:  # until it is nearly as fast as was said
+                gets = f"MoveAhead(${wish.name}) until self.pose[3] > {NEARLY:g} * ${wish.name}"
+                reached = course([gets], actor.numbers, self.body, begins)
+                begins = replace(begins, seconds=min(reached.seconds, begins.seconds + LONGEST))
         passing = sum(
             self._passing(k)
             for k, deed in enumerate(actor.deeds)
@@ -315,6 +341,8 @@ class Phases:
             raise NotBuilt(
                 f"{at} is more than a {kind} has that sets off beside our lane; say {3.6 * most:.0f} km/h at most"
             )
+        if self.actor.deeds[k].act is Act.ENTER:  # and stops in the lane
+            return replace(there, metres=there.metres + there.speed**2 / (2.0 * self.actor.limits.brake))
         return there
 
     def _bodies(self, first: int, go: str) -> Iterator[list[str]]:
@@ -354,7 +382,7 @@ class Phases:
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
         steps, before = self.steps[k], self.paces.before[k]
-        if not steps.going or (steps.pace is Pace.GAINS and before.high <= LEAST):
+        if not steps.going or (steps.pace is Pace.GAINS and before.high <= CRAWLS):
             return False
         return still or (bool(before.name) and steps.pace is not Pace.GAINS)
 

@@ -253,7 +253,7 @@ class _Judge:
             path, act = f"{at}.does.{k}", deed.act
             if act not in ACTS:
                 continue
-            found = [once for once in self._seen(one, k, seen, latest) if once not in mine]
+            found = [once for once in self._seen(one, k, seen, latest) if once not in mine or act is Said.STAND]
             lasts = act.row.lasting and act is not Said.STAND
             after = [once for once in found if lasts or once.began >= latest - TOGETHER / seen.dt]
             if not after:
