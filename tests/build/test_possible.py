@@ -28,6 +28,17 @@ def refusal(where: str, *acts: str, kind: str = "car") -> str:
         ("ahead", ("cross",), "others.A.does.0.act: nobody who is ahead can cross"),
         ("oncoming", ("tailgate",), "others.A.does.0.act: nobody who is oncoming can tailgate"),
         ("ahead", ("stop", "swerve"), "others.A.does.1.act: who stands must set off before it can swerve"),
+        (
+            "driveway",
+            ("cross", "stop", "cross"),
+            "others.A.does.2.act: after cross it is in our lane or over it, and cannot cross",
+        ),
+        (
+            "driveway",
+            ("go-straight", "enter"),
+            "others.A.does.1.act: after go-straight it is in our lane or over it, and cannot enter",
+        ),
+        ("ahead", ("slow-down", "set-off"), "others.A.does.1.act: after slow-down it is under way, and cannot set-off"),
         ("beside", ("turn-left", "cut-in"), "others.A.does.1.act: after turn-left it is elsewhere, and cannot cut-in"),
     ],
 )

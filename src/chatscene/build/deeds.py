@@ -207,7 +207,7 @@ _OVER = Steps(
     does=(MOVE + " until abs(offsetFrom(egoRoute, self)) < 1",), last=(MOVE,), binds={"speed": "SPEED"}, comes_in=True
 )
 _AROUND = "TurnOff(3.1 if offsetFrom(egoRoute, self) > 0 else -3.1, $SLOW, 2)"
-ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for 0.3 seconds"
+ROUND, ROUND_ON_FOOT = "TurnOff(3.1, $SLOW, 2)", "MoveAhead($SPEED, 3.14159) for 1.2 seconds"
 """Turns to the road again."""
 _BACK = "MoveAhead($SPEED, 3.14159)"
 ACROSS: dict[Act, Steps] = {

@@ -115,7 +115,7 @@ def accelerates(s: Seen, to: float = math.inf) -> Iterable[Act]:
     speed, low = _speed(s), 0
     gain = min(gain_of(BY_CLASS.get(s.track.kind, AdversaryKind.CAR).row), MOST_OF * to)
     for step in range(1, len(speed)):
-        if speed[step] <= speed[low] + 0.1 or speed[step] < speed[step - 1] - 0.05:
+        if speed[step] <= speed[low] or speed[step] < speed[step - 1] - 0.05:
             low = step
         elif speed[step] - speed[low] >= gain:
             yield Act(low, step)

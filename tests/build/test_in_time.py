@@ -1,0 +1,140 @@
+"""Deeds begin in time, change the speed so that it is seen, and last as was said; what cannot is refused."""
+
+from __future__ import annotations
+
+import random
+import re
+from typing import Any
+
+import pytest
+from test_building import drive, simulator
+
+from chatscene.build.build import Built, build
+from chatscene.build.numbers import Numbers
+from chatscene.build.timing import Body, course
+from chatscene.errors import NotBuilt
+from chatscene.program.judge import failures, judge
+from chatscene.situations.form import from_plain
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.amount import Speed
+from chatscene.terms.episode import Episode
+from chatscene.terms.situation import Situation
+
+
+def somebody(kind: str, where: str, *does: dict[str, Any], ego: dict[str, Any] | None = None) -> Situation:
+    sided = where in ("roadside", "driveway", "crossing", "arm", "beside", "kerb", "ahead-beside", "behind-beside")
+    start = {"where": where, **({"side": "right"} if sided else {})}
+    one = {"id": "A", "kind": kind, "starts": start, "does": list(does)}
+    return from_plain({"others": [one], **({"ego": ego} if ego else {})})
+
+
+def deed(act: str, **said: str) -> dict[str, Any]:
+    return {"act": act, **said}
+
+
+def unseen(said: Situation, seed: int = 1) -> tuple[str, ...]:
+    made = build(said)
+    episode = drive(made, seed=seed)
+    assert isinstance(episode, Episode), episode
+    return failures(judge(said, episode, simulator(made.map, "native").route(made.program, 0)))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        somebody("pedestrian", "roadside", deed("stand", time="3 s"), deed("cross")),
+        somebody("pedestrian", "roadside", deed("hesitate", time="3 s"), deed("cross", speed="4 km/h")),
+        somebody("pedestrian", "roadside", deed("stop"), deed("stand", time="2 s"), deed("set-off")),
+        somebody("pedestrian", "crossing", deed("cross"), deed("hesitate", time="2 s"), deed("turn-back")),
+        somebody("dog", "roadside", deed("turn-back"), deed("cross")),
+        somebody("deer", "driveway", deed("slow-down", speed="10 km/h"), deed("cross")),
+        somebody("pedestrian", "median", deed("slow-down")),
+        somebody("pedestrian", "ahead", deed("brake"), deed("set-off"), deed("turn-back")),
+        somebody("wheelchair", "roadside", deed("accelerate")),
+        somebody("wheelchair", "roadside", deed("cross"), deed("go-along"), deed("stop"), deed("go-along")),
+        somebody("bus", "driveway", deed("slow-down")),
+        somebody("truck", "roadside", deed("hesitate", time="4 s"), deed("go-along")),
+        somebody("motorcycle", "driveway", deed("cross", speed="22 km/h"), ego={"speed": "30 km/h"}),
+        somebody("bicycle", "beside", deed("weave"), deed("brake")),
+        somebody("car", "ahead", deed("accelerate"), deed("accelerate"), deed("slow-down")),
+        somebody("car", "ahead", deed("slow-down", speed="40 km/h")),
+        somebody("bus", "ahead", deed("accelerate")),
+        somebody("car", "ahead", deed("brake"), deed("set-off"), deed("accelerate", speed="30 km/h")),
+        somebody("car", "behind", deed("overtake")),
+        somebody("bicycle", "arm", deed("go-straight", speed="8 km/h")),
+    ],
+)  # fmt: skip
+def test_all_deeds_are_seen_before_the_drive_ends(said: Situation) -> None:
+    assert unseen(said) == ()
+
+
+ON_FOOT = ("hesitate", "slow-down", "accelerate", "stop", "turn-back", "go-along", "brake")
+NEXT = {"stop": ("set-off",), "brake": ("set-off",), "turn-back": ("go-along", "slow-down")}
+
+
+def by_chance(seed: int) -> Situation:
+    """A walker with two deeds, or three where it must set off again."""
+    rng = random.Random(seed)
+    first = rng.choice(ON_FOOT)
+    acts = [first, rng.choice(NEXT.get(first, ("hesitate", "go-along", "stop")))]
+    kind = rng.choice(("pedestrian", "child", "dog", "deer", "wheelchair"))
+    return somebody(kind, rng.choice(("roadside", "driveway", "crossing")), *(deed(act) for act in acts))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_whatever_is_built_of_a_walker_is_seen(seed: int) -> None:
+    assert unseen(by_chance(seed)) == ()
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        (
+            somebody("bicycle", "behind", deed("overtake"), ego={"speed": "50 km/h"}),
+            "a bicycle at 41 km/h does not overtake an ego at 50 km/h",
+        ),
+        (
+            somebody("pedestrian", "roadside", deed("cross", speed="5 km/h"), deed("slow-down", speed="6 km/h")),
+            "others.A.does.1.act: slow-down cannot be seen from 5 km/h to 6 km/h; say 4 km/h at most",
+        ),
+        (
+            somebody("wheelchair", "roadside", deed("slow-down", speed="9 km/h")),
+            "slow-down to 9 km/h cannot be seen of a wheelchair, which goes at 10 km/h at most",
+        ),
+        (
+            somebody("bus", "driveway", deed("cross", speed="60 km/h")),
+            "60 km/h is more than a bus has that sets off beside our lane; say",
+        ),
+        (somebody("car", "ahead", deed("reverse", speed="40 km/h")), "is more than a car can: 5.7 m/s at most"),
+    ],
+)
+def test_what_speeds_and_bodies_do_not_give_is_refused_with_what_could_be_said(said: Situation, told: str) -> None:
+    with pytest.raises(NotBuilt) as refused:
+        build(said)
+    assert told in str(refused.value)
+
+
+def test_the_more_is_done_before_the_ego_comes_the_farther_it_is_or_the_slower_is_the_ego() -> None:
+    def nearest(one: Built) -> float:
+        found = re.search(r"OPT_A_Y = Range\(([\d.]+)|shortOfJunction\(egoRoute, ([\d.]+)", one.program.source)
+        assert found
+        return float(found[1] or found[2])
+
+    one = build(somebody("pedestrian", "roadside", deed("cross")))
+    more = build(somebody("pedestrian", "roadside", deed("hesitate", time="4 s"), deed("cross")))
+    assert nearest(more) > nearest(one)
+    fixed = build(somebody("pedestrian", "crossing", deed("hesitate", time="4 s"), deed("stop"), deed("set-off")))
+    assert fixed.program.wanted_speed is not None
+    assert one.program.wanted_speed is not None
+    assert fixed.program.wanted_speed < one.program.wanted_speed
+    assert any(told.startswith("the ego wants") for told in fixed.assumed)
+
+
+def test_a_phase_takes_the_time_that_a_body_needs() -> None:
+    row = AdversaryKind.PEDESTRIAN.row
+    numbers = Numbers("A", row)
+    numbers.bind("SPEED", Speed.of(2), 0.0)
+    gone = course(("MoveAhead($SPEED) for 2 seconds", "Halt() for 1 seconds"), numbers, Body(row.limits, walks=True))
+    assert gone.seconds == pytest.approx(3.0, abs=0.2)
+    assert gone.metres == pytest.approx(2 * 2 - 0.5 + 0.4, abs=0.4)
+    assert gone.speed == 0.0
