@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -20,19 +19,18 @@ from chatscene.build.deeds import (
     Steps,
     steps_for,
 )
+from chatscene.build.local import breaks, check_round, check_turn
 from chatscene.build.numbers import FIRM, MOST, PACES
-from chatscene.build.opening import LANE, Opening
+from chatscene.build.opening import Opening
 from chatscene.build.paces import CRAWLS, Pace, Paces, Speed
 from chatscene.build.place import NEXT_LANE
 from chatscene.build.starts import Meets, stands_first
 from chatscene.build.timing import Body, Course, course
 from chatscene.build.waiting import when_of
-from chatscene.errors import MapError, NotBuilt
+from chatscene.errors import NotBuilt
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.situation import EGO, Deed
-from chatscene.terms.vocabulary import Act, Breach, EgoLight, Role, Side, Striker, Where
-from chatscene.world.control import curve_speeds
-from chatscene.world.places import line_of, trafficFrom
+from chatscene.terms.vocabulary import Act, Role, Side, Striker, Where
 
 if TYPE_CHECKING:
     from chatscene.build.actor import Actor
@@ -73,8 +71,8 @@ class Phases:
         actor = self.actor
         one, deeds = actor.one, actor.deeds
         for k, deed in enumerate(deeds):
-            breaks = [f"{actor.path}.does.{k}.breaks"] if self._breaks(deed) else []
-            actor.ledger.take(f"{actor.path}.does.{k}.act", *breaks)
+            broken = [f"{actor.path}.does.{k}.breaks"] if breaks(actor, deed) else []
+            actor.ledger.take(f"{actor.path}.does.{k}.act", *broken)
         if actor.lies or (one.role is Role.HIDES and all(deed.act is Act.STAND for deed in deeds)):
             return ("Halt()",) if one.role is Role.ADVERSARY else ()
         self.body = Body(actor.limits, actor.walks)
@@ -210,21 +208,6 @@ class Phases:
 
     # Steps
 
-    def _breaks(self, deed: Deed) -> bool:
-        """Whether the rule that is broken is there, and is broken by what is done."""
-        actor = self.actor
-        moves = actor.stand.meets in (Meets.THROUGH, Meets.ACROSS) and deed.act not in _QUIET | {Act.HESITATE}
-        control = actor.found.query.get("control")
-        match deed.breaks:
-            case Breach.RED_LIGHT:
-                with_us = actor.one.starts.where in (Where.ONCOMING, Where.EXIT_CROSSING)
-                red = (actor.ledger.situation.road.ego_light is EgoLight.RED) == with_us
-                return moves and control == "signal" and (red or with_us)
-            case Breach.STOP_SIGN:
-                return moves and control == "stop-sign"
-            case _:
-                return moves
-
     def _steps_of(self, k: int) -> Steps:
         actor, deed = self.actor, self.actor.deeds[k]
         where, meets = actor.one.starts.where, actor.stand.meets
@@ -241,28 +224,13 @@ class Phases:
         if deed.act in _ASIDE and where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
             table = {}  # which nobody sees on a road that bends all the time
         if where in (Where.IN_ROUNDABOUT, Where.ROUNDABOUT_ENTRY):
-            self._round(k)
+            check_round(actor, k)
         if deed.act not in table:
             raise NotBuilt(f"nothing builds yet: {deed.act} of somebody who is {where}")
         steps = table[deed.act]
         if deed.act is Act.BRAKE and meets is not Meets.ACROSS and deed.time is None and self._then(k) in _OFF:
             steps = replace(steps, does=(BRAKES,), last=(BRAKES,), pace=Pace.STANDS)
         return steps
-
-    def _round(self, k: int) -> None:
-        """Refuse a speed that a roundabout lets nobody have."""
-        actor, said = self.actor, self.actor.deeds[k].speed
-        if said is None or said.than_ego:
-            return
-        try:
-            way = trafficFrom(actor.found.route, "left")[0]
-        except MapError as error:
-            raise NotBuilt(f"no map has such a place: {error}") from error
-        line = line_of(way)
-        fastest = 1.1 * curve_speeds(line)[line.project(*line.point_at(way.meets_at))[2]]  # who cuts the bend is faster
-        if said.low > fastest:
-            at = f"{actor.path}.does.{k}.speed: {said}"
-            raise NotBuilt(f"{at} is more than the roundabout lets anybody go: {3.6 * fastest:.0f} km/h at most")
 
     def _then(self, k: int) -> Act | None:
         return self.actor.deeds[k + 1].act if k + 1 < len(self.actor.deeds) else None
@@ -355,7 +323,7 @@ class Phases:
             if k > first and deed.when is not None:
                 body += when_of(actor, k, deed.when, self._at(k, meanwhile))
             if steps.comes_in and turned:
-                self._can_turn_again(k)
+                check_turn(actor, k)
                 body += [f"{MOVE} until abs(offsetFrom(egoRoute, self)) > {OUTSIDE}"]
                 body += [ROUND_ON_FOOT if actor.walks else ROUND]
                 turned = False
@@ -368,16 +336,6 @@ class Phases:
             still = steps.pace is Pace.STANDS
             turned ^= deed.act is Act.TURN_BACK
             yield body
-
-    def _can_turn_again(self, k: int) -> None:
-        """Refuse to come in to who turned back, and takes more than a lane to turn round."""
-        actor, limits = self.actor, self.actor.limits
-        circle = 2.0 * limits.wheelbase / math.tan(limits.wheel_angle) if limits.wheelbase else 0.0
-        if circle > LANE:
-            raise NotBuilt(
-                f"nothing builds yet: {actor.path}.does.{k}.act: {actor.deeds[k].act} of a {actor.one.kind} that "
-                f"turned back, since it takes {circle:.0f} m to turn round again"
-            )
 
     def _must_get_going(self, k: int, *, still: bool) -> bool:
         """Whether it must get under way before a deed, from a stand or to a speed that was chosen for it."""
