@@ -25,7 +25,6 @@ from chatscene.runs.trust import Repeated, follow
 from chatscene.settings import (
     EGO,
     EXECUTOR,
-    OFFLINE,
     READERS,
     SIMULATOR,
     RetrievalSettings,
@@ -45,6 +44,7 @@ if TYPE_CHECKING:
     from chatscene.learn.env import DrivingEnv
     from chatscene.learn.finetune import Finetuned, FinetuneSettings
     from chatscene.learn.train import Trained
+    from chatscene.report.filled import Filled
     from chatscene.report.stated import Stated
     from chatscene.report.summary import Summary
     from chatscene.report.understood import Understood
@@ -158,21 +158,34 @@ class Run:
         return self._workspace.file("report.html")
 
     @property
-    def understood(self) -> Understood:
-        """How its sentence is understood, with its edits; nothing of it is run again.
+    def understood(self) -> Understood | Stated:
+        """How it is understood, with its edits; nothing of it is run again.
 
         Raises:
-            EditRefused: It is a run of a program of one's own, of which no sentence was read.
+            EditRefused: It is a run of a program of one's own, of which nothing was read.
             RunError: It names what must be repeated.
         """
+        from chatscene.report.stated import explain_stated
         from chatscene.report.understood import understand
 
         record = self._record
-        if record.stated:
-            what = "situation" if record.situation is not None else "program of one's own"
-            raise EditRefused(f"{self.folder} is a run of a {what}; only a sentence can be edited in words")
+        if record.program is not None:
+            raise EditRefused(f"{self.folder} is a run of a program of one's own; only what was said can be edited")
         follow(replace(self._repeated, ego=(), simulator=()), reading_of=[self._workspace])
-        return understand(record.text, runs.settings_of(record), generator=record.generator, edits=record.edits)
+        if record.situation is not None:
+            return explain_stated(self._situation, record.situation.read_by, record.situation.left_out)
+        settings = runs.settings_of(record)
+        if record.generator == "chatscene" and _is_filled(record.text, settings.retrieval):  # of an older version
+            return explain(record.text, edit=record.edits, settings=settings)
+        return understand(record.text, settings, generator=record.generator, edits=record.edits)
+
+    @property
+    def _situation(self) -> Situation:
+        """The situation of its record, on any map that has its place if it lies on a packaged one."""
+        from chatscene.search.generators.situated import on_any_map
+        from chatscene.situations.file import read_text
+
+        return on_any_map(read_text(self._record.stated))
 
     def edit(
         self,
@@ -196,26 +209,43 @@ class Run:
 
         Raises:
             EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
-            NothingFits: The library cannot serve the edited situation.
+            NothingFits: The edited situation cannot be built, or the library cannot serve it.
             RunError: The run names what must be repeated.
         """
         from chatscene import pipeline
 
-        record, edited = self._record, self.understood.edit(text)
-        follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
-        by_default = record.map_name == map_with(edited.before.scenario.slots.site)
-        asked = runs.asked_run(
-            record.text,
-            settings=runs.settings_of(record),
-            map_name=None if by_default else record.map_name,
-            ego=record.ego,
-            generator=record.generator,
-            edits=[*record.edits, text],
-        )
+        asked = self._asked_with(text)
         asked = asked.model_copy(update={"edited_from": str(self.folder.resolve())})
         where = runs.free_folder(self.folder.parent, text) if folder is None else _path(folder)
         pipeline.run(asked, where, workers=Workers(jobs, executor), progress=progress)
         return Run(where, **asdict(self._repeated))
+
+    def _asked_with(self, edit: str) -> runs.RunRecord:
+        """What a run of the same situation asks for, with an edit."""
+        from chatscene.report.stated import Stated
+        from chatscene.report.understood import Edited
+
+        record, made = self._record, self.understood.edit(edit)
+        follow(self._repeated, egos_of=[self._workspace], simulators_of=[self._workspace], reading_of=[self._workspace])
+        situation, by_default = None, False
+        if isinstance(made, Stated):
+            situation, map_name = _recorded(made.situation, None)
+            told = record.situation
+            read_by = told.read_by if told is not None else made.reader
+            situation = situation.model_copy(update={"read_by": read_by, "left_out": list(made.not_said)})
+        else:
+            assert isinstance(made, Edited)
+            by_default = record.map_name == map_with(made.before.scenario.slots.site)
+            map_name = record.map_name
+        return runs.asked_run(
+            "" if situation is not None else record.text,
+            settings=runs.settings_of(record),
+            situation=situation,
+            map_name=None if by_default else str(map_name),
+            ego=record.ego,
+            generator="situation" if situation is not None else record.generator,
+            edits=[*record.edits, edit],
+        )
 
     @property
     def edited_from(self) -> Run:
@@ -463,18 +493,16 @@ def run(
         raise SettingsError("say what to run: a text, a report or a program, and only one of them")
     settings = settings or Settings(simulation=SimulationSettings(simulator=SIMULATOR))
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
-    read_by = chosen.language_model if _is_filled(text, chosen, edit) else ""
-    if read_by:
+    if report is not None:
+        text = _only_conflict(report, chosen)
+    given, read = (text, None) if isinstance(text, Situation) else (None, None)
+    if not isinstance(text, Situation) and _is_filled(text, chosen):
         from chatscene.report.filled import filled, read_already
 
-        text, set = filled(str(text), chosen, set, None if map is None else str(map)), None  # noqa: A001
-        chosen = read_already(chosen)
-    said = text if isinstance(text, Situation) else None
-    sentence = "" if isinstance(text, Situation) else text
-    if said is None:
+        read = filled(str(text), chosen, set, None if map is None else str(map))
+        given, set, chosen = read.situation, None, read_already(chosen)  # noqa: A001
+    elif given is None:
         chosen = _reading(chosen, stated=set)
-    if report is not None:
-        sentence = _only_conflict(report, chosen)
     looking = _changed(
         settings.search, scenes=scenes, routes=routes, seed=seed, avoidable_only=avoidable, sampler=sampler
     )
@@ -486,9 +514,9 @@ def run(
             map = own.map_path  # noqa: A001
         else:
             progress(f"the program's map {own.map_path.name} is not there; it runs on {map or TOWN}", 0, 0)
-    situation, where_built = (None, map) if said is None else _situation(said, set, edit or (), map, read_by)
+    situation, where_built = (None, map) if given is None else _situation(given, set, edit or (), map, read)
     asked = runs.asked_run(
-        sentence,
+        "" if isinstance(text, Situation) else text,
         program=None if own is None else runs.ProgramRecord(name=own.program.scenario_id, source=own.program.source),
         settings=replace(settings, search=looking, simulation=simulation, retrieval=chosen),
         situation=situation,
@@ -561,18 +589,18 @@ def explain(  # pyright: ignore[reportInconsistentOverload] - **options are its 
 
         if report is not None:
             raise SettingsError("say what to explain: a situation or a report, and only one of them")
-        _not_in_words(edit or ())
-        return explain_stated(stated(text, set))
+        return explain_stated(stated(text, set), edits=_names(edit or ()))
     settings = settings or Settings()
     chosen = _reading(settings.retrieval, library, embedder, language_model, reader, reading)
-    if _is_filled(text, chosen, edit):
+    if report is not None:
+        text = _only_conflict(report, chosen)
+    if _is_filled(text, chosen):
         from chatscene.report.filled import filled
         from chatscene.report.stated import explain_stated
 
-        return explain_stated(filled(str(text), chosen, set), chosen.language_model)
+        read = filled(str(text), chosen, set)
+        return explain_stated(read.situation, read.reader, read.left_out, edits=_names(edit or ()))
     chosen = _reading(chosen, stated=set)
-    if report is not None:
-        text = _only_conflict(report, chosen)
     return understand(str(text), replace(settings, retrieval=chosen), edits=_names(edit or ()))
 
 
@@ -1073,15 +1101,9 @@ def _reading(
     )
 
 
-def _is_filled(text: object, reading: RetrievalSettings, edit: Names | None) -> bool:
-    """Whether a language model fills a situation from a text; what is edited in words is read as sentences are."""
-    return (
-        isinstance(text, str)
-        and bool(text)
-        and edit is None
-        and reading.language_model != OFFLINE
-        and reading.reader == READERS[0]
-    )
+def _is_filled(text: str | Conflict, reading: RetrievalSettings) -> bool:
+    """Whether a situation is read in a text; a library of one's own and the paper's way choose snippets for it."""
+    return bool(str(text)) and reading.reader == READERS[0] and not reading.library
 
 
 def _only_conflict(report: Name, reading: RetrievalSettings) -> Conflict:
@@ -1127,28 +1149,38 @@ def _sources(scenes: Run | Name | Sequence[Run | Name]) -> list[Path]:
 
 
 def _situation(
-    said: Situation, facts: Mapping[str, object] | None, edit: Names, map_name: Name | None, read_by: str
+    given: Situation,
+    facts: Mapping[str, object] | None,
+    edits: Names,
+    map_name: Name | None,
+    read: Filled | None = None,
 ) -> tuple[runs.SituationRecord, Name]:
     """A situation as a run keeps it, and the map that it is built on."""
+    from chatscene.interpret.edited import edited
     from chatscene.report.stated import stated
+
+    made, unused = stated(given, facts), list[str]()
+    for one in _names(edits):
+        after = edited(made, one)
+        made, unused = after.after, [*unused, *after.unused]
+    return _recorded(made, None if map_name is None else str(map_name), read, unused)
+
+
+def _recorded(
+    made: Situation, map_name: str | None, read: Filled | None = None, unused: Sequence[str] = ()
+) -> tuple[runs.SituationRecord, Name]:
     from chatscene.search.generators.situated import on_its_map
     from chatscene.situations.file import to_yaml
     from chatscene.situations.words import title
 
-    _not_in_words(edit)
-    made = on_its_map(stated(said, facts), None if map_name is None else str(map_name))
-    record = runs.SituationRecord(name=made.about or title(made), text=to_yaml(made), read_by=read_by)
+    made = on_its_map(made, map_name)
+    record = runs.SituationRecord(
+        name=made.about or title(made),
+        text=to_yaml(made),
+        read_by=read.reader if read is not None else "",
+        left_out=[*(read.left_out if read is not None else ()), *(f"{one}: no scene shows it" for one in unused)],
+    )
     return record, made.map or TOWN
-
-
-def _not_in_words(edit: Names) -> None:
-    """Refuse an edit of a situation.
-
-    Raises:
-        SettingsError: There is one.
-    """
-    if _names(edit):
-        raise SettingsError("an edit in words is of a sentence; set facts of a situation by their paths")
 
 
 def _generator_of(situation: object | None, own: ForeignProgram | None, *, trusted: bool, as_written: bool) -> str:

@@ -105,7 +105,7 @@ class OfferedReading:
 
 
 class NothingFits(ChatSceneError):  # noqa: N818 - reads as what it says: nothing fits
-    """The library holds no compatible triple of snippets that serves the sentence.
+    """Nothing serves what was said: it is not sure what that is, or there is no program for it.
 
     Attributes:
         reasons: What was not understood or cannot be done, in a user's words, the weightiest first.
@@ -155,7 +155,7 @@ class SituationError(ChatSceneError):
     """A written situation has a fault; the message names the line, the path and what could stand there."""
 
 
-class NotBuilt(ChatSceneError):  # noqa: N818
+class NotBuilt(NothingFits):
     """A situation has a fact that cannot be built; the message names the fact and what it lacks."""
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypedDict, cast
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from chatscene import api, runs
 from chatscene.errors import EditRefused, NothingFits
 from chatscene.runs.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from chatscene.report.stated import Changed, Stated
     from chatscene.report.understood import Edited, Understood
 
 
@@ -23,7 +24,7 @@ class Shown:
         understood: How it is understood.
     """
 
-    understood: Understood
+    understood: Understood | Stated
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,7 @@ class Undone:
     """
 
     edit: str
-    edited: Edited
+    edited: Edited | Changed
 
 
 class Talk:
@@ -52,10 +53,10 @@ class Talk:
         self._reading, self._search, self._folder = reading, search, folder
         self._text, self._answer = "", Answer()
         self._asked = self._text, self._answer  # what is answered for: the text last said, understood or not
-        self._first: Understood | None = None
-        self._edits: list[tuple[str, Edited]] = []
+        self._first: Understood | Stated | None = None
+        self._edits: list[tuple[str, Edited | Changed]] = []
 
-    def hear(self, line: str, progress: Progress = silent) -> Shown | Edited | Undone | api.Run:
+    def hear(self, line: str, progress: Progress = silent) -> Shown | Edited | Changed | Undone | api.Run:
         """Do what a line says: a situation or an edit of it, or one of the words that `docs/edit.md` lists.
 
         Args:
@@ -123,12 +124,11 @@ class Talk:
 
     def _understand(self, text: str, answer: Answer, edits: list[str]) -> Shown:
         try:
-            heard = api.explain(text, edit=[], **self._reading, **answer.options())
-            first = now = cast("Understood", heard)  # a sentence that can be edited
+            first = now = api.explain(text, **self._reading, **answer.options())
         except NothingFits:
             self._asked = text, answer  # one fact may not be enough
             raise
-        edited: list[tuple[str, Edited]] = []
+        edited: list[tuple[str, Edited | Changed]] = []
         for edit in edits:
             now = now.edit(edit)
             edited.append((edit, now))

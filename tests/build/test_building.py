@@ -24,9 +24,9 @@ from chatscene.program.sample import draw
 from chatscene.settings import SimulationSettings
 from chatscene.simulate.simulator import Simulator, load_simulator, simulate
 from chatscene.situations.check import AMOUNTS
-from chatscene.situations.facts import said_in
+from chatscene.situations.facts import said_in, with_fact
 from chatscene.situations.file import read_text
-from chatscene.situations.form import from_plain, with_fact
+from chatscene.situations.form import from_plain
 from chatscene.terms.actors import AdversaryKind
 from chatscene.terms.amount import Acceleration, Speed
 from chatscene.terms.episode import Episode, Role

@@ -9,7 +9,7 @@ import pytest
 from test_building import WRITTEN, built, drive, simulator, situation
 
 from chatscene.program.judge import ACTS, STARTS, Finding, failures, judge
-from chatscene.situations.form import with_fact
+from chatscene.situations.facts import with_fact
 from chatscene.terms.episode import Episode
 from chatscene.terms.situation import Situation
 from chatscene.terms.vocabulary import Act, Where

@@ -11,8 +11,9 @@ from hypothesis import given, settings
 
 from chatscene.errors import SituationError
 from chatscene.situations.check import faults_of
+from chatscene.situations.facts import with_fact
 from chatscene.situations.file import MOST_BYTES, read_file, read_text, to_yaml
-from chatscene.situations.form import from_plain, schema, to_plain, with_fact
+from chatscene.situations.form import from_plain, schema, to_plain
 from chatscene.terms import vocabulary
 from chatscene.terms.amount import Length, Speed
 from chatscene.terms.situation import Evidence, Situation

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from chatscene.build.ledger import said_in
 from chatscene.errors import SituationError
 from chatscene.situations import phrases
+from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_text
-from chatscene.situations.form import with_fact
 from chatscene.situations.phrases import ACTS, KINDS, ROUTES, Voice
 from chatscene.situations.words import TITLE, facts_told, title, told
 from chatscene.terms import surroundings, vocabulary

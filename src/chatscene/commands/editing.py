@@ -27,6 +27,7 @@ from chatscene.settings import EGO
 
 if TYPE_CHECKING:
     from chatscene.api import Run
+    from chatscene.report.stated import Changed
     from chatscene.report.understood import Edited
     from chatscene.talk import Shown, Undone
 
@@ -122,15 +123,19 @@ def chat(map_name: str | None, ego: str, scenes: int, seed: int, **reading: Unpa
                 say(told)
 
 
-def _tell(heard: Shown | Edited | Undone | Run) -> None:
+def _tell(heard: Shown | Edited | Changed | Undone | Run) -> None:
     """Say what came of a line."""
+    from chatscene.report.stated import Stated
     from chatscene.report.terminal import print_understanding
     from chatscene.talk import Shown, Undone
 
     match heard:
         case Shown():
             say(f"now: {heard.understood.told}")
-            print_understanding(console(), heard.understood, show_program=False)
+            if isinstance(heard.understood, Stated):
+                say(str(heard.understood))
+            else:
+                print_understanding(console(), heard.understood, show_program=False)
         case Undone():
             say(f"undone: {heard.edit}")
         case _:

@@ -49,7 +49,7 @@ from chatscene.commands.refusal import REFUSED, complain, going_on, refusing
 from chatscene.commands.reports import REPORT, explain_report, found_in
 from chatscene.commands.reproduce import reproduce, say_reproduced
 from chatscene.commands.serve_carla import serve_carla
-from chatscene.commands.situations import schema, situation_file
+from chatscene.commands.situations import say_stated, schema, situation_file
 from chatscene.commands.sql import runs_below, sql
 from chatscene.commands.view import open_report, view
 from chatscene.commands.why import why
@@ -61,8 +61,6 @@ from chatscene.terms.conflict import Conflict
 if TYPE_CHECKING:
     from chatscene.api import Run
     from chatscene.learn.train import Trained
-    from chatscene.report.stated import Stated
-    from chatscene.report.understood import Understood
     from chatscene.studies.benchmark import Benchmarked
     from chatscene.studies.evaluation import Evaluated
     from chatscene.terms.situation import Situation
@@ -670,34 +668,27 @@ def explain(
     chatscene explain --report claim.txt
     """
     from chatscene import api
-    from chatscene.report.understood import Understood
+    from chatscene.report.stated import Stated
 
     if (text is None) == (report is None):
         raise click.UsageError("say what to explain: a TEXT or --report FILE")
     if text is None or report is not None:
         explain_report(report or Path(), reading, edit=edit, program=show_program, as_json=as_json)
         return
-    if (stated := situation_file(text)) is not None:
-        _say_stated(api.explain(stated, edit=edit, set=reading["set"]), show_program, as_json)
-        return
-    with refusing(text, reading["embedder"], as_json):
-        understood = api.explain(text, edit=edit or None, **reading)
-    if not isinstance(understood, Understood):
-        _say_stated(understood, show_program, as_json)
-        return
+    stated = situation_file(text)
+    with refusing(text if stated is None else "", reading["embedder"], as_json):
+        if stated is not None:
+            understood = api.explain(stated, edit=edit, set=reading["set"])
+        else:
+            understood = api.explain(text, edit=edit or None, **reading)
     if as_json:
         say(json.dumps(understood.as_dict(), indent=1))
-        return
-    from chatscene.report.terminal import print_understanding
+    elif isinstance(understood, Stated):
+        say_stated(understood, program=show_program)
+    else:
+        from chatscene.report.terminal import print_understanding
 
-    print_understanding(console(), understood, show_program=show_program)
-
-
-def _say_stated(built: Understood | Stated, show_program: bool, as_json: bool) -> None:
-    """Say what becomes of a situation."""
-    say(json.dumps(built.as_dict(), indent=1) if as_json else str(built))
-    if show_program and not as_json:
-        say(built.as_dict()["program"])
+        print_understanding(console(), understood, show_program=show_program)
 
 
 for command in COMMANDS:

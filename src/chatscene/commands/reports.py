@@ -11,6 +11,7 @@ import click
 
 from chatscene.commands.library import Chosen, console, progress, say
 from chatscene.commands.refusal import REFUSED, refuse, refusing
+from chatscene.commands.situations import say_stated
 from chatscene.errors import MeansSomethingElse, NothingFits
 from chatscene.report.refused import refusal
 from chatscene.terms.conflict import Conflict
@@ -52,6 +53,7 @@ def in_words(found: tuple[Conflict, ...]) -> list[str]:
 def explain_report(report: Path, reading: Chosen, *, edit: tuple[str, ...], program: bool, as_json: bool) -> None:
     """Show how each conflict of a report is understood; ends with status 3 if one is refused."""
     from chatscene import api
+    from chatscene.report.stated import Stated
     from chatscene.report.terminal import print_understanding
 
     found = found_in(report, reading, as_json)
@@ -71,7 +73,10 @@ def explain_report(report: Path, reading: Chosen, *, edit: tuple[str, ...], prog
         told.append(understood.as_dict())
         if not as_json:
             say(f"\n{one.number}  {one.text}\n")
-            print_understanding(console(), understood, show_program=program)
+            if isinstance(understood, Stated):
+                say_stated(understood, program=program)
+            else:
+                print_understanding(console(), understood, show_program=program)
     if as_json:
         say(json.dumps({"report": found[0].report, "left_out": found[0].left_out, "conflicts": told}, indent=1))
     if refused:

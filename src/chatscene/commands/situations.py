@@ -12,6 +12,7 @@ from chatscene.commands.library import say
 from chatscene.files.bounded import is_there
 
 if TYPE_CHECKING:
+    from chatscene.report.stated import Stated
     from chatscene.terms.situation import Situation
 
 SUFFIXES = (".yaml", ".yml", ".json")
@@ -28,6 +29,13 @@ def situation_file(text: str) -> Situation | None:
     from chatscene import api
 
     return api.read_situation(text)
+
+
+def say_stated(built: Stated, *, program: bool) -> None:
+    """Say what becomes of a situation, and its program if that is asked for."""
+    say(str(built))
+    if program:
+        say(built.built.program.source)
 
 
 @click.command()

@@ -6,8 +6,9 @@ what the library serves is offered, so that whoever takes one is not refused aga
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 
 from chatscene.errors import NothingFits, OfferedReading, SettingsError
 from chatscene.interpret.choose import choose
@@ -31,8 +32,17 @@ _DOUBTED = ("adversary", "side", "position", "occluder", "maneuver")
 """The slots of which the next likely value is thought of: those that part one situation from another."""
 
 
-def understand(frame: Frame, settings: RetrievalSettings) -> Scenario:
+Served = Callable[[Scenario], bool]
+"""Whether there is a program for a scenario."""
+
+
+def understand(frame: Frame, settings: RetrievalSettings, served: Served | None = None) -> Scenario:
     """What a text says: as the readers have it, or as the user chose, with the facts that the user stated.
+
+    Args:
+        frame: What was read.
+        settings: What the user stated and chose, and which library.
+        served: Says which readings can be offered; None for those that the library serves.
 
     Raises:
         SettingsError: There is no such fact or reading, or what was stated does not go together.
@@ -49,29 +59,31 @@ def understand(frame: Frame, settings: RetrievalSettings) -> Scenario:
         weighed = weigh(frame, settings)
         scenario, frame = decided(weighed), weighed.frame
         if settings.reading or weighed.right < SURE:
-            offered = readings_of(weighed, settings)
+            offered = readings_of(weighed, settings, served)
     if settings.reading:
         scenario = _taken(frame, offered, settings.reading)
     require_stated(scenario, settings.stated)
     return replace(scenario, readings=offered)
 
 
-def readings_of(weighed: Weighed, settings: RetrievalSettings) -> tuple[Reading, ...]:
-    """The likeliest readings that differ and that the library serves, at most `MOST_READINGS`.
+def readings_of(weighed: Weighed, settings: RetrievalSettings, served: Served | None = None) -> tuple[Reading, ...]:
+    """The likeliest readings that differ and can be served, at most `MOST_READINGS`.
 
     Args:
         weighed: What the text says, and what the user stated beside it.
         settings: Which library.
+        served: Says which can be served; None for those that the library serves.
     """
-    served: list[Reading] = []
+    is_served = served or partial(_is_served, settings)
+    found: list[Reading] = []
     floor = FAINT if weighed.frame.beliefs.in_scope < IN_SCOPE else FAINTEST
     likely = [one for one in _different(weighed, settings) if one.probability >= floor]
     for one in likely[:TRIED]:
-        if len(served) < MOST_READINGS and _is_served(weighed.frame, one, settings):
-            served.append(one)
-    if weighed.right >= settings.refuse_below or len(served) < MOST_READINGS:
-        return tuple(served)
-    first, second = served
+        if len(found) < MOST_READINGS and is_served(as_read(weighed.frame, one.slots)):
+            found.append(one)
+    if weighed.right >= settings.refuse_below or len(found) < MOST_READINGS:
+        return tuple(found)
+    first, second = found
     return (
         replace(first, settled_by=_settling(first, second, weighed.frame, settings)),
         replace(second, settled_by=_settling(second, first, weighed.frame, settings)),
@@ -118,9 +130,9 @@ def as_read(frame: Frame, slots: Slots, notes: tuple[Note, ...] = ()) -> Scenari
 _SETTLED = (About.WHO, About.STRANGER, About.WHAT, About.SIDE)  # by the choice of a reading
 
 
-def _is_served(frame: Frame, reading: Reading, settings: RetrievalSettings) -> bool:
+def _is_served(settings: RetrievalSettings, scenario: Scenario) -> bool:
     try:
-        choose(as_read(frame, reading.slots), settings)
+        choose(scenario, settings)
     except NothingFits:
         return False
     return True

@@ -595,6 +595,11 @@ def left_by_unread(scenario: Scenario) -> float:
     return UNREAD_ACTOR if unread > held else 1.0
 
 
+def reasons_of(scenario: Scenario) -> tuple[str, ...]:
+    """Why it is not sure what a text says, in a user's words, what decides alone first."""
+    return _reasons(scenario, scenario.frame or Frame(outright=scenario.slots), ())
+
+
 def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tuple[str, ...]:
     """Why a sentence is refused, in a user's words, what decides alone first."""
     told = grouped(scenario.unused)
@@ -611,11 +616,13 @@ def _reasons(scenario: Scenario, frame: Frame, triple: tuple[Match, ...]) -> tup
     said += [conflict for match in triple for conflict in match.conflicts]
     snippets = [match.snippet for match in triple]
     unmet = [
-        quantity.said for quantity in frame.quantities if not settable(quantity, snippets, scenario.slots.adversary)
+        quantity.said
+        for quantity in frame.quantities
+        if snippets and not settable(quantity, snippets, scenario.slots.adversary)
     ]
     said += [f"{number!r}: nothing that fits the rest can be set to it" for number in unmet]
     said += [reason for why, reason in told.items() if why not in (*REFUSED, Why.BESIDES)]
-    return tuple(dict.fromkeys(said)) or ("every word is known, but not which act of the library is meant",)
+    return tuple(dict.fromkeys(said)) or ("every word is known, but not what is meant",)
 
 
 def _ruled_out(

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from chatscene.read.without_effect import without_effect
 from chatscene.situations.facts import is_said, said_in, within
+from chatscene.terms.frame import Word
 from chatscene.terms.situation import Situation
 
 # The closed classes of English words: alone none of them tells a fact. Negations are not among them.
@@ -22,6 +24,8 @@ _FUNCTION = """
 _FUNCTION_WORDS = frozenset(_FUNCTION.split())
 _WORD = re.compile(r"[^\W_]+(?:[-.,:/][^\W_]+)*|['\u2019][^\W\d_]+")
 _APOSTROPHES = "['\u2019\u2018]"
+GAP = " \u2026 "
+"""Stands in a quote where words of the text are left out that gave another fact."""
 
 
 def faults_of_quotes(situation: Situation, text: str) -> Iterator[str]:
@@ -42,7 +46,9 @@ def without_words(situation: Situation) -> tuple[str, ...]:
 
 
 def unread(situation: Situation, text: str) -> tuple[str, ...]:
-    """The words of a text that are in no quote of a situation, each run of them as it stands, without function words.
+    """The words of a text that are in no quote of a situation, each run of them as it stands.
+
+    Function words are left away, and what is known to be without effect, such as a colour.
 
     Words that stand in the text several times are read wherever they stand: nobody says which of them was meant.
     """
@@ -57,7 +63,7 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
         told = all(read[word.start() : word.end()])
         open_run = open_run and not told and not text[end : word.start()].strip()
         end = word.end()
-        if told or word[0].lower().replace("\u2019", "'") in _FUNCTION_WORDS:
+        if told or _says_nothing(word[0]) or without_effect(text, word.span()):
             continue
         if open_run:
             runs[-1] = (runs[-1][0], end)
@@ -65,6 +71,25 @@ def unread(situation: Situation, text: str) -> tuple[str, ...]:
             runs.append(word.span())
         open_run = True
     return tuple(dict.fromkeys(" ".join(text[start:end].split()) for start, end in runs))
+
+
+def words_of(situation: Situation, text: str) -> tuple[Word, ...]:
+    """What became of each word of a text: the path of the fact that it gave, or why it is without effect."""
+    facts: dict[int, str] = {}
+    for path, words in situation.evidence.quoted.items():
+        for start, end in _spans(words, text):
+            facts |= {at: path for at in range(start, end) if len(path) > len(facts.get(at, ""))}
+    told: list[Word] = []
+    for word in _WORD.finditer(text):
+        start, end = word.span()
+        besides = without_effect(text, (start, end)) or ("says nothing alone" if _says_nothing(word[0]) else "")
+        fact = facts.get(start, "")
+        told.append(Word(text=word[0], start=start, end=end, fact=fact, besides="" if fact else besides))
+    return tuple(told)
+
+
+def _says_nothing(word: str) -> bool:
+    return word.lower().replace("\u2019", "'") in _FUNCTION_WORDS
 
 
 def left_over(situation: Situation) -> tuple[str, ...]:
@@ -82,6 +107,12 @@ def not_in_words(situation: Situation) -> tuple[str, ...]:
 
 
 def _spans(words: str, text: str) -> list[tuple[int, int]]:
+    """Where the words of a quote stand in a text, parted by gaps; none unless all are there."""
+    parts = [_stands(part, text) for part in words.split(GAP)]
+    return [span for part in parts for span in part] if all(parts) else []
+
+
+def _stands(words: str, text: str) -> list[tuple[int, int]]:
     """Where words stand in a text as whole words, in whatever case, and with whatever white space and apostrophes."""
     pieces = [re.sub(_APOSTROPHES, _APOSTROPHES, re.escape(piece)) for piece in words.split()]
     if not pieces:

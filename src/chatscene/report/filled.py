@@ -1,20 +1,39 @@
-"""A situation that a language model reads in a text, on the way to its program."""
+"""A text on the way to its situation: who reads it, what was stated beside it, and why it is refused."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from chatscene.build.build import build
-from chatscene.errors import NotBuilt, NothingFits, SettingsError, SituationError
+from chatscene.errors import NotBuilt, NothingFits, OfferedReading, SettingsError, SituationError
 from chatscene.files.caches import cache_folder
+from chatscene.interpret.offline import OfflineReader
+from chatscene.interpret.stated import FACTS, in_text
 from chatscene.models.language.protocol import load_language_model
 from chatscene.read.by_model import LIMITS, ModelReader
+from chatscene.read.quotes import words_of
 from chatscene.read.reader import Reader
 from chatscene.report.stated import stated
 from chatscene.settings import OFFLINE, RetrievalSettings
-from chatscene.terms.reading import Verdict
+from chatscene.situations.words import told
+from chatscene.terms.reading import Ranked, SituationReading, Verdict
 from chatscene.terms.situation import Situation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Filled:
+    """The situation that a text tells, with what the user stated beside it.
+
+    Attributes:
+        situation: The situation.
+        reader: Who read it.
+        left_out: What was read and a situation has no word for.
+    """
+
+    situation: Situation
+    reader: str
+    left_out: tuple[str, ...] = ()
 
 
 def filled(
@@ -23,37 +42,85 @@ def filled(
     facts: Mapping[str, object] | None = None,
     map_name: str | None = None,
     reader: Reader | None = None,
-) -> Situation:
-    """The situation that a text tells, with some facts set by their paths.
+) -> Filled:
+    """The situation that a text tells, with some facts set.
 
     Args:
         text: The text.
-        settings: Which language model reads, and which reading is taken.
-        facts: Facts that the user states.
+        settings: Who reads, and which reading is taken.
+        facts: Facts that the user states: by their paths, or, where no language model reads, by their names.
         map_name: The map that it is to be built on; None for any.
-        reader: Who reads; the language model of the settings if None.
+        reader: Who reads; whom the settings name if None.
 
     Raises:
         SettingsError: The text is empty or too long, or there is no such model or reading.
-        NothingFits: The reader says that it tells no situation, or none that can be told here.
+        NothingFits: The reader says that it tells no situation, none that can be told here, or it is not sure enough.
+        NotBuilt: A fact of the situation cannot be built.
         SituationError: A fact has no place in it.
         LanguageModelError: The model gave no usable reply.
     """
+    named, by_path = _facts(facts or {}, settings)
     if reader is None:
-        model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
-        reader = ModelReader(model, _unbuilt(facts, map_name))
+        reader = _reader(settings, named, _unbuilt(by_path, map_name))
     read = reader.read(text)
     if read.verdict is not Verdict.SITUATION:
         raise NothingFits(f"{read.reader} says that {read.verdict.said}: “{read.reason}”", reasons=(read.reason,))
-    if settings.reading > len(read.ranked):
-        raise SettingsError(f"there is no reading {settings.reading}; {read.reader} gives {len(read.ranked)}")
-    return stated(read.ranked[max(settings.reading, 1) - 1].situation, facts)
+    taken = settings.reading if reader.name != OFFLINE else 0  # which the offline reader takes itself
+    if taken > len(read.ranked):
+        raise SettingsError(f"there is no reading {taken}; {read.reader} gives {len(read.ranked)}")
+    one = read.ranked[max(taken, 1) - 1]
+    if one.probability < settings.refuse_below:
+        raise _unsure(read, one)
+    made = stated(one.situation, by_path, map_name)
+    if why := _unbuilt(None, map_name)(made):
+        raise _with_what_was_read(NotBuilt(why), read, one)
+    return Filled(situation=made, reader=read.reader, left_out=one.left_out)
 
 
 def read_already(settings: RetrievalSettings) -> RetrievalSettings:
     """The settings of a run of what was read: no model is asked again, and nothing is chosen or stated any more."""
     unasked = RetrievalSettings()
     return replace(settings, language_model=OFFLINE, reading=unasked.reading, stated=unasked.stated)
+
+
+def _reader(settings: RetrievalSettings, named: str, cannot_build: Callable[[Situation], str]) -> Reader:
+    if settings.language_model == OFFLINE:
+        facts = " ".join(filter(None, (settings.stated, named)))
+        return OfflineReader(replace(settings, stated=facts), cannot_build)
+    model = load_language_model(settings.language_model, limits=LIMITS, cache=cache_folder("replies"))
+    return ModelReader(model, cannot_build)
+
+
+def _facts(facts: Mapping[str, object], settings: RetrievalSettings) -> tuple[str, dict[str, object]]:
+    """Facts that the offline reader takes by their names, as it takes them, and those that stand at a path."""
+    offline = settings.language_model == OFFLINE
+    named = {name: value for name, value in facts.items() if offline and "." not in name and _name(name) in FACTS}
+    return in_text(named), {name: value for name, value in facts.items() if name not in named}
+
+
+def _name(fact: str) -> str:
+    return fact.replace("-", "_")
+
+
+def _unsure(read: SituationReading, one: Ranked) -> NothingFits:
+    """Why a text is refused of which it is not sure enough what it says."""
+    said = f"it is not sure enough what this says (confidence {one.probability:.0%})"
+    reasons = tuple(filter(None, read.reason.split("; ")))
+    told_so = f"{said}: {read.reason}" if read.reason else said
+    return _with_what_was_read(NothingFits(told_so, reasons=reasons, confidence=one.probability), read, one)
+
+
+def _with_what_was_read(refusal: NothingFits, read: SituationReading, one: Ranked) -> NothingFits:
+    """A refusal that says what was read, word by word, and what else the text may say."""
+    refusal.understood = told(one.situation)
+    refusal.text = read.text
+    refusal.words = tuple(word.as_dict() for word in words_of(one.situation, read.text))
+    others = zip(read.ranked[1:], read.settled_by[1:], strict=False)
+    refusal.readings = tuple(
+        OfferedReading(number=number, told=told(other.situation), probability=other.probability, settled_by=settled)
+        for number, (other, settled) in enumerate(others, 1)
+    )
+    return refusal
 
 
 def _unbuilt(facts: Mapping[str, object] | None, map_name: str | None) -> Callable[[Situation], str]:

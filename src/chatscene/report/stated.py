@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import difflib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from chatscene.build.build import Built, build
 from chatscene.files.bounded import is_there
-from chatscene.read.quotes import left_over, not_in_words
+from chatscene.read.quotes import left_over, not_in_words, words_of
+from chatscene.report.accounting import in_words, parts_of
+from chatscene.situations.facts import with_fact
 from chatscene.situations.file import read_file, to_yaml
-from chatscene.situations.form import to_plain, with_fact
+from chatscene.situations.form import to_plain
 from chatscene.situations.words import told
-from chatscene.terms.situation import Situation
+from chatscene.terms.scene import ScenicProgram
+from chatscene.terms.situation import Evidence, Situation
+
+if TYPE_CHECKING:
+    from chatscene.interpret.edited import Edited
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,11 +31,42 @@ class Stated:
         situation: What was said.
         built: The program, what was assumed and what is left out.
         reader: Who read it in a text; empty if it was stated.
+        not_said: What was read in the text and a situation has no word for.
     """
 
     situation: Situation
     built: Built
     reader: str = ""
+    not_said: tuple[str, ...] = ()
+
+    @property
+    def told(self) -> str:
+        """The situation in plain sentences."""
+        return told(self.situation)
+
+    @property
+    def program(self) -> ScenicProgram:
+        """Its program."""
+        return self.built.program
+
+    def edit(self, text: str) -> Changed:
+        """The same situation but for what an edit in words names, such as "make it a truck, from the left".
+
+        Raises:
+            EditRefused: The edit was not understood, contradicts itself or what stays, or changes nothing.
+            NotBuilt: The edited situation cannot be built.
+        """
+        from chatscene.interpret.edited import edited
+
+        made = edited(self.situation, text)
+        return Changed(
+            situation=made.after,
+            built=build(made.after),
+            reader=self.reader,
+            not_said=(*self.not_said, *(f"{one}: no scene shows it" for one in made.unused)),
+            before=self,
+            edited=made,
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """For a script."""
@@ -37,8 +75,9 @@ class Stated:
             "situation": to_plain(self.situation),
             "map": self.built.map,
             "assumed": list(self.built.assumed),
-            "left_out": list(self.built.left_out),
+            "left_out": [*self.not_said, *self.built.left_out],
             "not_read": list(left_over(self.situation)),
+            "words": self._words(),
             "reader": self.reader,
             "program": self.built.program.source,
         }
@@ -49,13 +88,64 @@ class Stated:
         return (
             *not_in_words(self.situation),
             *(f"assumed: {one}" for one in self.built.assumed),
-            *(f"left out: {one}" for one in self.built.left_out),
+            *(f"left out: {one}" for one in (*self.not_said, *self.built.left_out)),
         )
 
     def __str__(self) -> str:
         """For a person: what is otherwise than was said, the situation in words, its facts, and its map."""
-        words = filter(None, (told(self.situation),))
-        return "\n".join((*self.told_first, *words, to_yaml(self.situation).rstrip(), f"built on map {self.built.map}"))
+        facts = to_yaml(replace(self.situation, evidence=Evidence(), about="")).rstrip()
+        words = in_words(parts_of(self.situation.about, self._words())) if self.reader else ""
+        told = filter(None, (self.told, words, facts))
+        return "\n".join((*self.told_first, *told, f"built on map {self.built.map}"))
+
+    def _words(self) -> list[dict[str, Any]]:
+        return [word.as_dict() for word in words_of(self.situation, self.situation.about)] if self.reader else []
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Changed(Stated):
+    """What became of a situation after an edit in words; as text it is the difference.
+
+    Attributes:
+        before: What it was.
+        edited: What the edit names and what follows from that.
+    """
+
+    before: Stated
+    edited: Edited
+
+    @property
+    def difference(self) -> tuple[str, ...]:
+        """The lines of the program that went (``-``) and came (``+``), without comments."""
+        return lines_changed(self.before.program.source, self.program.source)
+
+    def as_dict(self) -> dict[str, Any]:
+        """For a script: the situation and the program, and the difference."""
+        changes = [
+            {"fact": path, "before": None if was is None else str(was), "after": None if now is None else str(now)}
+            for path, was, now in self.edited.changes
+        ]
+        more = {"edit": self.edited.text, "changes": changes, "difference": list(self.difference)}
+        return Stated.as_dict(self) | more
+
+    def __str__(self) -> str:
+        """For a person: the situation told anew, the facts and the lines of the program that changed."""
+        return "\n".join(
+            (
+                f"now: {self.told}",
+                *(f"  {one}" for one in self.edited.in_words()),
+                *(f"  {one}" for one in self.told_first if one not in self.before.told_first),
+                "program:" if self.difference else "program: as before",
+                *(f"  {line}" for line in self.difference),
+            )
+        )
+
+
+def lines_changed(before: str, after: str) -> tuple[str, ...]:
+    """The lines of a program that went (``-``) and came (``+``) from one text to another, without comments."""
+    lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
+    code = (line for line in list(lines)[2:] if not line.startswith("@@"))
+    return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
 
 
 def stated(
@@ -76,14 +166,22 @@ def stated(
     return made
 
 
-def explain_stated(situation: Situation, reader: str = "") -> Stated:
-    """What becomes of a situation.
+def explain_stated(
+    situation: Situation, reader: str = "", not_said: Sequence[str] = (), edits: Sequence[str] = ()
+) -> Stated:
+    """What becomes of a situation, and of edits of it, one after the other.
 
     Args:
         situation: What is to happen.
         reader: Who read it in a text; empty if it was stated.
+        not_said: What was read in the text and a situation has no word for.
+        edits: What is to be another than it says, in words.
 
     Raises:
         NotBuilt: A fact of it cannot be built.
+        EditRefused: An edit was not understood.
     """
-    return Stated(situation=situation, built=build(situation), reader=reader)
+    made = Stated(situation=situation, built=build(situation), reader=reader, not_said=tuple(not_said))
+    for one in edits:
+        made = made.edit(one)
+    return made

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from chatscene import runs
+from chatscene.report.stated import lines_changed
 from chatscene.report.terminal import understanding_text
 from chatscene.search.generator import load_generator
 from chatscene.sentences.plain import told
@@ -131,13 +131,6 @@ class Edited(Understood):
                 *(f"  {line}" for line in self.difference),
             ]
         )
-
-
-def lines_changed(before: str, after: str) -> tuple[str, ...]:
-    """The lines of a program that went (``-``) and came (``+``) from one text to another, without comments."""
-    lines = difflib.unified_diff(before.splitlines(), after.splitlines(), n=0, lineterm="")
-    code = (line for line in list(lines)[2:] if not line.startswith("@@"))
-    return tuple(line for line in code if line[1:].strip() and line[1:].lstrip()[0] != "#")
 
 
 def understand(

@@ -46,7 +46,7 @@ def asked_run(
     generator: str = "chatscene",
     edits: Sequence[str] = (),
 ) -> RunRecord:
-    """A run of a sentence and edits of it, of a program of the user's own, or of a situation.
+    """A run of a sentence and edits of it, of a program of the user's own, or of a situation that has its edits.
 
     If no map is named, it is on the packaged one with the site that is said. A conflict of a report is read as a
     sentence, and what is in no conflict of that report is kept beside it.
@@ -63,9 +63,9 @@ def asked_run(
     load_sampler(settings.search.sampler)
     stated = situation.text if situation is not None else program.source if program is not None else str(text)
     said = maker.read(stated, settings.retrieval)
-    read = edited_scenario(said, edits, settings.retrieval)
+    read = said if situation is not None else edited_scenario(said, edits, settings.retrieval)
     return RunRecord(
-        text=text,
+        text=text if situation is None else "",
         edits=list(edits),
         program=program,
         situation=situation,

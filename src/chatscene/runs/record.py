@@ -84,12 +84,14 @@ class SituationRecord(_Frozen):
     Attributes:
         name: What it is called.
         text: All of it, in YAML, with the map that it is built on.
-        read_by: The language model that read it in the text by which it is called; empty if it was stated.
+        read_by: Who read it in the text by which it is called; empty if it was stated.
+        left_out: What was read in that text, or said in an edit, and a situation has no word for.
     """
 
     name: str
     text: str
     read_by: str = ""
+    left_out: list[str] = []
 
 
 class ReportRecord(_Frozen):
@@ -283,7 +285,7 @@ class RunRecord(MapRecord):
     def title(self) -> str:
         """The sentence with its edits, or the name of the program or of the situation."""
         stated = self.program or self.situation
-        return stated.name if stated else with_edits(self.text.strip(), self.edits)
+        return with_edits(stated.name if stated else self.text.strip(), self.edits)
 
     @property
     def stated(self) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast
 
-from chatscene.situations.form import to_plain
+from chatscene.errors import SituationError
+from chatscene.situations.form import from_plain, to_plain
 from chatscene.terms.amount import Amount
-from chatscene.terms.situation import Situation
+from chatscene.terms.situation import Evidence, Situation
 
 NO_FACTS = frozenset(("version", "about", "map", "evidence"))
 """What a situation has beside facts."""
@@ -33,6 +34,24 @@ def is_said(situation: Situation, path: str) -> bool:
             here = getattr(here, step) if step in _fields(here) else None
     nothing = (None, ())
     return any(getattr(here, name) not in nothing for name in _fields(here)) if _fields(here) else here not in nothing
+
+
+def still_evident(before: Situation, after: Situation) -> Evidence:
+    """The evidence of a situation of which another was made: what changed was stated by whoever changed it.
+
+    Words that were quoted for a whole stay with the facts in it that are as they were.
+    """
+    was, now = dict(said_in(before)), dict(said_in(after))
+    same = {path for path, value in was.items() if now.get(path) == value}
+    quoted: dict[str, str] = {}
+    for whole, words in before.evidence.quoted.items():
+        if all(path in same for path in {*was, *now} if within(path, (whole,))):
+            quoted[whole] = words
+            continue
+        narrower = [one for one in before.evidence.quoted if one != whole and within(one, (whole,))]
+        kept = (path for path in was if path in same and within(path, (whole,)) and not within(path, narrower))
+        quoted |= dict.fromkeys(kept, words)
+    return Evidence(quoted=quoted, assumed=tuple(path for path in before.evidence.assumed if path in same))
 
 
 def within(path: str, wholes: Container[str]) -> bool:
@@ -65,3 +84,68 @@ def _leaves(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, object]
             yield from _leaves(part, (*path, str(named)))
     else:
         yield ".".join(path), value
+
+
+# One fact another
+
+
+def with_fact(situation: Situation, path: str, value: object) -> Situation:
+    """A situation with one fact another than it was.
+
+    Args:
+        situation: What it was.
+        path: Where the fact stands, as in ``others.A.does.0.speed`` or ``ego.route``.
+        value: As it stands in a file; None for what is not said. Somebody new comes with the path of the new id.
+
+    Raises:
+        SituationError: There is no such place, or it takes no such value.
+    """
+    plain = to_plain(situation)
+    steps = path.split(".")
+    here: Any = plain
+    for i, step in enumerate(steps[:-1]):
+        here = _into(here, step, ".".join(steps[: i + 1]))
+    _put(here, steps[-1], value, path)
+    made = from_plain(plain)
+    return replace(made, evidence=still_evident(situation, made))
+
+
+def _into(here: Any, step: str, path: str) -> Any:
+    if isinstance(here, dict):
+        return here.setdefault(step, [] if step in ("does", "others", "has") else {})
+    return here[_index(here, step, path)]
+
+
+def _index(here: Any, step: str, path: str) -> int:
+    if isinstance(here, list):
+        several = cast("list[Any]", here)
+        for i, one in enumerate(several):
+            if isinstance(one, dict) and cast("dict[str, Any]", one).get("id") == step:
+                return i
+        if step.isdecimal() and int(step) < len(several):
+            return int(step)
+        named = [
+            str(cast("dict[str, Any]", one).get("id", i)) for i, one in enumerate(several) if isinstance(one, dict)
+        ]
+        raise SituationError(f"{path}: there is no {step!r} here, but {', '.join(named) or 'nothing'}")
+    raise SituationError(f"{path}: there is nothing in {here!r}")
+
+
+def _put(here: Any, step: str, value: object, path: str) -> None:
+    if isinstance(here, dict):
+        place = cast("dict[str, Any]", here)
+        if value is None:
+            place.pop(step, None)
+        else:
+            place[step] = value
+        return
+    if isinstance(here, list) and isinstance(value, dict) and cast("dict[str, Any]", value).get("id") == step:
+        several = cast("list[dict[str, Any]]", here)
+        at = next((i for i, one in enumerate(several) if one.get("id") == step), len(several))
+        several[at : at + 1] = [cast("dict[str, Any]", value)]  # where it was, or behind all
+        return
+    at = _index(here, step, path)
+    if value is None:
+        del here[at]
+    else:
+        here[at] = value

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from functools import cache
 from typing import Any, cast
 
@@ -16,7 +16,7 @@ from chatscene.situations.check import faults_of
 from chatscene.situations.faults import Fault, Malformed, Path, by_name, listed
 from chatscene.terms import situation as nouns
 from chatscene.terms.pointing import meant
-from chatscene.terms.situation import VERSION, Evidence, Situation
+from chatscene.terms.situation import VERSION, Situation
 
 
 def from_plain(written: object) -> Situation:
@@ -129,75 +129,3 @@ def _documented(noun: type[Any]) -> tuple[str, Mapping[str, str]]:
     for name, meaning in re.findall(r"^    (\w+): (.*(?:\n {8}.*)*)", attributes, re.MULTILINE):
         meanings[name] = " ".join(meaning.split()).replace("``", "`")
     return " ".join(head.split()), meanings
-
-
-def with_fact(situation: Situation, path: str, value: object) -> Situation:
-    """A situation with one fact another than it was.
-
-    Args:
-        situation: What it was.
-        path: Where the fact stands, as in ``others.A.does.0.speed`` or ``ego.route``.
-        value: As it stands in a file; None for what is not said. Somebody new comes with the path of the new id.
-
-    Raises:
-        SituationError: There is no such place, or it takes no such value.
-    """
-    plain = to_plain(situation)
-    steps = path.split(".")
-    here: Any = plain
-    for i, step in enumerate(steps[:-1]):
-        here = _into(here, step, ".".join(steps[: i + 1]))
-    _put(here, steps[-1], value, path)
-    made = from_plain(plain)
-    return replace(made, evidence=_without(situation.evidence, path))
-
-
-def _without(evidence: Evidence, path: str) -> Evidence:
-    """Evidence without what it says of a fact and of all in it: whoever sets a fact states it."""
-
-    def other(at: str) -> bool:
-        return at != path and not at.startswith(f"{path}.")
-
-    quoted = {at: words for at, words in evidence.quoted.items() if other(at)}
-    return Evidence(quoted=quoted, assumed=tuple(filter(other, evidence.assumed)))
-
-
-def _into(here: Any, step: str, path: str) -> Any:
-    if isinstance(here, dict):
-        return here.setdefault(step, [] if step in ("does", "others", "has") else {})
-    return here[_index(here, step, path)]
-
-
-def _index(here: Any, step: str, path: str) -> int:
-    if isinstance(here, list):
-        several = cast("list[Any]", here)
-        for i, one in enumerate(several):
-            if isinstance(one, dict) and cast("dict[str, Any]", one).get("id") == step:
-                return i
-        if step.isdecimal() and int(step) < len(several):
-            return int(step)
-        named = [
-            str(cast("dict[str, Any]", one).get("id", i)) for i, one in enumerate(several) if isinstance(one, dict)
-        ]
-        raise SituationError(f"{path}: there is no {step!r} here, but {', '.join(named) or 'nothing'}")
-    raise SituationError(f"{path}: there is nothing in {here!r}")
-
-
-def _put(here: Any, step: str, value: object, path: str) -> None:
-    if isinstance(here, dict):
-        place = cast("dict[str, Any]", here)
-        if value is None:
-            place.pop(step, None)
-        else:
-            place[step] = value
-        return
-    if isinstance(here, list) and isinstance(value, dict) and cast("dict[str, Any]", value).get("id") == step:
-        several = cast("list[dict[str, Any]]", here)
-        at = next((i for i, one in enumerate(several) if one.get("id") == step), len(several))
-        several[at : at + 1] = [cast("dict[str, Any]", value)]  # where it was, or behind all
-        return
-    at = _index(here, step, path)
-    if value is None:
-        del here[at]
-    else:
-        here[at] = value

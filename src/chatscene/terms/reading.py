@@ -35,10 +35,12 @@ class Ranked:
     Attributes:
         situation: The situation, with the words that gave each fact as its evidence.
         probability: That every fact of it is right.
+        left_out: What was read and a situation has no word for, in lines for a person.
     """
 
     situation: Situation
     probability: float
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,8 +51,10 @@ class SituationReading:
         text: The text.
         reader: Who read it.
         verdict: Whether it tells a situation.
-        reason: Why not, in the reader's own words; empty for a situation.
+        reason: Why not, in the reader's own words; or why it is not sure of the likeliest situation; else empty.
         ranked: The situations that it may tell, the likeliest first; none unless the verdict is `Verdict.SITUATION`.
+        settled_by: For each of these the fact that makes it sure once the user states it, as ``side=left``; empty where
+            there is none.
         unread: The words that gave no fact of the likeliest one, in the order of the text.
     """
 
@@ -59,4 +63,5 @@ class SituationReading:
     verdict: Verdict
     reason: str = ""
     ranked: tuple[Ranked, ...] = ()
+    settled_by: tuple[str, ...] = ()
     unread: tuple[str, ...] = ()

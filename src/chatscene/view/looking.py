@@ -15,7 +15,7 @@ from chatscene.errors import RunError
 from chatscene.measure.score import wilson
 from chatscene.report.animation import still as still_of
 from chatscene.report.index import Index, index, name_of
-from chatscene.report.understood import lines_changed
+from chatscene.report.stated import lines_changed
 from chatscene.report.viewer import ranked
 from chatscene.runs.workspace import RECORD
 from chatscene.view.below import COVERAGE, REPORT, run_below

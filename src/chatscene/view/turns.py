@@ -12,8 +12,10 @@ from chatscene.api import Run
 from chatscene.errors import ChatSceneError, MeansSomethingElse, NothingFits, SettingsError
 from chatscene.report.accounting import parts_of
 from chatscene.report.refused import refusal
-from chatscene.report.understood import Edited, Understood, lines_changed
+from chatscene.report.stated import Changed, Stated, lines_changed
+from chatscene.report.understood import Edited, Understood
 from chatscene.runs.progress import Progress
+from chatscene.situations.facts import said_in
 from chatscene.talk import Shown, Talk, Undone
 from chatscene.terms.scenario import grouped
 
@@ -46,11 +48,29 @@ def turn_of(talk: Talk, line: str, progress: Progress, embedder: str) -> Turn:
             return {"kind": "undone", "edits": talk.edits, "edit": heard.edit, **_changed(heard.edited, back=True)}
         case Run():
             return {"kind": "ran", **_ran(heard)}
-        case Edited():
+        case Edited() | Changed():
             return {"kind": "edited", "edits": talk.edits, **_changed(heard)}
 
 
-def _understood(understood: Understood) -> Turn:
+def _understood(understood: Understood | Stated) -> Turn:
+    return _stated(understood) if isinstance(understood, Stated) else _retrieved(understood)
+
+
+def _stated(stated: Stated) -> Turn:
+    told = stated.as_dict()
+    return {
+        "told": stated.told,
+        "parts": _parts(stated.situation.about, told["words"]),
+        "facts": [[path, _said(value)] for path, value in said_in(stated.situation)],
+        "notes": list(stated.told_first),
+        "readings": [],
+        "confidence": None,
+        "snippets": [],
+        "program": told["program"],
+    }
+
+
+def _retrieved(understood: Understood) -> Turn:
     told = understood.as_dict()
     (scenario,) = told["scenarios"]
     candidates = scenario.get("candidates", {})
@@ -75,7 +95,7 @@ def _understood(understood: Understood) -> Turn:
     }
 
 
-def _changed(edited: Edited, *, back: bool = False) -> Turn:
+def _changed(edited: Edited | Changed, *, back: bool = False) -> Turn:
     """What an edit changes, or, of one that is taken back, what changes then."""
     before, after = (edited, edited.before) if back else (edited.before, edited)
     changes = edited.as_dict()["changes"]
@@ -86,9 +106,15 @@ def _changed(edited: Edited, *, back: bool = False) -> Turn:
         "sentence": between(before.told, after.told),
         "changes": changes,
         "difference": list(lines_changed(before.program.source, after.program.source)),
-        "notes": list(edited.retrieval.notes) if edited.retrieval and not back else [],
+        "notes": [] if back else _notes(edited),
         "program": after.program.source,
     }
+
+
+def _notes(edited: Edited | Changed) -> list[str]:
+    if isinstance(edited, Changed):
+        return [one for one in edited.told_first if one not in edited.before.told_first]
+    return list(edited.retrieval.notes) if edited.retrieval else []
 
 
 def between(before: str, after: str) -> list[dict[str, str]]:

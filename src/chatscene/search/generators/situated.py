@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from chatscene.build.build import Built, build
+from chatscene.build.place import PACKAGED
 from chatscene.build.slots import as_slots
 from chatscene.read.quotes import not_in_words
 from chatscene.search.generator import Choice, Written
@@ -79,6 +80,11 @@ def on_its_map(situation: Situation, map_name: str | None) -> Situation:
     """
     named = replace(situation, map=map_name) if map_name is not None else situation
     return replace(named, map=build(named, name=NAME).map)
+
+
+def on_any_map(situation: Situation) -> Situation:
+    """A situation without the name of a packaged map, so that another one may serve what changes; a file stays."""
+    return replace(situation, map=None) if situation.map in PACKAGED else situation
 
 
 @lru_cache(maxsize=8)

@@ -1,0 +1,205 @@
+"""An edit in words of a situation: what it names changes, what follows from that follows, all else stays as it is.
+
+The words are read against the facts that they can name; what of these is another then, as a situation, is put into the
+one at hand. So whatever can be said in a situation can be edited, whoever read or wrote it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from chatscene.errors import EditRefused
+from chatscene.interpret.situation_of import in_a_situation
+from chatscene.interpret.slots_of import MANNERS, facts_of, parties_of
+from chatscene.read.edit import hear_edit
+from chatscene.situations.facts import said_in, still_evident
+from chatscene.terms.amount import Amount
+from chatscene.terms.conclusions import concluded
+from chatscene.terms.edit import Edit, Facts, in_words
+from chatscene.terms.scenario import Measure, Quantity, Shift
+from chatscene.terms.situation import Deed, Other, Situation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Edited:
+    """A situation after an edit.
+
+    Attributes:
+        text: The edit.
+        before: What it was.
+        after: What it is.
+        unused: What the edit says and no scene has, in words.
+    """
+
+    text: str
+    before: Situation
+    after: Situation
+    unused: tuple[str, ...] = ()
+
+    @property
+    def changes(self) -> tuple[tuple[str, object, object], ...]:
+        """Each fact that is another one: its path, what it was and what it is; None for what is not said."""
+        was, now = dict(said_in(self.before)), dict(said_in(self.after))
+        paths = dict.fromkeys((*was, *now))
+        return tuple((path, was.get(path), now.get(path)) for path in paths if was.get(path) != now.get(path))
+
+    def in_words(self) -> list[str]:
+        """The changes, a line for each."""
+        return [f"{path}: {in_words(was)} \u2192 {in_words(now)}" for path, was, now in self.changes]
+
+
+def edited(situation: Situation, text: str) -> Edited:
+    """Apply an edit in words.
+
+    Args:
+        situation: What it is about.
+        text: The edit, such as ``make it a truck, from the left``.
+
+    Raises:
+        EditRefused: It was not understood, contradicts itself or what stays, or changes nothing.
+    """
+    parties = parties_of(situation)
+    if parties is None:
+        raise EditRefused("nobody meets the ego here, so that there is nobody an edit could be about")
+    facts = facts_of(situation, parties)
+    edit = hear_edit(text, facts)
+    names = parties.names
+    before, after = _made(facts), _made(_settled(edit))
+    ours = _renamed(situation, names)
+    made = _renamed(_with_changes(ours, before, after), {name: one for one, name in names.items()})
+    made = replace(made, about=situation.about, evidence=still_evident(situation, made))
+    if made == situation:
+        raise EditRefused(f"nothing to change: this is so already ({', '.join(edit.named)})")
+    return Edited(text=edit.text, before=situation, after=made, unused=tuple(str(one.said) for one in edit.unused))
+
+
+def _made(facts: Facts) -> Situation:
+    numbers = [one for several in facts.numbers.values() for one in several]
+    return in_a_situation(facts.slots, tuple(one for one in numbers if isinstance(one, Quantity)), facts.surroundings)
+
+
+def _settled(edit: Edit) -> Facts:
+    """The facts after an edit, with what follows from them, and each shift as a number or a manner."""
+    after = edit.facts
+    slots = concluded(after.slots)
+    numbers: dict[Measure, tuple[Quantity | Shift, ...]] = {}
+    for measure, several in after.numbers.items():
+        number: Quantity | None = None
+        for one in several:
+            if isinstance(one, Quantity):
+                number = one
+            elif number is not None:
+                number = _shifted(number, one)
+            elif measure is Measure.SPEED and one.by is None and one.times is None:
+                slots = _in_a_manner(slots, faster=one.more)
+            else:
+                raise EditRefused(
+                    f"{one.said!r}: its {measure} was not said, so that there is nothing to change by that; say the "
+                    f"{measure}"
+                )
+        if number is not None:
+            numbers[measure] = (number,)
+    return replace(after, slots=slots, numbers=numbers)
+
+
+USUAL_SHIFT = 1.25
+"""How many times more a number is of which only *more* was said."""
+
+
+def _shifted(number: Quantity, shift: Shift) -> Quantity:
+    more = 1 if shift.more else -1
+    if shift.by is not None:
+        value = number.value + more * shift.by
+    elif shift.times is not None:
+        value = number.value * shift.times
+    else:
+        value = number.value * USUAL_SHIFT**more
+    if value <= 0:
+        raise EditRefused(f"{shift.said!r}: nothing is left of {number.said!r}")
+    return replace(number, value=value, said=f"{shift.said} (before: {number.said})")
+
+
+def _in_a_manner(slots: Any, *, faster: bool) -> Any:
+    """Slots in which somebody is fast, or slow."""
+    gone = [action for action in slots.actions if action not in MANNERS]
+    manner = next(action for action in MANNERS if (action == "fast") is faster)
+    return replace(slots, actions=(*gone, manner))
+
+
+def _renamed(situation: Situation, names: Mapping[str, str]) -> Situation:
+    """A situation in which others have other ids, and whoever speaks of them speaks of these."""
+
+    def of(name: str | None) -> str | None:
+        return names.get(name, name) if name is not None else None
+
+    def of_deed(name: str | None) -> str | None:
+        if name is None:
+            return None
+        who, dot, number = name.rpartition(".")
+        return f"{of(who)}{dot}{number}"
+
+    def deed(one: Deed) -> Deed:
+        when = one.when and replace(one.when, after=of_deed(one.when.after), during=of_deed(one.when.during))
+        return replace(one, whom=of(one.whom), when=when)
+
+    others = tuple(
+        replace(one, id=of(one.id) or one.id, hidden_by=of(one.hidden_by), does=tuple(map(deed, one.does)))
+        for one in situation.others
+    )
+    contact = situation.contact and replace(situation.contact, whom=of(situation.contact.whom))
+    ego = replace(situation.ego, does=tuple(map(deed, situation.ego.does)))
+    return replace(situation, ego=ego, others=others, contact=contact)
+
+
+def _with_changes(ours: Situation, before: Situation, after: Situation) -> Situation:
+    """A situation with what differs between two others."""
+    changed = {
+        name: _part(getattr(ours, name), getattr(before, name), getattr(after, name))
+        for name in ("ego", "road", "around")
+    }
+    was, now = ({one.id: one for one in whole.others} for whole in (before, after))
+    others = [
+        _part(one, was[one.id], now[one.id]) if one.id in was and one.id in now else one
+        for one in ours.others
+        if one.id not in was or one.id in now
+    ]
+    others += [one for name, one in now.items() if name not in was]
+    return replace(ours, **changed, others=tuple(others))
+
+
+def _part(ours: Any, before: Any, after: Any) -> Any:
+    """A noun with the fields that differ between two others."""
+    changed: dict[str, Any] = {}
+    for name in (one.name for one in fields(ours) if one.name != "id"):
+        mine, was, now = getattr(ours, name), getattr(before, name), getattr(after, name)
+        if was == now:
+            continue
+        if name == "does":
+            changed[name] = _deeds(mine, was, now)
+        elif name == "has":
+            kept = tuple(one for one in mine if one not in was or one in now)
+            changed[name] = (*kept, *(one for one in now if one not in kept))
+        elif hasattr(now, "__dataclass_fields__") and not isinstance(now, Amount) and was is not None:
+            changed[name] = _part(mine, was, now)
+        else:
+            changed[name] = now
+    made = replace(ours, **changed)
+    if isinstance(made, Other) and not made.starts.where.row.sided and made.starts.side is not None:
+        return replace(made, starts=replace(made.starts, side=None))
+    return made
+
+
+def _deeds(mine: tuple[Deed, ...], was: tuple[Deed, ...], now: tuple[Deed, ...]) -> tuple[Deed, ...]:
+    """Deeds with what differs: in each that stays what is another one of it, else those that are there now."""
+    if [one.act for one in was] == [one.act for one in now] and len(mine) == len(was):
+        return tuple(_part(*three) for three in zip(mine, was, now, strict=True))
+    left = list(mine)
+    made: list[Deed] = []
+    for one in now:
+        same = next((deed for deed in left if deed.act is one.act), None)
+        if same is not None:
+            left.remove(same)
+        made.append(same if same is not None and one in was else one)
+    return tuple(made)

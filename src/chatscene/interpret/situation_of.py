@@ -1,0 +1,477 @@
+"""What the offline reader decided of a text, as a situation: the one place where its facts become one.
+
+The reader fills slots, numbers and surroundings of one adversary, and slots of others. A row here says what each is in
+the words of a situation. What a situation has no word for is listed, never dropped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from chatscene.read.accounting import words_of
+from chatscene.read.quotes import GAP, without_words
+from chatscene.situations.facts import is_said
+from chatscene.terms.actors import AdversaryKind
+from chatscene.terms.actors import Manner as Moves
+from chatscene.terms.acts import Action
+from chatscene.terms.amount import Acceleration, Amount, Duration, Length, Speed
+from chatscene.terms.conclusions import JUNCTIONS
+from chatscene.terms.scenario import (
+    Control,
+    Distance,
+    EgoState,
+    Maneuver,
+    Measure,
+    Occluder,
+    Place,
+    Position,
+    Quantity,
+    Scenario,
+    Site,
+    Slots,
+)
+from chatscene.terms.situation import Around, Deed, Ego, Evidence, Other, Road, Situation, Start, When
+from chatscene.terms.surroundings import Light, Surface, Surroundings, Weather
+from chatscene.terms.vocabulary import (
+    Act,
+    Breach,
+    EgoRoute,
+    Facing,
+    Feature,
+    Manner,
+    RightOfWay,
+    RoadKind,
+    Role,
+    Setting,
+    Side,
+    UserKind,
+    Where,
+)
+
+WHO, BESIDE, HIDES, LEADS, BLOCKS = "A", "BCD", "H", "L", "P"
+"""Ids: the adversary's, those of others who do something, and of who hides it, leads the ego, and is in its way."""
+
+KINDS: dict[AdversaryKind | None, UserKind] = {
+    **{
+        one.row.body: one
+        for one in reversed(UserKind)  # type: ignore[call-overload]
+        if not (one.row.stands_in or one.row.general)
+    },
+    AdversaryKind.BOX: UserKind.OBJECT,
+    None: UserKind.ROAD_USER,
+}
+ROUTES = {
+    None: None,
+    Maneuver.STRAIGHT: EgoRoute.STRAIGHT,
+    Maneuver.LEFT_TURN: EgoRoute.LEFT_TURN,
+    Maneuver.RIGHT_TURN: EgoRoute.RIGHT_TURN,
+    Maneuver.LANE_CHANGE_LEFT: EgoRoute.LANE_CHANGE_LEFT,
+    Maneuver.LANE_CHANGE_RIGHT: EgoRoute.LANE_CHANGE_RIGHT,
+    Maneuver.BYPASS: EgoRoute.BYPASS,
+}
+ROADS = {
+    Place.ROAD: RoadKind.ROAD,
+    Place.CURVE: RoadKind.CURVE,
+    Place.LEFT_CURVE: RoadKind.LEFT_CURVE,
+    Place.RIGHT_CURVE: RoadKind.RIGHT_CURVE,
+    Place.THREE_WAY: RoadKind.THREE_WAY,
+    Place.FOUR_WAY: RoadKind.FOUR_WAY,
+    Place.JUNCTION: RoadKind.JUNCTION,
+}
+SITES: dict[Site, Road] = {
+    Site.ROUNDABOUT: Road(kind=RoadKind.ROUNDABOUT),
+    Site.MOTORWAY: Road(kind=RoadKind.MOTORWAY),
+    Site.ON_RAMP: Road(kind=RoadKind.RAMP),
+    Site.OFF_RAMP: Road(kind=RoadKind.MOTORWAY),
+    Site.PAST_ON_RAMP: Road(kind=RoadKind.MOTORWAY, has=(Feature.ON_RAMP,)),
+    Site.PAST_OFF_RAMP: Road(kind=RoadKind.MOTORWAY, has=(Feature.OFF_RAMP,)),
+    Site.WEAVING: Road(kind=RoadKind.MOTORWAY, has=(Feature.ON_RAMP, Feature.OFF_RAMP)),
+    Site.LANE_DROP: Road(has=(Feature.LANE_DROP,)),
+    Site.RURAL: Road(setting=Setting.RURAL),
+    Site.CROSSWALK: Road(has=(Feature.CROSSWALK,)),
+    Site.PARKING: Road(has=(Feature.PARKING_PLACES,)),
+    Site.BUS_BAY: Road(has=(Feature.BUS_BAY,)),
+}
+WAYS_OF_SITES = {Site.ROUNDABOUT: EgoRoute.ROUNDABOUT, Site.ON_RAMP: EgoRoute.MERGE, Site.OFF_RAMP: EgoRoute.EXIT}
+RULES = {
+    Control.SIGNAL: RightOfWay.SIGNAL,
+    Control.STOP_SIGN: RightOfWay.STOP_SIGN,
+    Control.NONE: RightOfWay.NONE,
+    None: None,
+}
+STARTS = {
+    Position.AHEAD: Where.AHEAD,
+    Position.ROADSIDE: Where.ROADSIDE,
+    Position.BESIDE: Where.BESIDE,
+    Position.AHEAD_BESIDE: Where.AHEAD_BESIDE,
+    Position.BEHIND: Where.BEHIND,
+    Position.BEHIND_BESIDE: Where.BEHIND_BESIDE,
+    Position.ONCOMING: Where.ONCOMING,
+    Position.CROSSING: Where.ARM,
+    Position.FAR_CORNER: Where.EXIT_CROSSING,
+    Position.KERB: Where.KERB,
+    Position.BEYOND: Where.EXIT,
+}
+HIDING: dict[Occluder, tuple[UserKind, Where]] = {
+    Occluder.PARKED_CAR: (UserKind.CAR, Where.KERB),
+    Occluder.PARKED_TRUCK: (UserKind.TRUCK, Where.KERB),
+    Occluder.PARKED_BUS: (UserKind.BUS, Where.KERB),
+    **dict.fromkeys(
+        (
+            Occluder.BUS_STOP,
+            Occluder.VENDING_MACHINE,
+            Occluder.KIOSK,
+            Occluder.CONTAINER,
+            Occluder.HEDGE,
+            Occluder.BILLBOARD,
+        ),
+        (UserKind.OBJECT, Where.ROADSIDE),
+    ),
+}
+EGO_DOES: dict[EgoState, tuple[Deed, ...]] = {
+    EgoState.STANDS: (Deed(act=Act.STAND),),
+    EgoState.SETS_OFF: (Deed(act=Act.STAND), Deed(act=Act.SET_OFF)),
+    EgoState.SLOW: (Deed(act=Act.GO_ALONG, manner=Manner.SLOW),),
+    EgoState.SLOWS_DOWN: (Deed(act=Act.SLOW_DOWN),),
+    EgoState.BRAKES: (Deed(act=Act.BRAKE),),
+    EgoState.STOPS: (Deed(act=Act.STOP),),
+}
+ACTS: dict[Action, Act] = {
+    Action.CROSS: Act.CROSS,
+    Action.DIAGONAL: Act.CROSS,
+    Action.STOP: Act.STOP,
+    Action.BRAKE: Act.BRAKE,
+    Action.ACCELERATE: Act.ACCELERATE,
+    Action.REVERSE: Act.REVERSE,
+    Action.CUT_IN: Act.CUT_IN,
+    Action.CHANGE_LANE: Act.LANE_CHANGE,
+    Action.WEAVE: Act.WEAVE,
+    Action.SWERVE: Act.SWERVE,
+    Action.PACE: Act.KEEP_LEVEL,
+    Action.TURN_LEFT: Act.TURN_LEFT,
+    Action.TURN_RIGHT: Act.TURN_RIGHT,
+    Action.HESITATE: Act.HESITATE,
+    Action.TURN_BACK: Act.TURN_BACK,
+    Action.OVERTAKE: Act.OVERTAKE,
+    Action.TAILGATE: Act.TAILGATE,
+    Action.PULL_OUT: Act.PULL_OUT,
+    Action.U_TURN: Act.U_TURN,
+    Action.STAND: Act.STAND,
+    Action.BLOCK: Act.STAND,
+    Action.NARROW: Act.STAND,
+    Action.FOLLOW: Act.GO_ALONG,
+    Action.ONCOMING: Act.GO_ALONG,
+    Action.WRONG_WAY: Act.GO_ALONG,
+    Action.SLOW: Act.GO_ALONG,
+    Action.FAST: Act.GO_ALONG,
+    Action.RUN_LIGHT: Act.GO_STRAIGHT,
+}
+"""What each act of the reader is."""
+MANNERS = {Action.SLOW: Manner.SLOW, Action.FAST: Manner.FAST}
+_ALONG = (Act.GO_ALONG, Act.GO_STRAIGHT)
+_ALL_ALONG = frozenset((*MANNERS, Action.RUN_LIGHT, Action.FOLLOW, Action.ONCOMING, Action.WRONG_WAY, Action.DIAGONAL))
+"""Acts that say how or where another is done, if there is another."""
+
+_AMOUNTS: dict[Measure, tuple[str, type[Amount]]] = {
+    Measure.SPEED: ("speed", Speed),
+    Measure.TIME: ("time", Duration),
+    Measure.DECELERATION: ("acceleration", Acceleration),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Told:
+    """A text as a situation.
+
+    Attributes:
+        situation: What was read, with the words that gave each fact.
+        left_out: What was read and a situation has no word for.
+    """
+
+    situation: Situation
+    left_out: tuple[str, ...] = ()
+
+
+def situation_of(scenario: Scenario) -> Told:
+    """The situation of a text whose facts are decided."""
+    slots, frame = scenario.slots, scenario.frame
+    numbers = frame.quantities if frame is not None else ()
+    made = in_a_situation(slots, numbers, scenario.surroundings)
+    left_out = [f"{one}: nothing in a situation is measured so" for one in (frame.shifts if frame is not None else ())]
+    left_out += [f"{one}: nobody does what it measures" for one in numbers if not _is_set(made.others[0], one)]
+    if Action.DIAGONAL in slots.actions:
+        left_out.append("at a slant: whoever crosses goes straight over")
+    left_out += [f"{one}: more others than are read" for one in slots.others[len(BESIDE) :]]
+    quoted = _quoted(scenario, made)
+    if made.ego.route is EgoRoute.STRAIGHT and "ego.route" not in quoted:  # which follows where nothing else is said
+        made = replace(made, ego=replace(made.ego, route=None))
+    made = replace(made, about=scenario.text, evidence=Evidence(quoted=quoted))
+    evidence = replace(made.evidence, assumed=without_words(made))
+    return Told(situation=replace(made, evidence=evidence), left_out=tuple(left_out))
+
+
+def in_a_situation(slots: Slots, numbers: Sequence[Quantity], around: Surroundings) -> Situation:
+    """Facts of the reader as a situation, without evidence."""
+    who = _other(WHO, Role.ADVERSARY, slots, numbers, slots)
+    beside = (_other(name, Role.SUPPORTING, one, (), slots) for name, one in zip(BESIDE, slots.others, strict=False))
+    return Situation(
+        ego=Ego(route=_route(slots), does=EGO_DOES[slots.ego] if slots.ego is not None else ()),
+        road=_road(slots),
+        others=(who, *beside, *_around_it(slots)),
+        around=_around(around),
+    )
+
+
+def _route(slots: Slots) -> EgoRoute | None:
+    by_site = WAYS_OF_SITES.get(slots.site) if slots.site is not None else None
+    return by_site or ROUTES[slots.maneuver]
+
+
+def _road(slots: Slots) -> Road:
+    site = SITES[slots.site] if slots.site is not None else Road()
+    kind = site.kind or (ROADS[slots.place] if slots.place is not None else None)
+    has = site.has
+    if slots.occluder is Occluder.BUS_STOP:
+        has = (*has, Feature.BUS_STOP)
+    return replace(site, kind=kind, control=RULES[slots.control], lanes=slots.lanes, two_way=slots.two_way, has=has)
+
+
+def _around(said: Surroundings) -> Around:
+    """Light, weather and road; what is usual is what nobody says."""
+    return Around(
+        light=said.light if said.light is not Light.DAY else None,
+        weather=said.weather if said.weather is not Weather.CLEAR else None,
+        surface=said.surface if said.surface is not Surface.DRY else None,
+    )
+
+
+def _around_it(slots: Slots) -> Iterator[Other]:
+    """Who hides the adversary, who leads the ego, and who stands in its way."""
+    if slots.occluder is not None:
+        kind, where = HIDING[slots.occluder]
+        start = Start(where=where, side=_side(slots))
+        yield Other(id=HIDES, kind=kind, role=Role.HIDES, starts=start, does=(Deed(act=Act.STAND),))
+    if slots.leader:
+        slowly = (Deed(act=Act.GO_ALONG, manner=Manner.SLOW),)
+        yield Other(id=LEADS, kind=UserKind.VEHICLE, role=Role.SUPPORTING, starts=Start(where=Where.AHEAD), does=slowly)
+    if slots.blocker:
+        yield Other(
+            id=BLOCKS,
+            kind=UserKind.VEHICLE,
+            role=Role.SUPPORTING,
+            starts=Start(where=Where.AHEAD),
+            does=(Deed(act=Act.STAND),),
+        )
+
+
+# One of the others
+
+
+def _other(name: str, role: Role, slots: Slots, numbers: Sequence[Quantity], whole: Slots) -> Other:
+    kind = KINDS[slots.adversary]
+    start = _start(slots, kind, numbers, junction=whole.place in JUNCTIONS or whole.control is not None)
+    deeds = _numbered(_deeds(slots, start), numbers)
+    hidden = HIDES if role is Role.ADVERSARY and slots.occluder is not None else None
+    return Other(
+        id=name, kind=kind, count=0 if slots.group else 1, role=role, starts=start, hidden_by=hidden, does=deeds
+    )
+
+
+def _side(slots: Slots) -> Side | None:
+    return Side(slots.side.value) if slots.side is not None else None
+
+
+def _start(slots: Slots, kind: UserKind, numbers: Sequence[Quantity], *, junction: bool) -> Start:
+    where = STARTS[slots.position] if slots.position is not None else _usual(slots, kind, junction=junction)
+    if Action.WRONG_WAY in slots.actions:
+        where = Where.ONCOMING_IN_OUR_LANE
+    if where is Where.KERB and kind.moves is Moves.WALKS:
+        where = Where.ROADSIDE
+    if slots.site is Site.CROSSWALK and where is Where.ROADSIDE:
+        where = Where.CROSSING
+    if slots.site is Site.PAST_ON_RAMP and Action.CUT_IN in slots.actions:
+        where = Where.ON_RAMP
+    if slots.site is Site.BUS_BAY and where is Where.KERB:
+        where = Where.BUS_BAY
+    distance = next((_amount(Length, one) for one in numbers if one.measure is Measure.DISTANCE), None)
+    if distance is None and slots.distance is not None:
+        low, high = slots.distance.bounds(slots.position)
+        distance = Length(low, high) if slots.distance is Distance.FAR else Length(-float("inf"), high)
+    facing = Facing.AGAINST if kind.moves is Moves.WALKS and Action.ONCOMING in slots.actions else None
+    if where is Where.ONCOMING and facing is not None:
+        where = Where.AHEAD
+    return Start(where=where, side=_side(slots) if where.row.sided else None, distance=distance, facing=facing)
+
+
+_USUAL: dict[Action, Where] = {
+    Action.CUT_IN: Where.AHEAD_BESIDE,
+    Action.CHANGE_LANE: Where.AHEAD_BESIDE,
+    Action.PACE: Where.BESIDE,
+    Action.OVERTAKE: Where.BEHIND,
+    Action.TAILGATE: Where.BEHIND,
+    Action.PULL_OUT: Where.KERB,
+    Action.ONCOMING: Where.ONCOMING,
+    Action.TURN_BACK: Where.ROADSIDE,
+}
+
+
+def _usual(slots: Slots, kind: UserKind, *, junction: bool) -> Where:
+    """Where somebody is of whom that was not said."""
+    drives = kind.moves is Moves.DRIVES or kind is UserKind.MOTORCYCLE
+    acts = slots.actions
+    if Action.RUN_LIGHT in acts or (junction and drives and Action.CROSS in acts):
+        return Where.ARM
+    if junction and (Action.TURN_LEFT in acts or Action.TURN_RIGHT in acts):
+        return Where.ONCOMING
+    if Action.CROSS in acts or Action.DIAGONAL in acts:
+        return Where.DRIVEWAY if drives else Where.ROADSIDE
+    return next((_USUAL[act] for act in acts if act in _USUAL), Where.AHEAD)
+
+
+def _deeds(slots: Slots, start: Start) -> tuple[Deed, ...]:
+    """What somebody does, in order."""
+    said = [act for act in slots.actions if act not in _ALL_ALONG]
+    said = [act for act, after in zip(said, [*said[1:], None], strict=False) if (act, after) not in _BEGINS]
+    manner = next((MANNERS[act] for act in slots.actions if act in MANNERS), None)
+    runs = Action.RUN_LIGHT in slots.actions
+    if not said:
+        said = [next((act for act in slots.actions), Action.FOLLOW)]
+    deeds = [_deed(act, slots, start) for act in dict.fromkeys(said)]
+    if manner is not None:
+        at = next((i for i, one in enumerate(deeds) if one.act is not Act.STAND), 0)
+        deeds[at] = replace(deeds[at], manner=manner)
+    if runs:
+        through = (Act.GO_STRAIGHT, Act.TURN_LEFT, Act.TURN_RIGHT, Act.CROSS)
+        at = next((i for i, one in enumerate(deeds) if one.act in through), None)
+        if at is None:
+            deeds.insert(0, Deed(act=Act.GO_STRAIGHT, breaks=Breach.RED_LIGHT))
+        else:
+            deeds[at] = replace(deeds[at], breaks=Breach.RED_LIGHT)
+    return tuple(deeds)
+
+
+_BEGINS = ((Action.BRAKE, Action.STOP), (Action.CHANGE_LANE, Action.CUT_IN))
+"""Acts of which the first is only how the second begins."""
+
+
+def _deed(action: Action, slots: Slots, start: Start) -> Deed:
+    act, where = ACTS[action], start.where
+    through = where is Where.ARM or (where is Where.ONCOMING and (slots.place in JUNCTIONS or slots.control))
+    if act in (Act.CROSS, Act.GO_ALONG) and through:
+        act = Act.GO_STRAIGHT
+    if act is Act.LANE_CHANGE and where is Where.AHEAD:
+        act = Act.CUT_OUT
+    if act is Act.CUT_IN and where is Where.ON_RAMP:
+        act = Act.MERGE
+    if act is Act.GO_ALONG and where is Where.BEHIND:
+        act = Act.FOLLOW
+    return Deed(act=act)
+
+
+def _numbered(deeds: tuple[Deed, ...], numbers: Sequence[Quantity]) -> tuple[Deed, ...]:
+    """Deeds with the numbers that were said of them: each of the first that it can be said of."""
+    made = list(deeds)
+    for one in numbers:
+        if one.measure in _AMOUNTS:
+            name, kind = _AMOUNTS[one.measure]
+            at = next((i for i, deed in enumerate(made) if name in deed.act.row.takes), None)
+            if at is not None:
+                made[at] = replace(made[at], **{name: _amount(kind, one)})
+        elif one.measure is Measure.TRIGGER and made:
+            at = next((i for i, deed in enumerate(made) if not deed.act.row.lasting), len(made) - 1)
+            made[at] = replace(made[at], when=When(ego_within=_amount(Length, one)))
+        elif one.measure is Measure.ASIDE:
+            at = next((i for i, deed in enumerate(made) if deed.act is Act.SWERVE), None)
+            if at is not None:
+                made[at] = replace(made[at], to=Side.LEFT if one.value > 0 else Side.RIGHT)
+    return tuple(made)
+
+
+def _amount(kind: type[Amount], number: Quantity) -> Any:
+    """A number as it was said, if its words are an amount; its value was rounded when it was read."""
+    try:
+        said = kind.of(number.said)
+    except ValueError:
+        return kind(number.value, number.value)
+    return said if said.exact and abs(said.low - number.value) < 0.01 else kind(number.value, number.value)
+
+
+def _is_set(who: Other, one: Quantity) -> bool:
+    """Whether a number stands somewhere in what somebody does."""
+    if one.measure is Measure.DISTANCE:
+        return who.starts.distance is not None
+    if one.measure is Measure.TRIGGER:
+        return any(deed.when is not None for deed in who.does)
+    if one.measure is Measure.ASIDE:
+        return any(deed.to is not None for deed in who.does)
+    return any(getattr(deed, _AMOUNTS[one.measure][0]) is not None for deed in who.does)
+
+
+# The words
+
+_PATHS: dict[str, tuple[str, ...]] = {
+    "adversary": (f"others.{WHO}.kind",),
+    "actions": (f"others.{WHO}.does",),
+    "position": (f"others.{WHO}.starts.where", f"others.{WHO}.starts"),
+    "side": (f"others.{WHO}.starts.side", f"others.{WHO}.starts"),
+    "distance": (f"others.{WHO}.starts.distance",),
+    "group": (f"others.{WHO}.count",),
+    "maneuver": ("ego.route",),
+    "ego": ("ego.does",),
+    "the ego": ("ego.route", "ego"),
+    "place": ("road.kind",),
+    "control": ("road.control",),
+    "lanes": ("road.lanes",),
+    "two_way": ("road.two_way",),
+    "site": ("road",),
+    "occluder": (f"others.{HIDES}",),
+    "leader": (f"others.{LEADS}",),
+    "blocker": (f"others.{BLOCKS}",),
+    "others": (f"others.{BESIDE[0]}",),
+    "light": ("around.light",),
+    "weather": ("around.weather",),
+    "surface": ("around.surface",),
+    "speed": (f"others.{WHO}.does",),
+    "time": (f"others.{WHO}.does",),
+    "deceleration": (f"others.{WHO}.does",),
+    "trigger": (f"others.{WHO}.does",),
+    "aside": (f"others.{WHO}.does",),
+}
+"""Where the fact stands that a word gave, the first that is there."""
+_A = f"others.{WHO}"
+_TOLD_WITH: dict[str, tuple[str, ...]] = {
+    "road.control": ("road.kind",),
+    "road.kind": ("road.control", "ego.route"),
+    "road.has": (f"others.{HIDES}", "road"),
+    f"{_A}.hidden_by": (f"others.{HIDES}",),
+    f"{_A}.starts.where": (f"{_A}.starts.side", f"{_A}.does", f"{_A}.kind"),
+    f"{_A}.starts.side": (f"{_A}.starts.where", f"{_A}.does"),
+    f"{_A}.starts.distance": (f"{_A}.starts.where",),
+    f"{_A}.does": (f"{_A}.kind",),
+    f"others.{HIDES}.starts.side": (f"{_A}.starts.side",),
+    f"others.{LEADS}": (f"others.{BESIDE[0]}",),
+    f"others.{BLOCKS}": ("ego.route",),
+}
+"""Facts that the words of another one tell as well, where none of their own do."""
+
+
+def _quoted(scenario: Scenario, made: Situation) -> dict[str, str]:
+    """The words that gave each fact: those that follow each other as they stand, others parted by a gap."""
+    text = scenario.frame.text if scenario.frame is not None else ""
+    runs: dict[str, list[tuple[int, int]]] = {}
+    for word in words_of(scenario):
+        path = next((one for one in _PATHS.get(word.fact, ()) if is_said(made, one)), None)
+        if path is not None:
+            spans = runs.setdefault(path, [])
+            if spans and not text[spans[-1][1] : word.start].strip():
+                spans[-1] = (spans[-1][0], word.end)
+            else:
+                spans.append((word.start, word.end))
+    found = {path: GAP.join(text[start:end] for start, end in spans) for path, spans in runs.items()}
+    for path, others in _TOLD_WITH.items():
+        told = next((found[one] for one in others if one in found), "")
+        if path not in found and told and is_said(made, path):
+            found[path] = told
+    return found
